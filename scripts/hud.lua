@@ -22,6 +22,7 @@ function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) e
 -- Puts s, in the language of the run, in the middle of `cols` columns from `first` on (the screen's), broken into
 -- lines; returns the row below.
 function hud.centre(row, s, bank, first, cols)
+  if not math.tointeger(row) then sys.fail("hud.centre", ("row: expected a whole number, got %s"):format(tostring(row))) end
   first, cols = first or 0, cols or hud.cols
   for _, line in ipairs(hud.wrap(text.lang(s), cols)) do
     hud.put(first + math.max(0, (cols - sys.cells(line)) // 2), row, line, bank)
@@ -73,19 +74,23 @@ end
 
 local function icons(icon, n) return n > FEW and icon .. "x" .. n or icon:rep(n) end
 
-local function fill(s, cells) return s .. (" "):rep(cells - sys.cells(s)) end
+-- All that rows are made of has a byte a cell, but for the registers' names in some languages.
+local wide = false
+local function cells(s) return wide and sys.cells(s) or #s end
+
+local function fill(s, n) return s .. (" "):rep(n - cells(s)) end
 
 -- One row with a left, a middle and a right part; where that is too long, a row for each.
 local function add(rows, first, middle, last)
-  local n = sys.cells(first) + sys.cells(middle) + sys.cells(last)
+  local n = cells(first) + cells(middle) + cells(last)
   if n + 2 <= width then
-    local line = fill(first, (width - sys.cells(middle)) // 2) .. middle
-    rows[#rows + 1] = fill(line, width - sys.cells(last)) .. last
+    local line = fill(first, (width - cells(middle)) // 2) .. middle
+    rows[#rows + 1] = fill(line, width - cells(last)) .. last
     return
   end
   for _, s in ipairs { first, middle, last } do
     for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do
-      rows[#rows + 1] = WIDE and s == last and fill("", width - sys.cells(line)) .. line or line
+      rows[#rows + 1] = WIDE and s == last and fill("", width - cells(line)) .. line or line
     end
   end
 end
@@ -110,8 +115,8 @@ local function register(i, k)
   local n = r and sys.value(i, r.name, r.run)
   if not n then return "" end
   if r.show == "icons" then return r.label .. icons(GRAZE, n) end
-  local cells = (WIDE and players > 1 and (width - 2) // 2 or width) - sys.cells(r.label)
-  if r.show == "bar" then return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, cells))) end
+  local most = (WIDE and players > 1 and (width - 2) // 2 or width) - cells(r.label)
+  if r.show == "bar" then return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, most))) end
   return r.label .. n
 end
 
@@ -181,6 +186,8 @@ end
 
 -- Shows lines in the middle of the field for so many frames; without lines, ends that.
 function hud.banner(lines, over)
+  if lines and type(lines) ~= "table" then sys.fail("hud.banner", 'lines: expected a list of texts, as { "GO" }') end
+  if lines and not math.tointeger(over) then sys.fail("hud.banner", "frames: expected how long it is shown") end
   if banner then text.clear { col = field_col, row = BANNER_ROW, w = field_cols, h = banner.h } end
   banner = nil
   if not lines then return end
@@ -199,11 +206,12 @@ end
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  values, fresh, again = {}, true, true
+  values, fresh, again, wide = {}, true, true, false
   for i = 1, 2 do
     local list, kind = {}, i <= n and player.get(i).kind
     for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
       r.label = text.lang((r.name:gsub("_", " "):upper())) .. " "
+      wide = wide or #r.label ~= sys.cells(r.label)
       if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
     end
     registers[i] = list

@@ -98,6 +98,9 @@ end
 -- say and choose: say.lua and choose.lua hand them out.
 
 function sys.say(who, words, args)
+  if words == nil and type(who) == "string" and not talkers[who] then
+    sys.fail("say", ("expected who and what, as say(nil, \"%s\"): nil for nobody"):format(who))
+  end
   local a = sys.check("say", who, words, args)
   local talker = a.who and talkers[a.who]
   if a.who and not talker then sys.unknown("say", "talker", a.who, names) end
@@ -113,6 +116,7 @@ function sys.say(who, words, args)
 end
 
 function sys.choose(list, args)
+  if type(list) ~= "table" then sys.fail("choose", 'list: expected a list of texts, as choose { "YES", "NO" }') end
   local a, items = sys.check("choose", list, args), {}
   for key in pairs(a.list) do
     if type(key) == "string" then

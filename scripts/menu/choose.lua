@@ -3,6 +3,11 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local page = sys.read("menu/page")
 
 return function(a)
+  if type(a) ~= "table" or type(a.items) ~= "table" or #a.items == 0 then
+    sys.fail("menu.choose", 'items: expected a list of texts, as { items = { "YES", "NO" }, row = 12 }')
+  elseif not math.tointeger(a.row) then
+    sys.fail("menu.choose", ("row: expected a whole number, got %s"):format(tostring(a.row)))
+  end
   local items, top = {}, a.row
   for i, item in ipairs(a.items) do items[i] = text.lang(item) end
   if a.title then top = page.centre(a.row, a.title, hud.banks.bright) + 1 end

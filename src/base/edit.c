@@ -26,5 +26,7 @@ int edit_distance(const char *a, const char *b)
                 best = d[i - 2][j - 2] + 1;
             d[i][j] = best;
         }
-    return d[n][m] <= 1 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7) ? d[n][m] : EDIT_FAR;
+    return (d[n][m] <= 1 && (n > 1 || m > 1)) || d[n][m] == 0 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7)
+               ? d[n][m]
+               : EDIT_FAR;
 }

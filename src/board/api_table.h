@@ -181,6 +181,10 @@ const char *api_library_names(const char *library);
 const char *api_instead(const char *space, const char *name);
 const char *api_instead_field(const char *name, const char **space);
 
+/* Functions that scripts can call whose last word is next to `name`, three at most: "bullet.fire or shot.fire"; false:
+ * none. */
+bool api_help_calls(const char *name, char *out, size_t size);
+
 /* Is it a property of a thing that can be gone? */
 bool api_dies(const char *name);
 

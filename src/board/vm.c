@@ -176,7 +176,7 @@ static bool nil_field(const char *message, char *name, size_t size)
 /* What to say behind Lua's own message: why a field may be nil here. */
 static void hint(const char *message, char *out, size_t size)
 {
-    char name[32];
+    char name[32], calls[100];
     const char *space, *instead;
 
     out[0] = 0;
@@ -184,6 +184,8 @@ static void hint(const char *message, char *out, size_t size)
         return;
     if ((instead = api_instead_field(name, &space)) != NULL)
         snprintf(out, size, " (%s.%s is not available: %s)", space, name, instead);
+    else if (strstr(message, "to call") && api_help_calls(name, calls, sizeof calls))
+        snprintf(out, size, " (did you mean %s?)", calls);
     else if (!strstr(message, "to call") && api_dies(name))
         snprintf(out, size, " (a thing that is gone gives nil for %s; ask its alive first)", name);
 }

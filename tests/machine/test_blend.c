@@ -159,7 +159,7 @@ static void errors(void **state)
 
     (void)state;
     script_faults("bullet.def('b', { sprite = 'dot', hit = 'none', blend = 'glwo' })",
-                  "main.lua:1: bullet.def: blend \"glwo\" is not in rom.lua (it has ghost, glow)");
+                  "main.lua:1: bullet.def: blend \"glwo\" is not in rom.lua (did you mean \"glow\"?)");
     script_faults("spark.def('b', { sprite = 'dot', life = 1, blend = 3 })",
                   "main.lua:1: spark.def: blend: expected a blend's name, got 3");
     script_faults("sprite.put { sprite = 'dot', x = 1, y = 1 }.blend = 'add'",

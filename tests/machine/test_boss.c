@@ -336,7 +336,7 @@ static void test_errors(void **state)
     says("one(phase { spell = 'S', cut_in = true })",
          "boss.def: phase \"a\": cut_in: the boss has no portrait (portrait = a sprite)");
     says("one({ talk = 3 }, phase {})", "boss.def talk: talk: expected a function, got 3");
-    says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\"");
+    says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\" (it takes talk)");
     says("one({ talk = idle }, { hp = 5 })", "boss.def phase \"#2\": id: expected a string, got nil");
     says("one(phase { music = 'x' })", "boss.def phase \"a\": \"x\" is not in rom.lua's music");
     says("one(3)", "boss.def phase \"#1\": expected a table of named arguments, got 3");

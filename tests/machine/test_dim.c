@@ -206,7 +206,7 @@ static void test_errors(void **state)
     says("sprite.plate { x = 0, y = 0, w = 60 }",
          "main.lua:1: sprite.plate: h: expected a whole number from 8 to 4096 px, got nil");
     says("sprite.plate { x = 0, y = 0, w = 60, h = 20, layer = 'over' }",
-         "main.lua:1: sprite.plate: unknown argument \"layer\"");
+         "main.lua:1: sprite.plate: unknown argument \"layer\" (it takes x, y, w, h, bank, hidden, front, stay)");
     says(PLATE "p.sprite = 'dot'", "main.lua:2: sprite: sprite: a plate has no picture");
     says(PLATE "p.blend = nil", "main.lua:2: sprite: blend: a plate has no picture");
     says(PLATE "p.dx = 2", "main.lua:2: sprite: dx: it follows nothing: write x, y");

@@ -212,9 +212,10 @@ static void says(const char *text, const char *line)
 static void test_errors(void **state)
 {
     (void)state;
-    says("sprite.put { sprite = 'dot', x = 1 }", "sprite.put: place: expected x and y, or follow (a thing)");
+    says("sprite.put { sprite = 'dot', x = 1 }",
+         "sprite.put: place: expected x and y, or follow (a thing), got one of x and y");
     says("sprite.put { sprite = 'dot', x = 1, y = 2, follow = player.get(1) }",
-         "sprite.put: place: expected x and y, or follow (a thing)");
+         "sprite.put: place: expected x and y, or follow (a thing), got both");
     says("sprite.put { sprite = 'dot', x = 1, y = 2, dx = 3 }", "sprite.put: dx, dy: only with follow");
     says("sprite.put { sprite = 'dot', follow = player.get(1), screen = true }",
          "sprite.put: follow: a sprite on the screen follows nothing in the field");

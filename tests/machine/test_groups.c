@@ -338,7 +338,7 @@ static void test_words(void **state)
     SAYS("query.line { what = 'bullets', x = 1, y = 2, to_x = 3, to_y = 2, width = 3 }",
          "query.line: what: expected bullet, enemy, item, laser, shot or player, got \"bullets\"");
     SAYS("query.line { what = 'bullet', x = 1, y = 2, to_x = 3, to_y = 2, radius = 3 }",
-         "query.line: unknown argument \"radius\"");
+         "query.line: unknown argument \"radius\" (it takes what, tag, x, y, from, dx, dy, to_x, to_y, width)");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
          "print(#query.near { what = 'enemy', from = e, dx = 3, radius = 3 }, #query.box { what = 'player', x = 0, y = "
          "0, w = "

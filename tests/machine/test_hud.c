@@ -365,8 +365,11 @@ static void test_warning(void **state)
               "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
               "boss.def('b', { title = 'NINE', kind = 'e', x = 99, y = 9, warning = 90, phases = { { id = 'a', hp = "
               "5, time = 99, run = function() end } } })\n"
+              "hud.banner({ 'A STAGE' }, 900)\n"
               "task.go(function() boss.fight('b') end)");
+    row_is(13, 11, "A STAGE");
     rig_run(&r, 8);
+    row_is(13, -1, ""); /* the band needs the place */
     row_is(16, 7, "RNING  WARNING");
     rig_run(&r, 40);
     row_is(16, 2, "WARNING  WARNING  WARNING  W");

@@ -128,16 +128,16 @@ static void test_gives_run(void **state)
 static void test_full_run(void **state)
 {
     (void)state;
-    power("game.def { registers = { rank = { max = 2 }, power = { max = 1 } } }\n"
-          "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, collect_full = 'rank', magnet = 0,\n"
+    power("game.def { registers = { heat = { max = 2 }, power = { max = 1 } } }\n"
+          "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, collect_full = 'heat', magnet = 0,\n"
           "  registers = { power = { max = 2 }, luck = 0 } })\n"
-          "item.def('a', { sprite = 'dot', radius = 9, gives = { score = 10, rank = 1, luck = 1 }, full = 'rank' })\n"
+          "item.def('a', { sprite = 'dot', radius = 9, gives = { score = 10, heat = 1, luck = 1 }, full = 'heat' })\n"
           "item.def('b', { sprite = 'dot', radius = 9, gives = { score = 10, power = 1 }, full = 'power' })\n"
           "task.go(function() sys.join(1, 'ship') sys.start(sys.scope()) local p = player.get(1)\n"
           "  local far item.drop { kind = 'a', x = p.x, y = 40, speed = 0 }\n"
           "  item.each(nil, function(i) far = i end)\n"
           "  for i = 1, 3 do item.drop { kind = 'a', from = p } item.drop { kind = 'b', from = p } wait(2)\n"
-          "    say(game.rank, p.luck, p.power, p.score, far.vy > 3) end end)");
+          "    say(game.heat, p.luck, p.power, p.score, far.vy > 3) end end)");
     hold(0, 0, 7);
     assert_string_equal(rig_told(&rig), "1 1 1 20 false 2 2 2 40 true 2 2 2 60 true");
     done();

@@ -258,7 +258,7 @@ static void test_mistakes(void **state)
         { "unlock.def('a', { when = { cleared = true } })",
           "unlock.def when: unknown argument \"cleared\" (did you mean \"clear\"?)" },
         { "unlock.def('a', { when = { clear = true } }) unlock.has('b')",
-          "unlock.has: unlock \"b\" is not declared (did you mean \"a\"?)" },
+          "unlock.has: unlock \"b\" is not declared (there is a)" },
         { "unlock.def('a', { when = {} }) unlock.def('a', { when = {} })",
           "unlock.def: unlock \"a\" is declared twice" },
         { "unlock.def('a name of five and twenty', { when = {} })",
@@ -297,10 +297,10 @@ static void test_expected(void **state)
           "unlock.def: boss \"iris\" is not declared (there is none)" },
         { "unlock.def('a', { when = {} })\n"
           "stage.def('three', function() end, { needs = 'b' })",
-          "stage.def: unlock \"b\" is not declared (did you mean \"a\"?)" },
+          "stage.def: unlock \"b\" is not declared (there is a)" },
         { "unlock.def('a', { when = {} })\n"
           "player.def('x', { sprite = 'dot', hit = { circle = 1 }, needs = 'c' })",
-          "player.def: unlock \"c\" is not declared (did you mean \"a\"?)" },
+          "player.def: unlock \"c\" is not declared (there is a)" },
     };
 
     (void)state;

@@ -354,7 +354,8 @@ static void test_errors(void **state)
          "main.lua:1: screen.shake: over: expected a whole number from 1 to 65535 frames, got nil");
     says("screen.flash { over = 5, share = 2 }",
          "main.lua:1: screen.flash: share: expected a number from 0 to 1, got 2");
-    says("screen.flash { over = 5, colour = 2 }", "main.lua:1: screen.flash: unknown argument \"colour\"");
+    says("screen.flash { over = 5, colour = 2 }",
+         "main.lua:1: screen.flash: unknown argument \"colour\" (it takes to, over, share)");
     says("screen.letterbox { h = -1 }",
          "main.lua:1: screen.letterbox: h: expected a whole number from 0 to 2048 px, got -1");
 }

@@ -215,7 +215,7 @@ static void test_mistakes(void **state)
     refuses("sound.play('boom', { volume = 2 })",
             "main.lua:1: sound.play: volume: expected a number from 0 to 1, got 2");
     refuses("sound.play('boom', { pan = 0, from = bullet.fire { kind = 'x' } })",
-            "main.lua:1: bullet.fire: bullet kind \"x\" is not declared");
+            "main.lua:1: bullet.fire: bullet kind \"x\" is not declared (there is none)");
     refuses("music.play('tied')",
             "main.lua:1: music.play: \"tied\" is not in rom.lua's music (did you mean \"tide\"?)");
     refuses("music.stop(30)", "main.lua:1: music.stop: expected a table of named arguments, got 30");

@@ -362,6 +362,18 @@ static void test_choose_in_talk(void **state)
     close_it();
 }
 
+/* A list stands where a banner does: what was there is gone before. */
+static void test_banner(void **state)
+{
+    (void)state;
+    open_it("hud.banner({ 'A STAGE' }, 900) wait(2) talk.run(function() wait(3) end)");
+    rig_run(&r, 2);
+    assert_string_equal(cells(13, 0, 30), "           A STAGE");
+    rig_run(&r, 1);
+    assert_string_equal(cells(13, 0, 30), "");
+    close_it();
+}
+
 /* A stage's clock stands unless clock; bullets go unless clear is false. */
 static void test_stage(void **state)
 {
@@ -580,12 +592,12 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_letters), cmocka_unit_test(test_pages),     cmocka_unit_test(test_mark),
-        cmocka_unit_test(test_faces),   cmocka_unit_test(test_hold),      cmocka_unit_test(test_presses),
-        cmocka_unit_test(test_skip),    cmocka_unit_test(test_choose),    cmocka_unit_test(test_choose_in_talk),
-        cmocka_unit_test(test_stage),   cmocka_unit_test(test_practice),  cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_pause),   cmocka_unit_test(test_snapshots), cmocka_unit_test(test_boss),
-        cmocka_unit_test(test_packed),  cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_letters), cmocka_unit_test(test_pages),  cmocka_unit_test(test_mark),
+        cmocka_unit_test(test_faces),   cmocka_unit_test(test_hold),   cmocka_unit_test(test_presses),
+        cmocka_unit_test(test_skip),    cmocka_unit_test(test_choose), cmocka_unit_test(test_choose_in_talk),
+        cmocka_unit_test(test_banner),  cmocka_unit_test(test_stage),  cmocka_unit_test(test_practice),
+        cmocka_unit_test(test_stop),    cmocka_unit_test(test_pause),  cmocka_unit_test(test_snapshots),
+        cmocka_unit_test(test_boss),    cmocka_unit_test(test_packed), cmocka_unit_test(test_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

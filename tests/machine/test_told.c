@@ -143,8 +143,37 @@ static void test_later(void **state)
     SAYS("board.ask(3)", "main.lua:2: board.ask is not there yet; the name is kept for it");
     SAYS("print(board.askk, on[1], text.lines)", "nil\tnil\tnil\n");
     SAYS("board.ask = print board.ask('mine')", "mine\n");
+    SAYS("bullet.fier {}",
+         "main.lua:2: attempt to call a nil value (field 'fier') (did you mean bullet.fire or shot.fire?)");
+    SAYS("bullet.dfe()", "main.lua:2: attempt to call a nil value (field 'dfe')"); /* too many are called def */
+    SAYS("talk.sya()", "main.lua:2: attempt to call a nil value (field 'sya') (did you mean say?)");
+    SAYS("text.printed()", "main.lua:2: attempt to call a nil value (field 'printed')");
+    SAYS("hud.center(3, 'a')",
+         "main.lua:2: attempt to call a nil value (field 'center') (did you mean score.enter or hud.centre?)");
+    SAYS("hud.banner('GO', 60)", "main.lua:2: hud.banner: lines: expected a list of texts, as { \"GO\" }");
+    SAYS("hud.banner({ 'GO' })", "main.lua:2: hud.banner: frames: expected how long it is shown");
+    SAYS("hud.centre('a', 3)", "main.lua:2: hud.centre: row: expected a whole number, got a");
+    SAYS("menu.choose { 'a', 'b' }",
+         "main.lua:2: menu.choose: items: expected a list of texts, as { items = { \"YES\", \"NO\" }, row = 12 }");
+    SAYS("menu.choose { items = { 'a' } }", "main.lua:2: menu.choose: row: expected a whole number, got nil");
+    SAYS("sprite.put('dot', 10, 20)",
+         "main.lua:2: sprite.put: expected a table of named arguments, sprite.put { ... }, got 3 arguments");
+    SAYS("local s = sprite.put { sprite = 'dot', x = 1, y = 2 } s.z = 4", "main.lua:2: a sprite has no property \"z\"");
+    SAYS("bullet.group().clear(7)", "main.lua:2: group:clear: call it with a colon, on a thing");
+    SAYS("bullet.group().clear(player.get(1))",
+         "main.lua:2: group:clear: call it with a colon, on what it is of, and not on a player");
+    SAYS("board.difficulty('esay')",
+         "main.lua:2: board.difficulty: difficulty \"esay\" is not in rom.lua (it has normal)");
+    SAYS("board.dip('coin')", "main.lua:2: board.dip: dip \"coin\" is not in rom.lua (it has none)");
+    SAYS("board.live('bulets')",
+         "main.lua:2: board.live: chip \"bulets\" is not one of this board (did you mean \"bullets\"?)");
+    SAYS("palette.load('dusk')", "main.lua:2: palette.load: palette \"dusk\" is not in rom.lua (it has main, other)");
+    SAYS("say('Hello')", "main.lua:2: say: expected who and what, as say(nil, \"Hello\"): nil for nobody");
+    SAYS("choose('a', 'b')", "main.lua:2: choose: list: expected a list of texts, as choose { \"YES\", \"NO\" }");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
-         "main.lua:2: pattern.ring: unknown argument \"needle\"");
+         "main.lua:2: pattern.ring: unknown argument \"needle\" (it takes n, skip, fire, each, kind, speed, x, y, "
+         "from, dx, dy, "
+         "dir, aim, bank, tag, motion, delay, around)");
 }
 
 /* None of them is there: or what is there would be said not to be. */

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "../../base/hash.h"
 #include "../api.h"
+#include "api_parts.h"
 
 /* The only parameter of each entry here. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0 };
@@ -24,6 +25,17 @@ static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+static int no_difficulty(lua_State *L, const struct manifest *m, const char *name)
+{
+    struct api_hint near;
+
+    api_hint_begin(&near, name);
+    for (int i = 0; i < m->n_difficulties; i++)
+        api_hint_add(&near, m->difficulties[i]);
+    return api_error(L, "board.difficulty", "difficulty \"%s\" is not in rom.lua%s", name,
+                     api_hint_push(L, &near, "it has"));
+}
+
 static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct manifest *m = &b->cart.m;
@@ -33,8 +45,7 @@ static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
         while (i < m->n_difficulties && strcmp(m->difficulties[i], lua_tostring(L, v[ARG_NAME].at)))
             i++;
         if (i == m->n_difficulties)
-            return api_error(L, "board.difficulty", "difficulty \"%s\" is not in rom.lua",
-                             lua_tostring(L, v[ARG_NAME].at));
+            return no_difficulty(L, m, lua_tostring(L, v[ARG_NAME].at));
         b->core.difficulty = (uint32_t)i;
     }
     lua_pushstring(L, m->difficulties[b->core.difficulty]);
@@ -54,7 +65,11 @@ static int board_dip(lua_State *L, struct board *b, struct api_value *v)
             lua_pushstring(L, m->dips[i].value_name[b->start.dip[i]]);
         return 1;
     }
-    return api_error(L, "board.dip", "dip \"%s\" is not in rom.lua", lua_tostring(L, v[ARG_NAME].at));
+    struct api_hint near;
+    api_hint_begin(&near, lua_tostring(L, v[ARG_NAME].at));
+    for (int i = 0; i < m->n_dips; i++)
+        api_hint_add(&near, m->dips[i].name);
+    return api_error(L, "board.dip", "dip \"%s\" is not in rom.lua%s", near.word, api_hint_push(L, &near, "it has"));
 }
 
 static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
@@ -69,8 +84,14 @@ static int count_of(lua_State *L, struct board *b, const char *entry, int at,
 {
     int64_t n = ask(b, lua_tostring(L, at));
 
-    if (n < 0)
-        return api_error(L, entry, "chip \"%s\" is not one of this board", lua_tostring(L, at));
+    if (n < 0) {
+        struct api_hint near;
+        api_hint_begin(&near, lua_tostring(L, at));
+        for (int i = 0; i < PARTS; i++)
+            api_hint_add(&near, machine_parts[i].chip->name);
+        return api_error(L, entry, "chip \"%s\" is not one of this board%s", near.word,
+                         api_hint_push(L, &near, "it has"));
+    }
     lua_pushinteger(L, n);
     return 1;
 }

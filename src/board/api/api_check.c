@@ -170,6 +170,8 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
     v->i = v->whole ? v->bits : 0;
     if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
         return;
+    if (!strcmp(p->name, "self"))
+        api_error(L, entry, "call it with a colon, on what it is of, and not on %s", push_got(L, at));
     for (int k = 1; k < HANDLES; k++)
         if (mask == 1u << k)
             expected(L, entry, p, at, api_thing_names[k]);
@@ -204,11 +206,12 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     if (other)
         api_error(L, entry, "%s \"%s\" is not declared (%s \"%s\" is)", noun, lua_tostring(L, at), other,
                   lua_tostring(L, at));
-    api_names_suggest(L, what, lua_tostring(L, at));
-    if (lua_isnil(L, -1))
-        api_error(L, entry, "%s \"%s\" is not declared", noun, lua_tostring(L, at));
-    api_error(L, entry, "%s \"%s\" is not declared (did you mean \"%s\"?)", noun, lua_tostring(L, at),
-              lua_tostring(L, -1));
+    struct api_hint near;
+    api_hint_begin(&near, lua_tostring(L, at));
+    const char *known;
+    for (int i = 0; (known = api_names_at(vm_board(L), what, i)) != NULL; i++)
+        api_hint_add(&near, known);
+    api_error(L, entry, "%s \"%s\" is not declared%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "there is"));
 }
 
 static void check_sprite(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -231,55 +234,47 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
 static void check_face(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    const char *found = NULL;
-    int best = EDIT_FAR;
+    struct api_hint near;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a font's name");
     v->i = cart_find_face(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
+    api_hint_begin(&near, lua_tostring(L, at));
     for (int i = 0; i < cart->faces; i++)
-        api_suggest_nearer(lua_tostring(L, at), cart_face_name(cart, i), &best, &found);
-    if (!found)
-        api_error(L, entry, "font \"%s\" is not in rom.lua's fonts", lua_tostring(L, at));
-    api_error(L, entry, "font \"%s\" is not in rom.lua's fonts (did you mean \"%s\"?)", lua_tostring(L, at), found);
+        api_hint_add(&near, cart_face_name(cart, i));
+    api_error(L, entry, "font \"%s\" is not in rom.lua's fonts%s", lua_tostring(L, at),
+              api_hint_push(L, &near, "it has"));
 }
 
-/* There are few: an error names them all. */
 static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    luaL_Buffer list;
+    struct api_hint near;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a blend's name");
     v->i = cart_find_blend(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
-    luaL_buffinit(L, &list);
-    for (int i = 0; i < cart->blends; i++) {
-        luaL_addstring(&list, i ? ", " : " (it has ");
-        luaL_addstring(&list, cart_blend_name(cart, i));
-    }
-    luaL_addstring(&list, cart->blends ? ")" : " (it has none)");
-    luaL_pushresult(&list);
-    api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), lua_tostring(L, -1));
+    api_hint_begin(&near, lua_tostring(L, at));
+    for (int i = 0; i < cart->blends; i++)
+        api_hint_add(&near, cart_blend_name(cart, i));
+    api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), api_hint_push(L, &near, "it has"));
 }
 
 static void check_map(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    const char *found = NULL;
-    int best = EDIT_FAR;
+    struct api_hint near;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a map's name");
     v->i = cart_find_map(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
+    api_hint_begin(&near, lua_tostring(L, at));
     for (int i = 0; i < cart->maps; i++)
-        api_suggest_nearer(lua_tostring(L, at), cart_map_name(cart, i), &best, &found);
-    if (!found)
-        api_error(L, entry, "map \"%s\" is not in rom.lua", lua_tostring(L, at));
-    api_error(L, entry, "map \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
+        api_hint_add(&near, cart_map_name(cart, i));
+    api_error(L, entry, "map \"%s\" is not in rom.lua%s", lua_tostring(L, at), api_hint_push(L, &near, "it has"));
 }
 
 /* A name of rom.lua's `list`; the number of its place, or 0. */
@@ -563,8 +558,7 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
 {
     const struct board *b = vm_board(L);
     enum api_names values = api_value_names(fire ? fire : e);
-    const char *found = NULL;
-    int best = EDIT_FAR;
+    struct api_hint near;
 
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
@@ -574,13 +568,12 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
         api_error(L, e->name,
                   "unknown argument \"%s\" (it is of a motion's steps: motion = motion.def { { %s = ... } })", name,
                   name);
+    api_hint_begin(&near, name);
     for (int i = e->plain; i < api_param_count(e, fire); i++)
-        api_suggest_nearer(name, api_param_at(e, fire, i)->name, &best, &found);
+        api_hint_add(&near, api_param_at(e, fire, i)->name);
     for (int k = 0; k < api_values(b, values); k++)
-        api_suggest_nearer(name, api_names_at(b, values, k), &best, &found);
-    if (found)
-        api_error(L, e->name, "unknown argument \"%s\" (did you mean \"%s\"?)", name, found);
-    api_error(L, e->name, "unknown argument \"%s\"", name);
+        api_hint_add(&near, api_names_at(b, values, k));
+    api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "it takes"));
 }
 
 /* Spreads the table of named arguments at `at` over the stack behind it, a slot a parameter, and looks at them. */
@@ -652,6 +645,8 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
 
     if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
         const char *usual = e->plain + (named > 0) == 1 ? "" : "s";
+        if (!e->plain && lua_type(L, 1) != LUA_TTABLE)
+            api_error(L, e->name, "expected a table of named arguments, %s { ... }, got %d arguments", e->name, top);
         api_error(L, e->name, "expected at most %d argument%s, got %d", e->plain + (named > 0), usual, top);
     }
     if (n + values > ROOMY)

@@ -187,6 +187,50 @@ static bool help_value_word(const char *word, void (*line)(const char *))
     return any;
 }
 
+enum { NEAR_CALLS = 3 };
+
+/* The names that are as near to a word as any, up to NEAR_CALLS of them. */
+struct near_calls {
+    const char *word, *found[NEAR_CALLS];
+    int best, n; /* n NEAR_CALLS + 1: there are more */
+};
+
+/* name: "bullet.fire", "say", or "hud.centre(row, ...)". */
+static void near_call(struct near_calls *c, const char *name)
+{
+    char last[32];
+    const char *dot = strchr(name, '.'), *from = dot ? dot + 1 : name;
+
+    snprintf(last, sizeof last, "%.*s", (int)strcspn(from, "("), from);
+    int d = edit_distance(c->word, last);
+    if (d < c->best) {
+        c->best = d;
+        c->n = 0;
+    }
+    if (d != c->best || d == EDIT_FAR || c->n > NEAR_CALLS)
+        return;
+    if (c->n < NEAR_CALLS)
+        c->found[c->n] = name;
+    c->n++;
+}
+
+bool api_help_calls(const char *name, char *out, size_t size)
+{
+    struct near_calls c = { .word = name, .best = EDIT_FAR };
+    size_t n = 0;
+
+    for (int i = 0; i < api_count(); i++)
+        if (!(api_entry(i)->flags & API_SYS))
+            near_call(&c, api_entry(i)->name);
+    for (size_t i = 0; i < VALUES; i++)
+        if (strchr(values[i].name, '('))
+            near_call(&c, values[i].name);
+    for (int i = 0; i < c.n && c.n <= NEAR_CALLS && n < size; i++)
+        n += (size_t)snprintf(out + n, size - n, "%s%.*s", i ? i == c.n - 1 ? " or " : ", " : "",
+                              (int)strcspn(c.found[i], "("), c.found[i]);
+    return c.n > 0 && c.n <= NEAR_CALLS;
+}
+
 static bool help_thing(int kind, void (*line)(const char *))
 {
     const struct api_thing *t = api_things[kind];

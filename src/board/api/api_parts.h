@@ -127,6 +127,19 @@ extern const char *const api_thing_names[HANDLES];
  * and *found is NULL before the first call. */
 void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
 
+/* The same, and all that there are; `list` is for api_hint_push. */
+struct api_hint {
+    const char *word, *found;
+    int best, n;
+    bool long_; /* too many for a sentence */
+    char list[128];
+};
+void api_hint_begin(struct api_hint *h, const char *word);
+void api_hint_add(struct api_hint *h, const char *name);
+
+/* Pushes " (did you mean "x"?)", or else " (HAS a, b, c)", or nothing where they are many. */
+const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *has);
+
 /* All parameters of an entry: its own, then those of `fire`, which a pattern takes; fire NULL: none. */
 int api_param_count(const struct api_entry *e, const struct api_entry *fire);
 const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fire, int i);

@@ -452,6 +452,15 @@ void cart_map(const struct cart *cart, int i, struct map *out)
     read_map(&l, out);
 }
 
+const char *cart_palette_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->palettes);
+    rom_lump(cart->rom, cart->first_palette + i, &l);
+    return l.name + strlen("palette/");
+}
+
 const char *cart_map_name(const struct cart *cart, int i)
 {
     struct lump l;

@@ -140,6 +140,7 @@ int cart_find_map(const struct cart *cart, const char *name);
 
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);
+const char *cart_palette_name(const struct cart *cart, int i); /* from 0 on, below palettes */
 
 /* Font i of rom.lua's `fonts`, 0 <= i < faces: its name; itself; the index of a name, or -1. */
 const char *cart_face_name(const struct cart *cart, int i);

@@ -7,6 +7,7 @@
 #include "../../../../fb/utf8.h"
 #include "../../api.h"
 #include "../../lualib.h"
+#include "../api_parts.h"
 
 /* ---- sprite ---- */
 
@@ -47,7 +48,10 @@ static void check_put(lua_State *L, const struct api_value *v)
     const bool xy = v[PUT_X].given && v[PUT_Y].given;
 
     if (v[PUT_FOLLOW].given ? v[PUT_X].given || v[PUT_Y].given : !xy)
-        api_error(L, "sprite.put", "place: expected x and y, or follow (a thing)");
+        api_error(L, "sprite.put", "place: expected x and y, or follow (a thing), got %s",
+                  v[PUT_FOLLOW].given                ? "both"
+                  : v[PUT_X].given || v[PUT_Y].given ? "one of x and y"
+                                                     : "neither");
     if (!v[PUT_FOLLOW].given && (v[PUT_DX].given || v[PUT_DY].given))
         api_error(L, "sprite.put", "dx, dy: only with follow");
     if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
@@ -486,9 +490,14 @@ static const uint8_t *palette_named(lua_State *L, struct board *b, const char *e
 {
     const uint8_t *p = cart_palette(&b->cart, lua_tostring(L, at));
 
-    if (!p)
-        api_error(L, entry, "palette \"%s\" is not in rom.lua", lua_tostring(L, at));
-    return p;
+    if (p)
+        return p;
+    struct api_hint near;
+    api_hint_begin(&near, lua_tostring(L, at));
+    for (int i = 0; i < b->cart.palettes; i++)
+        api_hint_add(&near, cart_palette_name(&b->cart, i));
+    api_error(L, entry, "palette \"%s\" is not in rom.lua%s", near.word, api_hint_push(L, &near, "it has"));
+    return NULL;
 }
 
 static uint32_t colour(const uint8_t *p, int i)
