@@ -266,8 +266,8 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* A step does some 8 KiB of work however little was allocated since the last one, so it waits for as much: a script that
- * makes a small table a frame would pay for a step in each. */
+/* A step does some 8 KiB of work however little was allocated since the last one, so it waits for as much: a script
+ * that makes a small table a frame would pay for a step in each. */
 enum { COLLECT_AFTER = 8192 };
 
 int vm_collect(lua_State *L)
