@@ -291,6 +291,32 @@ static void sprites_at_every_edge(void **state)
     }
 }
 
+/* In one colour, whole or every second pixel of the image, whichever part of it is seen. */
+static void in_one_colour(void **state)
+{
+    struct bed *b = *state;
+
+    for (int k = 0; k < 6000; k++) {
+        const unsigned flags = (unsigned)rng_below(&b->r, 8);
+        random_image(b, 1 + (int)rng_below(&b->r, 20), 1 + (int)rng_below(&b->r, 20));
+        const int w = b->image.w, h = b->image.h;
+        const int x0 = any_place(&b->r, W, w), y0 = any_place(&b->r, H, h);
+        random_clip(b);
+        begin(b);
+        for (int y = b->fb.y0; y < b->fb.y1; y++)
+            for (int x = b->fb.x0; x < b->fb.x1; x++) {
+                const int u = flags & BLIT_FLIP_X ? w - 1 - (x - x0) : x - x0, v = y - y0;
+                const int row = flags & BLIT_FLIP_Y ? h - 1 - v : v;
+                if (u < 0 || v < 0 || u >= w || v >= h || !b->pix[row * b->image.pitch + u])
+                    continue;
+                if (!(flags & BLIT_DOTS) || (u + v) % 2 == 0)
+                    b->want[y][x] = 77;
+            }
+        blit_solid(&b->fb, &b->image, x0, y0, 77, flags);
+        expect(b);
+    }
+}
+
 static void banks_wrap(void **state)
 {
     struct bed *b = *state;
@@ -646,6 +672,7 @@ int main(void)
         cmocka_unit_test(blended_nothing),
         cmocka_unit_test(stamps_are_sprites),
         cmocka_unit_test(layers_are_sprites),
+        cmocka_unit_test(in_one_colour),
     };
     return cmocka_run_group_tests(tests, bed_open, bed_close);
 }
