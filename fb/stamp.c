@@ -178,8 +178,8 @@ static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen co
     words_store(d + pitch, two[1]);
 }
 
-/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks and
- * colours stay in registers. */
+/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks
+ * and colours stay in registers. */
 static size_t over_bank(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
 {
     const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */

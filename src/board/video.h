@@ -16,6 +16,7 @@ struct draw_target {
     void *scratch;
     int overdraw;           /* from how much on bullets are drawn front to back */
     uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
+    unsigned layers;        /* of sprites, a bit each: there is nothing in the others */
 };
 
 /* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */

@@ -1123,13 +1123,18 @@ struct course {
 static void take_course(struct course *c, const struct motion_world *w, uint32_t motion, uint32_t pc)
 {
     const struct steps *s = w->steps;
-    const uint32_t st = w->motions->first[motion - 1] + pc, does = s->does[st];
     const uint32_t others =
         DOES_NAMED | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT;
 
     c->motion = motion;
     c->pc = pc;
-    c->does = does & others ? 0 : does & DOES_DRIVE;
+    c->does = 0;
+    if (!motion || pc >= w->motions->length[motion - 1])
+        return;
+    const uint32_t st = w->motions->first[motion - 1] + pc, does = s->does[st];
+    if (does & others || !(does & DOES_DRIVE))
+        return;
+    c->does = does & DOES_DRIVE;
     c->over = s->over[st];
     c->dir = s->dir[st];
     c->turn = (ang)s->turn[st];
@@ -1180,14 +1185,14 @@ static fx course_speed(const struct bullets *b, struct course *c, uint32_t i, ui
 /* A frame in the middle of a step of bullet i. False, and nothing is done: run_program has to look at it. */
 static inline bool keep_course(struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i)
 {
-    const unsigned mute = b->mute[i], left = b->end[i] - w->clock;
     unsigned does;
 
-    if (!(mute & STEP_BEGUN) || b->flags[i] & BULLET_FINE || !left)
-        return false;
     if (b->motion[i] != c->motion || b->pc[i] != c->pc)
         take_course(c, w, b->motion[i], b->pc[i]);
     if (!c->does)
+        return false;
+    const unsigned mute = b->mute[i], left = b->end[i] - w->clock;
+    if (!(mute & STEP_BEGUN) || b->flags[i] & BULLET_FINE || !left)
         return false;
     b->ran++;
     does = c->does;
@@ -1212,7 +1217,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
     struct course c;
 
-    c.motion = 0;
+    c.motion = c.pc = c.does = 0;
     c.n = 0;
     for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);

@@ -117,11 +117,23 @@ static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_
     video_clip_field(c);
 }
 
+/* The layers in which there may be sprites. What is dead may be in one too. */
+static unsigned sprite_layers(const struct sprites *s)
+{
+    unsigned layers = 0;
+
+    for (uint32_t i = 0; i < s->s.top; i++)
+        layers |= 1u << (s->layer[i] & 31);
+    return layers;
+}
+
 static void draw_sprites(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
     struct video_batch q;
 
+    if (!(c->layers >> layer & 1))
+        return;
     video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s) {
         if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
@@ -328,6 +340,8 @@ static void draw_plates(struct draw_target *c, int layer)
 {
     const struct sprites *s = &c->b->sprites;
 
+    if (!(c->layers >> layer & 1))
+        return;
     fb_clip_all(c->fb);
     EACH_LIVE (i, &s->s)
         if (s->layer[i] == layer && !(s->flags[i] & SPRITE_HIDDEN))
@@ -380,7 +394,7 @@ static void draw_flash(const struct board *b, uint32_t rgb[256])
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
-    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0 };
+    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites) };
     int dx, dy;
 
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
