@@ -15,7 +15,7 @@
 #include "host/tape.h"
 #include "notes.h"
 #include "pack/pack.h"
-#include "sound/loudness.h"
+#include "loudness.h"
 #include "sound/tune_time.h"
 
 enum { MOST_FRAMES = 7200, HEADER = 44 };

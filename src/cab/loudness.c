@@ -1,6 +1,6 @@
 /*
- * loudness.c - see loudness.h. The filters are those of the recommendation's tables for 48 kHz: a shelf for the head, and
- * a high pass.
+ * loudness.c - see loudness.h. The filters are those of the recommendation's tables for 48 kHz: a shelf, for the head,
+ * and a high pass.
  */
 #include "loudness.h"
 
