@@ -641,6 +641,7 @@ takes() { "$curtain" check rooms | sed -n "s/.*board.$1:.*takes \([0-9]*\) KiB l
 before=$(takes sparks)
 sed -i 's/sparks = 64/sparks = 4096/' rooms/rom.lua
 check 'what they take grows with them' test "$(takes sparks)" -gt $((before + 64))
+check 'and is theirs alone' test "$(takes options)" -lt "$(takes sparks)"
 echo 'local function kept(e) e.parts = "pierce" return e.frozen, option, value, curve end' >>rooms/main.lua
 sed -i '/pierce/d;/parts/d;/frozen/d;/option/d;/value/d;/curve/d;s/9 problems/3 problems/' wanted
 same 'what a script names is kept' "$(cat wanted)" "$(rooms | grep -v undeclared | sed 's/^4 /3 /')"
