@@ -1333,9 +1333,13 @@ static void find_near_block(struct bullets *b, const struct bullets_query *q, ui
 {
     uint32_t first = block * SLOTS_BLOCK;
     uint8_t out[SLOTS_BLOCK];
-    struct range r = near_range(q, b->fastest);
-    bool some = q->reach >= 0 && near_block(b->x + first, b->y + first, out, &r);
 
+    if (q->reach < 0) {
+        b->near[block * PADS + p] = b->grazes[block * PADS + p] = 0;
+        return;
+    }
+    struct range r = near_range(q, b->fastest);
+    bool some = near_block(b->x + first, b->y + first, out, &r);
     set_near(b, q, block, p, some ? slots_gather(out) : 0);
 }
 
