@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/cab/sound/encode.h"
-#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/mml/mml.h"
 #include "../../src/chips/sound/seq.h"
 #include "../../src/chips/sound/voices.h"
 #include "bench.h"
@@ -205,40 +205,41 @@ static void table(struct band *bands, int n, struct samples *plain)
     report_table_end();
 }
 
+static struct band bands[] = {
+    { .what = "16 of recordings, 8 of pulse, saw, triangle, noise",
+      .recorded = 16,
+      .recording = &rom.exact,
+      .notes = 8,
+      .of = { PULSE, SAW, TRIANGLE, NOISE },
+      .kinds = 4 },
+    { .what = "16 of recordings, 8 of FM of 4 operators with feedback",
+      .recorded = 16,
+      .recording = &rom.exact,
+      .notes = 8,
+      .of = { FM4_BACK },
+      .kinds = 1 },
+    { .what = "16 of ADPCM, 8 of pulse, saw, triangle, noise",
+      .recorded = 16,
+      .recording = &rom.packed,
+      .notes = 8,
+      .of = { PULSE, SAW, TRIANGLE, NOISE },
+      .kinds = 4 },
+    { .what = "24 of FM of 4 operators with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
+    { .what = "24 of FM of 4 operators", .notes = 24, .of = { FM4 }, .kinds = 1 },
+    { .what = "24 of FM of 2 operators, waves, pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
+    { .what = "16 of recordings an octave up, 8 of FM",
+      .recorded = 16,
+      .recording = &rom.exact,
+      .higher = 12,
+      .notes = 8,
+      .of = { FM4 },
+      .kinds = 1 },
+    { .what = "none" },
+};
+enum { N = sizeof bands / sizeof *bands };
+
 void section_sound(void)
 {
-    struct band bands[] = {
-        { .what = "16 of recordings, 8 of pulse, saw, triangle, noise",
-          .recorded = 16,
-          .recording = &rom.exact,
-          .notes = 8,
-          .of = { PULSE, SAW, TRIANGLE, NOISE },
-          .kinds = 4 },
-        { .what = "16 of recordings, 8 of FM of 4 operators with feedback",
-          .recorded = 16,
-          .recording = &rom.exact,
-          .notes = 8,
-          .of = { FM4_BACK },
-          .kinds = 1 },
-        { .what = "16 of ADPCM, 8 of pulse, saw, triangle, noise",
-          .recorded = 16,
-          .recording = &rom.packed,
-          .notes = 8,
-          .of = { PULSE, SAW, TRIANGLE, NOISE },
-          .kinds = 4 },
-        { .what = "24 of FM of 4 operators with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
-        { .what = "24 of FM of 4 operators", .notes = 24, .of = { FM4 }, .kinds = 1 },
-        { .what = "24 of FM of 2 operators, waves, pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
-        { .what = "16 of recordings an octave up, 8 of FM",
-          .recorded = 16,
-          .recording = &rom.exact,
-          .higher = 12,
-          .notes = 8,
-          .of = { FM4 },
-          .kinds = 1 },
-        { .what = "none" },
-    };
-    enum { N = sizeof bands / sizeof *bands };
     struct samples plain = { 0 }, seq = { 0 };
 
     snd_tables_make(&tables);
