@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/mml/mml.h"
 #include "../../src/snd/pitch.h"
 #include "../../src/snd/tune.h"
 #include "../voiced.h"

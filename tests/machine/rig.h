@@ -23,7 +23,7 @@
 #include "../../src/board/api.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/demo/demo.h"
-#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/mml/mml.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../src/cab/sound/recording.h"
 #include "../../src/snd/adpcm.h"

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/cab/loudness.h"
-#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/mml/mml.h"
 #include "../../src/cab/sound/tune_time.h"
 
 enum { RATE = 48000 };

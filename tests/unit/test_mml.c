@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/mml/mml.h"
 #include "../../src/snd/tune.h"
 #include "../voiced.h"
 

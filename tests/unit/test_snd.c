@@ -13,7 +13,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/cab/sound/encode.h"
-#include "../../src/cab/sound/mml.h"
+#include "../../src/cab/mml/mml.h"
 #include "../../src/chips/sound/voices.h"
 #include "../../src/snd/adpcm.h"
 #include "../../src/snd/fm.h"

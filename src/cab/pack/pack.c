@@ -27,7 +27,7 @@
 #include "lang.h"
 #include "../host/files.h"
 #include "map.h"
-#include "../sound/mml.h"
+#include "../mml/mml.h"
 #include "../sound/recording.h"
 #include "tree.h"
 #include "png.h"
