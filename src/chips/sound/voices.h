@@ -61,8 +61,8 @@ void voices_off(struct voices *s, int voice, int at);
 void voices_cut(struct voices *s, int voice, int at);
 void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan);
 
-/* The note that just began is of a recording, which has played so many samples of SND_RATE already; it comes in over the
- * frame. */
+/* The note that just began is of a recording, which has played so many samples of SND_RATE already; it comes in over
+ * the frame. */
 void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples);
 
 /* Moves all by a frame, but for music that is held. */
