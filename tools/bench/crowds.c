@@ -401,8 +401,8 @@ static struct size *measured(int n)
 }
 
 /*
- * The largest measured n whose frame, by `cost`, takes no more than a sixtieth of a second. From n on, each guess lies on
- * the line through the two n measured last (the first on that through 0), until one is just below.
+ * The largest measured n whose frame, by `cost`, takes no more than a sixtieth of a second. From n on, each guess lies
+ * on the line through the two n measured last (the first on that through 0), until one is just below.
  */
 static int find_60(double (*cost)(struct size *), int n)
 {
@@ -424,7 +424,7 @@ static int find_60(double (*cost)(struct size *), int n)
     return found;
 }
 
-/* A target with hidden bullets skipped, and with everything painted: what, its goal, and which sizes' frames it names. */
+/* A target with hidden bullets skipped, and with everything painted. */
 static void target_60(struct size *seen, struct size *all)
 {
     bench_target("bullets at 60 frames a second, hidden ones skipped", "2,500,000",
