@@ -291,16 +291,17 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 
 void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags)
 {
-    bool flip = flags & BLIT_FLIP_X;
+    const bool flip = flags & BLIT_FLIP_X, dots = flags & BLIT_DOTS;
     struct visible p;
 
     if (!visible_part(&p, fb, image, x, y, flags))
         return;
     uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
     const uint8_t *s = p.s + p.from;
-    for (int row = p.rows; row > 0; row--, d += fb->pitch, s += p.s_row)
+    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* of the image, so it moves along */
+    for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_row)
         for (int k = 0; k < p.to - p.from; k++)
-            if (s[k])
+            if (s[k] && !(dots && (odd + row + k) & 1))
                 d[flip ? -k : k] = c;
 }
 

@@ -204,17 +204,49 @@ static size_t over_bank(const struct fb *fb, const struct image *image, const ui
     return i;
 }
 
+/* The same of turned copies: their masks are made as they go. */
+static size_t over_bank_turned(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                               const uint32_t *dests, size_t n)
+{
+    const struct stamp_turns t = *turns;
+    const uint32_t bank = dests[0] >> 27;
+    const ptrdiff_t pitch = fb->pitch;
+    const uint8_t *pix = image->pix;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+    const sixteen add = (sixteen){ 0 } + (int8_t)(bank >> 1 << 4);
+    size_t i = 0;
+
+    for (; i < n && dests[i] >> 27 == bank; i++) {
+        const uint8_t *from = pix + (size_t)stamp_turn(t.dir[t.which[i]], t.rotations) * t.size;
+        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; k++, d += 2 * pitch) {
+            sixteen s;
+            memcpy(&s, from + 16 * k, sizeof s);
+            put_two(d, pitch, s == 0, (s + add) & (s != 0));
+        }
+    }
+    return i;
+}
+
 /* The same of any banks: those of a kind mostly have one. Where it changes, so many are painted as they come, for the
- * next may have another again. */
-static size_t over_eight(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+ * next may have another again. turns: NULL, or they are turned copies. */
+static size_t over_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                         const uint32_t *dests, size_t n)
 {
     enum { MIXED = 64 };
-    const struct own none = { NULL, NULL };
+    struct stamp_turns rest = turns ? *turns : (struct stamp_turns){ 0 };
+    const struct own own = { NULL, turns ? &rest : NULL };
     size_t i = 0;
 
     while (i < n && !(dests[i] & STAMP_OTHER)) {
-        i += over_bank(fb, image, dests + i, n - i);
-        i += over_usual(fb, image, none, BLIT_OPAQUE, dests + i, n - i < MIXED ? n - i : MIXED, false, 8);
+        if (turns) {
+            rest.which = turns->which + i;
+            i += over_bank_turned(fb, image, &rest, dests + i, n - i);
+            rest.which = turns->which + i;
+        } else
+            i += over_bank(fb, image, dests + i, n - i);
+        i += over_usual(fb, image, own, BLIT_OPAQUE, dests + i, n - i < MIXED ? n - i : MIXED, false, 8);
     }
     return i;
 }
@@ -222,7 +254,7 @@ static size_t over_eight(const struct fb *fb, const struct image *image, const u
 size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n)
 {
     if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
-        return over_eight(fb, image, dests, n);
+        return over_eight(fb, image, NULL, dests, n);
     return over_all(fb, image, (struct own){ NULL, NULL }, mix, dests, n);
 }
 
@@ -235,6 +267,8 @@ size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, 
 size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
                     const uint32_t *dests, size_t n)
 {
+    if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
+        return over_eight(fb, image, turns, dests, n);
     return over_all(fb, image, (struct own){ NULL, turns }, mix, dests, n);
 }
 

@@ -1,4 +1,5 @@
 -- kinds.lua - sparks, bullets, and the creatures of the tide with what they leave behind.
+local craft = require "players/craft"
 
 -- A spark that plays its frames once lives frames * every.
 local GOLD, BLUE = 3, 5
@@ -45,6 +46,7 @@ glass("lance",  { hit = { capsule = { 18, 1.4 } },  turns = true, order = 1, van
 glass("moon", { hit = { circle = 6 }, sprite = "pearl", clearable = false, graze = false })
 glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 2, hp = 18,
   score = 500, spark = "splint", on_death = function(b)
+    sound.play("lamp", { from = b })
     spark.burst { kind = "shock", from = b, speed = 0 }
     bullet.sweep { x = b.x, y = b.y, radius = 8, radius_to = 64, over = 14 }
   end })
@@ -53,7 +55,8 @@ glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 
 -- is an undertow more, a heart a life; and bullets that were swept away are foam.
 item.def("pearl", { sprite = "nacre", bank = 4, radius = 9, gives = { score = { 100, 1000 } } })
 item.def("conch", { sprite = "conch", bank = 3, radius = 10, gives = { score = 500, bombs = 1 },
-                    full = "bombs", gravity = 0.02, top = 1 })
+                    full = "bombs", gravity = 0.02, top = 1,
+                    on_take = function(p) sound.play(p.bombs < craft.MOST and "conch" or "power") end })
 item.def("heart", { sprite = "heart", bank = 7, radius = 10, gives = { lives = 1 },
                     gravity = 0.02, top = 1 })
 item.def("foam",  { sprite = "foam", bank = 4, radius = 9, gives = { score = 20 }, top = 1.4 })
@@ -64,6 +67,7 @@ laser.def("ray", { strip = "ray_of_light", width = 12, hit = { share = 0.5 }, gr
 
 -- Where a shot lands: somewhere on the lower half of the creature.
 local function chip(e, _, _)
+  sound.play("chip", { from = e })
   spark.burst { kind = "splint", from = e, dy = 6, n = 1, dir = 90, spread = 140, speed = 2.5 }
 end
 
@@ -73,6 +77,7 @@ local function small(e, _)
 end
 
 local function large(e, _)
+  sound.play("crash", { from = e })
   spark.burst { kind = "blaze", from = e, speed = 0 }
   spark.burst { kind = "shock", from = e, speed = 0 }
   spark.burst { kind = "fizz", from = e, n = 12, speed = 1.6 }
@@ -81,6 +86,7 @@ end
 -- A tough shell throws its splinters at whoever broke it; they tumble.
 local function burst(e, p)
   large(e, p)
+  sound.play("shatter", { from = e })
   pattern.ring { from = e, kind = "chip", bank = 7, aim = true, speed = 1.8,
                  n = by_difficulty { easy = 6, normal = 10, hard = 16 } }
 end
@@ -89,6 +95,7 @@ end
 local function collapse(e, _)
   local x, y = e.x, e.y
   screen.shake { size = 5, over = 80 }
+  sound.play("collapse", { from = e })
   task.go(function()
     for i = 1, 14 do
       local dx, dy = 34 * angle.cos(137 * i), 26 * angle.sin(137 * i)

@@ -20,6 +20,7 @@ The built-in game
 Snapshots and going back
 Playing again
 Memory
+Sound
 Endless loops
 END
 whole() { # PAGE

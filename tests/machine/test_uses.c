@@ -261,7 +261,7 @@ static void recipe(int f, struct rng *rng, uint16_t pads[PADS])
 
 static void record(const struct rig_game *game, const char *to)
 {
-    struct board_start at = { .seed = 20, .difficulty = -1 };
+    struct board_start at = { .seed = 21, .difficulty = -1 };
     struct demo_writer w;
     struct rng rng;
     struct rig r;

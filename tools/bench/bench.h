@@ -25,6 +25,7 @@ void section_game(void);
 void section_rewind(void);
 void section_replay(void);
 void section_memory(void);
+void section_sound(void);
 void section_guards(void);
 
 /* The end of section "prices": what is only seen; and what of a script's time is Lua's own. */

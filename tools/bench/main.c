@@ -31,7 +31,7 @@ static const struct report_part SECTIONS[] = {
     { "prices", clocked_prices },   { "battle", clocked_battle },     { "pictures", clocked_pictures },
     { "lasers", clocked_lasers },   { "together", clocked_together }, { "threads", clocked_threads },
     { "game", section_game },       { "rewind", section_rewind },     { "replay", section_replay },
-    { "memory", section_memory },   { "guards", section_guards },
+    { "memory", section_memory },   { "sound", section_sound },       { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

@@ -1,9 +1,8 @@
 -- players/craft.lua - what both craft share: the dot and halo of focus, two beads that fly along,
 -- and the undertow, which is their bomb.
-local craft = {}
+local craft = { MOST = 6 } -- of the undertow that can be kept
 
-local BOMBS = 3 -- of the undertow, in each life
-local MOST = 6 -- that can be kept
+local BOMBS = 3 -- in each life
 
 -- Puts a sprite, or puts it again when the field was wiped.
 local function keep(set, key, spec)
@@ -43,7 +42,7 @@ end })
 
 -- A cell off the edges, as the hud; so a talk's plate covers all of them.
 local function show_bombs(set, p, bead)
-  for i = 1, MOST do
+  for i = 1, craft.MOST do
     local x = p.index == 1 and 12 * i + 3 or rom.screen.w - 12 * i - 3
     local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 15, screen = true })
     s.hidden = i > p.bombs
@@ -73,7 +72,7 @@ function craft.def(name, def, fire, bead)
   local beads = name .. "_bead"
   option.def(beads, { sprite = beads, run = function(o) while_firing(o, o.by, bead) end })
   def.sprite, def.lives, def.bomb = name, 3, "undertow"
-  def.registers = { bombs = { start = BOMBS, max = MOST } }
+  def.registers = { bombs = { start = BOMBS, max = craft.MOST } }
   def.options = { kind = beads, over = 6, levels = {
     { wide = { { -22, 5 }, { 22, 5 } }, close = { { -11, -15 }, { 11, -15 } } } } }
   def.magnet, def.collect_line = 30, 96

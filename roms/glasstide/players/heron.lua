@@ -8,6 +8,7 @@ shot.def("sliver", { sprite = "sliver", bank = 5, hit = { box = { 6, 10 } },
 
 local function fire(p, beat)
   if beat % 4 ~= 0 then return end
+  sound.play("dart", { from = p })
   for side = -1, 1, 2 do
     shot.fire { kind = "dart", from = p, dx = 5 * side, dy = -12, speed = 11 }
   end

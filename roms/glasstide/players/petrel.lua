@@ -9,6 +9,7 @@ shot.def("spine", { sprite = "sliver", bank = 2, hit = { box = { 6, 10 } },
 
 local function fire(p, beat)
   if beat % 6 ~= 0 then return end
+  sound.play("fang", { from = p })
   local step = pad.down("focus", p) and 3 or 8
   for i = -2, 2 do
     shot.fire { kind = "fang", from = p, dx = 3 * i, dy = -10, speed = 9, dir = 270 + step * i }

@@ -65,7 +65,10 @@ local function lamplight(e)
                    length = 380, warn = 56, hold = 260, fade = 20,
                    spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36 } }
     end
-    wait(70)
+    sound.play("charge", { from = e })
+    wait(56)
+    sound.play("beam", { from = e })
+    wait(14)
     for i = 1, 5 do
       pattern.ring { from = e, kind = i % 2 == 0 and "orb" or "pellet", bank = i % 2 == 0 and 6 or 5,
                      dir = 17 * (k + i), speed = 1.3,
@@ -110,7 +113,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("guard", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, phases = {
+boss.def("guard", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, music = "queen", phases = {
   { id = "pincers", hp = 800, time = 26 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 800, time = 30 * 60, bonus = 15000,
     run = grotto, clear = FOAM, drops = { pearl = 8 } },

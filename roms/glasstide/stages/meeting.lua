@@ -1,8 +1,8 @@
 -- stages/meeting.lua - what is said before the queen. Nobody has to press anything: a line goes after
 -- some seconds.
-talk.def("heron", { name = "Iri", faces = { calm = "iri", cross = "iri_cross" } })
-talk.def("petrel", { name = "Sen", faces = { calm = "sen", cross = "sen_cross" } })
-talk.def("queen", { name = "The Queen", side = "right",
+talk.def("heron", { name = "Iri", voice = "iri", faces = { calm = "iri", cross = "iri_cross" } })
+talk.def("petrel", { name = "Sen", voice = "sen", faces = { calm = "sen", cross = "sen_cross" } })
+talk.def("queen", { name = "The Queen", side = "right", voice = "the_queen",
                     faces = { calm = "queen_face", cross = "queen_cross" } })
 
 local calm, cross = { face = "calm", limit = 150 }, { face = "cross", limit = 150 }

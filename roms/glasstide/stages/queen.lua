@@ -86,10 +86,12 @@ local function held(e)
     wait(18)
     do
       local still <close> = sea.still()
+      sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
       gather(by_difficulty { easy = 5, normal = 8, hard = 12 })
       bullet.group().frozen = 0
+      sound.play("flow", { from = e })
     end
     let_go(e)
     wander(e, 60)
@@ -180,7 +182,8 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of her bullets when a phase is beaten
 
-boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, phases = {
+boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76,
+                    music = "queen", phases = {
   { id = "wheels", hp = 1500, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1600, time = 50 * 60, bonus = 30000,
@@ -191,7 +194,7 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
     run = function(e) flower(e, 2000) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
-boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76,
+boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, music = "queen",
   phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
                run = function(e) flower(e, 1800) end } } })
 

@@ -297,6 +297,8 @@ static void check_tune(lua_State *L, const char *entry, const struct api_param *
         return;
     for (int i = 0; i < (sound ? cart->sounds : cart->tunes); i++)
         api_suggest_nearer(name, sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
+    if ((sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
+        api_error(L, entry, "\"%s\" is not in rom.lua's %s: it is in its %s", name, list, sound ? "music" : "sounds");
     if (!found)
         api_error(L, entry, "\"%s\" is not in rom.lua's %s", name, list);
     api_error(L, entry, "\"%s\" is not in rom.lua's %s (did you mean \"%s\"?)", name, list, found);

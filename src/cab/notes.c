@@ -1,0 +1,95 @@
+/*
+ * notes.c - see notes.h. A track is played tick by tick, by the board's own reader: where that goes back, the loop
+ * ends, and where it stood on the first pass, the loop begins.
+ */
+#include "notes.h"
+
+#include <stdio.h>
+
+static const char *const kinds[INST_KINDS] = { "pulse", "triangle", "saw", "sine", "fm",
+                                               "noise", "sample",   "fm4", "wave" };
+
+struct walk {
+    const struct tune *t;
+    char track;
+    uint32_t tick;
+    bool quiet;
+};
+
+static void print_inst(const struct walk *w, int i)
+{
+    const struct inst inst = inst_of(tune_inst(w->t, i));
+
+    printf("inst %d %s\n", i, inst.kind < INST_KINDS ? kinds[inst.kind] : "other");
+}
+
+static void print_event(void *context, const struct tune_played *e, int sample)
+{
+    const struct walk *w = context;
+
+    (void)sample;
+    if (w->quiet)
+        return;
+    printf("%c %u ", w->track, (unsigned)w->tick);
+    switch (e->event) {
+    case TUNE_END:
+        printf("end\n");
+        break;
+    case TUNE_NOTE:
+    case TUNE_SLUR:
+        printf("%s %.2f\n", e->event == TUNE_NOTE ? "note" : "slur", e->value / 256.0);
+        break;
+    case TUNE_OFF:
+        printf("off\n");
+        break;
+    case TUNE_GLIDE:
+        printf("glide %.2f %d\n", e->value / 256.0, (int)e->more);
+        break;
+    case TUNE_INST:
+        print_inst(w, e->value);
+        break;
+    case TUNE_VOLUME:
+        printf("volume %d\n", (int)e->value);
+        break;
+    case TUNE_PLACE:
+        printf("place %d\n", (int)e->value);
+        break;
+    case TUNE_TEMPO:
+        printf("tempo %.2f\n", e->value / 100.0);
+        break;
+    case TUNE_MARK:
+        printf("mark %s\n", tune_mark(w->t, e->value));
+        break;
+    default: /* what shapes a note and is none */
+        printf("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->more);
+    }
+}
+
+/* Plays until the reader stands at `until`, goes back (returns where it stands then) or ends (returns 0). */
+static uint32_t walk(struct walk *w, int track, uint32_t until)
+{
+    struct tune_at c = tune_begin(w->t, track);
+
+    for (w->tick = 0; c.at != 0; w->tick++) {
+        const uint32_t before = c.at;
+        tune_run(w->t, track, &c, TUNE_TICK, 0, 1, print_event, w);
+        if (c.at == until || (c.at != 0 && c.at < before))
+            break;
+    }
+    return c.at;
+}
+
+void notes_print(const char *name, const struct tune *t)
+{
+    printf("tune %s %d %d\n", name, (int)TUNE_QUARTER, t->bar);
+    for (int i = -1; i < t->tracks; i++) {
+        struct walk w = { t, i < 0 ? '-' : (char)('A' + i), 0, false };
+        const uint32_t at = walk(&w, i, 0);
+        if (at == 0)
+            continue;
+        const uint32_t end = w.tick;
+        w.quiet = true;
+        walk(&w, i, at);
+        printf("%c %u loop %u\n", w.track, (unsigned)end, (unsigned)w.tick);
+    }
+}

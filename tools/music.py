@@ -1,0 +1,643 @@
+#!/usr/bin/env python3
+"""music.py - checks the music of a game against what is declared beside it, and how loud all of it is.
+
+    tools/music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/music.md)
+    tools/music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness (with ffmpeg: in LUFS too), peaks, loops
+    tools/music.py [--curtain PROGRAM] --sounds GAME [NAME...]  the sounds: length, peak, level
+    tools/music.py [--curtain PROGRAM] --page GAME              docs/music.md
+
+Prints a line of figures for each piece, and a sentence for each fault; exit code 1: there was one. Notes come from
+`curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
+only the lines that begin with `;=`.
+"""
+import array, math, os, re, shutil, subprocess, sys, tempfile, wave
+
+# What is asked for. Shares are of 1.
+IN_SCALE, BASS_FITS, ROOTS, HARMONY_FITS = 0.85, 0.85, 0.75, 0.85
+STRONG_FITS, CLASHES, STEPS = 0.60, 0.04, 0.35
+REPEATED, SECTIONS, SINGS, RESTS = 0.5, 3, 0.45, 2.0
+LONG, SHORT = 60.0, (8.0, 20.0)
+SPREAD, OWN_SPREAD, PEAK, ROUND, DC = 2.0, 3.0, -1.0, 0.01, 1e-3
+SOUND_PEAK, SOUND_LEVEL, SOUND_LONG = (-34.0, -3.0), (-40.0, -9.0), 6.0
+
+STEP = {"C": 0, "D": 2, "E": 4, "F": 5, "G": 7, "A": 9, "B": 11}
+SCALES = {
+    "major": (0, 2, 4, 5, 7, 9, 11), "minor": (0, 2, 3, 5, 7, 8, 10), "harmonic minor": (0, 2, 3, 5, 7, 8, 11),
+    "dorian": (0, 2, 3, 5, 7, 9, 10), "phrygian": (0, 1, 3, 5, 7, 8, 10), "lydian": (0, 2, 4, 6, 7, 9, 11),
+    "mixolydian": (0, 2, 4, 5, 7, 9, 10), "melodic minor": (0, 2, 3, 5, 7, 9, 11),
+}
+CHORDS = {
+    "": (0, 4, 7), "m": (0, 3, 7), "5": (0, 7), "7": (0, 4, 7, 10), "m7": (0, 3, 7, 10), "maj7": (0, 4, 7, 11),
+    "6": (0, 4, 7, 9), "m6": (0, 3, 7, 9), "9": (0, 2, 4, 7, 10), "m9": (0, 2, 3, 7, 10), "maj9": (0, 2, 4, 7, 11),
+    "add9": (0, 2, 4, 7), "madd9": (0, 2, 3, 7), "sus2": (0, 2, 7), "sus4": (0, 5, 7), "7sus4": (0, 5, 7, 10),
+    "dim": (0, 3, 6), "dim7": (0, 3, 6, 9), "m7b5": (0, 3, 6, 10), "aug": (0, 4, 8), "11": (0, 2, 5, 7, 10),
+    "mmaj7": (0, 3, 7, 11), "7b9": (0, 1, 4, 7, 10), "m11": (0, 2, 3, 5, 7, 10), "6/9": (0, 2, 4, 7, 9),
+}
+ROLES = ("melody", "second", "harmony", "bass", "drums")
+
+
+class Bad(Exception):
+    pass
+
+
+def pitch_class(name):
+    return (STEP[name[0]] + {"": 0, "#": 1, "b": -1}[name[1:]]) % 12
+
+
+def chord(word, where):
+    """The pitch classes of a chord's name, and its bass."""
+    m = re.fullmatch(r"([A-G][#b]?)(.*?)(?:/([A-G][#b]?))?", word)
+    if not m or m.group(2) not in CHORDS:
+        raise Bad(f'{where}: expected a chord like Am7 or C/E, got "{word}"')
+    root = pitch_class(m.group(1))
+    tones = {(root + s) % 12 for s in CHORDS[m.group(2)]}
+    bass = pitch_class(m.group(3)) if m.group(3) else root
+    return tones | {bass}, bass
+
+
+# ---- what is declared ----
+
+class Declared:
+    """The lines `;=` of a file: key, form, tracks, and a line of chords for each section."""
+
+    def __init__(self, path):
+        self.key = self.tempo = None
+        self.form, self.roles, self.bars = [], {}, {}
+        if not os.path.exists(path):
+            raise Bad(f"there is no {path}")
+        with open(path, encoding="utf-8") as f:
+            lines = f.readlines()
+        for n, line in enumerate(lines, 1):
+            if line.startswith(";="):
+                self.read(line[2:].split(), f"{path}:{n}")
+        for what, got in (("key", self.key), ("tempo", self.tempo), ("form", self.form), ("tracks", self.roles)):
+            if not got:
+                raise Bad(f'{path}: expected a line ";= {what}" (docs/music.md)')
+        for name in self.form:
+            if self.section(name) is None:
+                raise Bad(f'{path}: the form has {name}, and there is no line ";= {name}" of chords')
+
+    def read(self, words, where):
+        what = words[0] if words else ""
+        rest = " ".join(words[1:])
+        if what == "key":
+            m = re.fullmatch(r"([A-G][#b]?) (.*)", rest)
+            if not m or m.group(2) not in SCALES:
+                raise Bad(f'{where}: expected ";= key D minor", got "{rest}"')
+            self.key = rest
+            self.scale = {(pitch_class(m.group(1)) + s) % 12 for s in SCALES[m.group(2)]}
+        elif what == "tempo":
+            self.tempo = float(rest)
+        elif what == "form":
+            self.form = words[1:]
+        elif what == "tracks":
+            for part in rest.split(","):
+                role, *letters = part.split()
+                if role not in ROLES or not letters:
+                    raise Bad(f'{where}: expected one of {", ".join(ROLES)} and its tracks, got "{part.strip()}"')
+                self.roles[role] = letters
+        else:
+            self.bars.setdefault(what, [])
+            for bar in filter(str.strip, rest.split("|")):
+                if bar.strip() == "%":
+                    self.bars[what].append(self.bars[what][-1])
+                else:
+                    self.bars[what].append([chord(w, where) for w in bar.split()])
+
+    def section(self, name):
+        return self.bars.get(name) or self.bars.get(name.rstrip("'"))
+
+
+# ---- what is played ----
+
+class Tune:
+    """Notes of tracks: (from, to, pitch) in ticks, as curtain prints them; up to the end of the first pass."""
+
+    def __init__(self, curtain, game, name):
+        self.notes, self.ends, self.loops, self.tempos = {}, {}, {}, []
+        for line in run(curtain, "sound", game, name, "--notes").splitlines():
+            w = line.split()
+            if w[0] == "tune":
+                self.quarter, self.beats = int(w[2]), int(w[3])
+            elif w[2] == "loop":
+                self.ends[w[0]], self.loops[w[0]] = int(w[1]), int(w[3])
+            elif w[2] == "end":
+                self.ends.setdefault(w[0], int(w[1]))
+            elif w[2] == "tempo":
+                self.tempos.append((int(w[1]), float(w[3])))
+            elif w[0] != "-":
+                self.event(w[0], int(w[1]), w[2], w[3:])
+        for track, notes in self.notes.items():
+            end = self.ends[track]
+            self.notes[track] = [(a, min(end if b is None else b, end), p) for a, b, p in notes if a < end]
+        own = {t: e for t, e in self.ends.items() if t != "-"}
+        self.loop = min((v for t, v in self.loops.items() if t != "-"), default=None)
+        self.end = max(own.values()) if self.loop is None else min(e for t, e in own.items() if t in self.loops)
+
+    def event(self, track, tick, what, values):
+        notes = self.notes.setdefault(track, [])
+        if what in ("note", "slur", "off") and notes and notes[-1][1] is None:
+            notes[-1][1] = tick
+        if what in ("note", "slur"):
+            notes.append([tick, None, round(float(values[0]))])
+        if what == "glide":
+            notes[-1][2] = round(float(values[0]))
+
+    def seconds(self, tick):
+        at, t, tempo = 0, 0.0, 120.0
+        for when, value in sorted(x for x in self.tempos if x[0] < tick):
+            t += (when - at) * 60 / tempo / self.quarter
+            at, tempo = when, value
+        return t + (tick - at) * 60 / tempo / self.quarter
+
+
+def run(*command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode:
+        raise Bad(f'{" ".join(command)}: {(done.stderr or done.stdout).strip()}')
+    return done.stdout
+
+
+# ---- notes against what is declared ----
+
+def percent(x):
+    return f"{100 * x:.0f} %"
+
+
+def share(part, of):
+    return part / of if of else 0.0
+
+
+class Piece:
+    def __init__(self, name, d, t):
+        self.name, self.d, self.t, self.faults, self.row = name, d, t, [], []
+        self.bar = t.beats * t.quarter
+        self.sections, self.spans, at = [], [], 0
+        for section in d.form:
+            bars = d.section(section)
+            self.sections.append((section, at, at + len(bars)))
+            for bar in bars:
+                for i, (tones, bass) in enumerate(bar):
+                    a = at * self.bar + i * self.bar // len(bar)
+                    self.spans.append((a, at * self.bar + (i + 1) * self.bar // len(bar), tones, bass))
+                at += 1
+        self.n_bars = at
+
+    def fault(self, text):
+        self.faults.append(f"{self.name}: {text}")
+
+    def at_least(self, what, got, least, more=""):
+        if got < least:
+            self.fault(f"expected at least {100 * least:.0f} % of {what}, got {100 * got:.1f} %{more}")
+
+    def of(self, role):
+        return sorted(n for track in self.d.roles.get(role, ()) for n in self.t.notes.get(track, ()))
+
+    def span(self, tick):
+        return next((s for s in self.spans if s[0] <= tick < s[1]), self.spans[-1])
+
+    def fits(self, notes):
+        """The share of the notes' time in which they are tones of the chord."""
+        good = every = 0
+        for a, b, p in notes:
+            for s0, s1, tones, _ in self.spans:
+                time = min(b, s1) - max(a, s0)
+                if time > 0:
+                    every += time
+                    good += time if p % 12 in tones else 0
+        return share(good, every)
+
+    def length(self):
+        t, end = self.t, self.n_bars * self.bar
+        tail = self.bar if t.loop is None else 0  # an echo may ring on behind a piece that ends
+        if not end <= t.end <= end + tail:
+            self.fault(f"expected {self.n_bars} bars, as the form says, got {t.end / self.bar:g}")
+        if t.loop is not None and t.loop not in [a * self.bar for _, a, _ in self.sections]:
+            self.fault(f"expected its loop to begin with a section, got bar {t.loop / self.bar + 1:g}")
+        s = t.seconds(t.end)
+        if t.loop is not None and s < LONG:
+            self.fault(f"expected {LONG:g} seconds before it repeats, got {s:.1f}")
+        if t.loop is None and not SHORT[0] <= s <= SHORT[1]:
+            self.fault(f"expected a piece without a loop to last {SHORT[0]:g} to {SHORT[1]:g} seconds, got {s:.1f}")
+        if not t.tempos or abs(t.tempos[0][1] - self.d.tempo) > 0.005:
+            self.fault(f"expected tempo {self.d.tempo:g}, got {t.tempos[0][1] if t.tempos else 120:g}")
+        return s
+
+    def scale(self):
+        notes = [n for role in ROLES[:4] for n in self.of(role)]
+        got = share(sum(p % 12 in self.d.scale for _, _, p in notes), len(notes))
+        self.at_least(f"the notes in {self.d.key}", got, IN_SCALE)
+        return got
+
+    def roots(self):
+        """The share of chords whose first note of the bass is the chord's root, or what stands behind its slash."""
+        bass, good, every = self.of("bass"), 0, 0
+        for a, b, _, root in self.spans:
+            p = next((p for x, y, p in bass if x < b and y > a), None)
+            if p is not None:
+                every += 1
+                good += p % 12 == root
+        return share(good, every)
+
+    def strong(self):
+        """The share of melody notes on the first and the middle beat that are tones of the chord."""
+        half = self.bar // 2 if self.t.beats % 2 == 0 else self.bar
+        notes = [(a, p) for a, _, p in self.of("melody") if a % half == 0]
+        return share(sum(p % 12 in self.span(a)[2] for a, p in notes), len(notes))
+
+    def clashes(self):
+        """The share of the melody's time a semitone above a tone of the chord, without being one, in notes of a beat
+        or more."""
+        bad = every = 0
+        for a, b, p in self.of("melody"):
+            tones = self.span(a)[2]
+            every += b - a
+            if b - a >= self.t.quarter and p % 12 not in tones and (p - 1) % 12 in tones:
+                bad += b - a
+        return share(bad, every)
+
+    def line(self):
+        """Of the melody: the share of steps up to a whole tone among moves, the widest leap, its range."""
+        p = [n[2] for n in self.of("melody")]
+        moves = [abs(y - x) for x, y in zip(p, p[1:]) if x != y]
+        return share(sum(m <= 2 for m in moves), len(moves)), max(moves, default=0), max(p) - min(p)
+
+    def sings(self):
+        """The longest rest of the melody in bars, once it has begun; the share of bars in which it sounds."""
+        m = self.of("melody")
+        at, rest = m[0][1], 0
+        for a, b, _ in m:
+            rest, at = max(rest, a - at), max(at, b)
+        bars = {k for a, b, _ in m for k in range(a // self.bar, (b - 1) // self.bar + 1)}
+        return rest / self.bar, share(len(bars), self.n_bars)
+
+    def prints(self, roles):
+        """What is played in each bar."""
+        bars = [[] for _ in range(self.n_bars)]
+        for role in roles:
+            for a, b, p in self.of(role):
+                if a // self.bar < self.n_bars:
+                    bars[a // self.bar].append((role, a % self.bar, b - a, p))
+        return [tuple(sorted(b)) for b in bars]
+
+    def again(self, roles):
+        """The share of bars that are equal to an earlier one."""
+        bars, first = self.prints(roles), {}
+        return sum(first.setdefault(b, k) != k for k, b in enumerate(bars)) / len(bars)
+
+    def repeats(self):
+        """The share of bars that are equal to an earlier one, of all parts or of the melody alone; sections that differ."""
+        bars = self.prints(ROLES[:4])
+        return max(self.again(ROLES[:4]), self.again(ROLES[:1])), len({tuple(bars[a:b]) for _, a, b in self.sections})
+
+    def check(self):
+        d = self.d
+        for role in ROLES:
+            if not self.of(role):
+                self.fault(f"expected a {role}: no note of its tracks {' '.join(d.roles.get(role, [])) or '(none)'}")
+        if self.faults:
+            return
+        seconds, scale = self.length(), self.scale()
+        bass, roots, harmony = self.fits(self.of("bass")), self.roots(), self.fits(self.of("harmony"))
+        self.at_least("the bass's time on the chords", bass, BASS_FITS)
+        self.at_least("chords begun by the bass's root", roots, ROOTS)
+        self.at_least("the harmony's time on the chords", harmony, HARMONY_FITS)
+        strong, clashes, (steps, leap, wide) = self.strong(), self.clashes(), self.line()
+        self.at_least("the melody's strong beats on the chords", strong, STRONG_FITS)
+        self.at_least("the melody's moves in steps", steps, STEPS)
+        if clashes > CLASHES:
+            self.fault(f"the melody rubs against the chord in {100 * clashes:.1f} % of its time, {100 * CLASHES:g} % at "
+                       "most")
+        rest, sings = self.sings()
+        if rest > RESTS:
+            self.fault(f"the melody rests for {rest:.1f} bars, {RESTS:g} at most")
+        self.at_least("the bars with a melody", sings, SINGS)
+        again, sections = self.repeats()
+        if again > REPEATED:
+            self.fault(f"{100 * again:.0f} % of the bars are as an earlier one, {100 * REPEATED:.0f} % at most")
+        if sections < SECTIONS:
+            self.fault(f"expected {SECTIONS} sections that differ, got {sections}")
+        self.row = [("key", d.key), ("tempo", f"{d.tempo:g}"), ("bars", str(self.n_bars)), ("seconds", f"{seconds:.1f}"),
+                    ("in the scale", percent(scale)), ("bass on chords", percent(bass)), ("on roots", percent(roots)),
+                    ("harmony", percent(harmony)), ("melody", percent(strong)), ("rubs", percent(clashes)),
+                    ("steps", percent(steps)), ("leap", str(leap)), ("range", str(wide)), ("rests", f"{rest:.1f}"),
+                    ("sings", percent(sings)), ("again", percent(again)), ("sections", str(sections))]
+
+    def likeness(self):
+        chords = tuple((frozenset(t), b) for _, _, t, b in self.spans)
+        return self.d.key, self.d.tempo, chords
+
+
+def check_notes(curtain, game, names):
+    rows, faults, like = {}, [], {}
+    for name in names:
+        piece = Piece(name, Declared(os.path.join(game, "music", name + ".mml")), Tune(curtain, game, name))
+        piece.check()
+        faults += piece.faults
+        rows[name] = piece.row
+        other = like.setdefault(piece.likeness(), name)
+        if other != name:
+            faults.append(f"{name}: key, tempo and chords are those of {other}")
+    return rows, faults
+
+
+# ---- levels ----
+
+def decibels(x):
+    return 20 * math.log10(x / 32768) if x > 0 else -120.0
+
+
+def render(curtain, game, name, folder):
+    path = os.path.join(folder, name + ".wav")
+    run(curtain, "sound", game, name, "-o", path)
+    with wave.open(path) as w:
+        samples = array.array("h", w.readframes(w.getnframes()))
+    if sys.byteorder == "big":
+        samples.byteswap()
+    return path, samples
+
+
+def loudness(path):
+    """LUFS, by ffmpeg; None: there is none."""
+    if not shutil.which("ffmpeg"):
+        return None
+    said = subprocess.run(["ffmpeg", "-nostats", "-hide_banner", "-i", path, "-af", "ebur128", "-f", "null", "-"],
+                          stderr=subprocess.PIPE, text=True, check=True).stderr
+    return float(re.findall(r"I:\s+(-?[\d.]+) LUFS", said)[-1])
+
+
+def power(samples, block=4800):
+    """Decibels of the mean power of tenths of a second, without those 10 dB below the mean of all; in integers."""
+    squares = [sum(x * x for x in samples[i:i + 2 * block]) // block for i in range(0, len(samples), 2 * block)]
+    squares = [s for s in squares if 10 * s * len(squares) >= sum(squares)] or [0]
+    return decibels(math.isqrt(sum(squares) // len(squares) // 2))
+
+
+def undrummed(curtain, game, name, drums, folder):
+    """The samples of a piece without its drums, in which a click cannot hide."""
+    with open(os.path.join(game, "music", name + ".mml"), encoding="utf-8") as f:
+        lines = [x for x in f if not re.match(rf"[{''.join(drums)}] ", x)]
+    os.mkdir(os.path.join(folder, "music"))
+    for path, text in (("music/" + name + ".mml", "".join(lines)), ("main.lua", ""),
+                       ("rom.lua", f'return {{ title = "-", music = {{ {name} = {{ file = "music/{name}.mml" }} }} }}')):
+        with open(os.path.join(folder, path), "w", encoding="utf-8") as f:
+            f.write(text)
+    return render(curtain, folder, name, folder)[1]
+
+
+def click(samples, at):
+    """The largest second differences within a hundredth of a second of frame `at`, and in four seconds around it."""
+    return bend(samples, at - 480, at + 480), max(bend(samples, at - 192000, at - 480),
+                                                  bend(samples, at + 480, at + 192000))
+
+
+def bend(samples, frm, to):
+    """The largest second difference in frames frm to to, of either side."""
+    most = 0
+    for side in (0, 1):
+        x = samples[2 * max(frm, 0) + side:2 * to + side:2]
+        most = max(most, max((abs(a - 2 * b + c) for a, b, c in zip(x, x[1:], x[2:])), default=0))
+    return most
+
+
+def measure(samples):
+    n = len(samples) or 1
+    peak = max(max(samples, default=0), -min(samples, default=0))
+    left, right = sum(samples[0::2]) * 2 / n / 32768, sum(samples[1::2]) * 2 / n / 32768
+    return peak, max(abs(left), abs(right)), sum(s > 16384 or s < -16384 for s in samples) / n
+
+
+def spread(loud, most, what):
+    """A fault if the loudest and the quietest are further apart."""
+    known = {name: value for name, value in loud.items() if value is not None}
+    if known and max(known.values()) - min(known.values()) > most:
+        low, high = min(known, key=known.get), max(known, key=known.get)
+        return [f"{high} is {known[high] - known[low]:.1f} {what} louder than {low}, {most:g} at most"]
+    return []
+
+
+def flaws(name, samples):
+    """Peak, mean and what is bent, and faults."""
+    peak, dc, curve = measure(samples)
+    faults = []
+    if decibels(peak) > PEAK:
+        faults.append(f"{name}: its peak is {decibels(peak):.1f} dB, {PEAK:g} at most")
+    if curve > ROUND:
+        faults.append(f"{name}: {100 * curve:.1f} % of it is in the limiter's curve, {100 * ROUND:g} % at most")
+    if dc > DC:
+        faults.append(f"{name}: its mean is {dc:.4f}, {DC:g} at most")
+    return [("peak, dB", f"{decibels(peak):.1f}"), ("in the limiter's curve", f"{100 * curve:.2f} %"),
+            ("mean", f"{dc:.6f}")], faults
+
+
+def check_loop(curtain, game, name, tune):
+    at = round(48000 * tune.seconds(tune.end))
+    with tempfile.TemporaryDirectory() as folder:
+        drums = Declared(os.path.join(game, "music", name + ".mml")).roles.get("drums", [])
+        samples = undrummed(curtain, game, name, drums, folder)
+    if 2 * at + 2 * 192000 > len(samples):
+        return [], [f"{name}: expected its loop within 116 seconds, got {at / 48000:.1f}"]
+    here, near = click(samples, at)
+    return [("bend at the loop", f"{here} of {near}")], [
+        f"{name}: a click where it repeats: second difference {here}, {near} around it"] if here > near else []
+
+
+def check_levels(curtain, game, names):
+    rows, faults, loud, own = {}, [], {}, {}
+    for name in names:
+        tune = Tune(curtain, game, name)
+        with tempfile.TemporaryDirectory() as folder:
+            path, samples = render(curtain, game, name, folder)
+            loud[name], own[name] = loudness(path), power(samples)
+        flat, bad = flaws(name, samples)
+        looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
+        lufs = "-" if loud[name] is None else f"{loud[name]:.1f}"
+        rows[name] = [("LUFS", lufs), ("power, dB", f"{own[name]:.1f}")] + flat + (looped or [("bend at the loop", "-")])
+        faults += bad + clicks
+    return rows, faults + spread(loud, SPREAD, "LU") + spread(own, OWN_SPREAD, "dB")
+
+
+def loudest(samples, frames=2400):
+    """The root mean square of the loudest stretch of a twentieth of a second."""
+    squares = [0]
+    for a, b in zip(samples[0::2], samples[1::2]):
+        squares.append(squares[-1] + a * a + b * b)
+    if len(squares) <= frames:
+        return (squares[-1] / 2 / frames) ** 0.5
+    return (max(y - x for x, y in zip(squares, squares[frames:])) / 2 / frames) ** 0.5
+
+
+def heard(samples):
+    """Frames until it stays below -60 dB."""
+    return next((i // 2 + 1 for i in range(len(samples) - 1, -1, -1) if abs(samples[i]) > 32), 0)
+
+
+def check_sounds(curtain, game, names):
+    rows, faults = {}, []
+    for name in names:
+        with tempfile.TemporaryDirectory() as folder:
+            _, samples = render(curtain, game, name, folder)
+        (peak, dc, curve), long = measure(samples), heard(samples) / 48000
+        level = decibels(loudest(samples))
+        dc *= min(1, len(samples) / 96000)
+        rows[name] = [("seconds", f"{long:.2f}"), ("peak, dB", f"{decibels(peak):.1f}"), ("loudest, dB", f"{level:.1f}")]
+        for what, got, (low, high) in (("peak", decibels(peak), SOUND_PEAK), ("loudest twentieth of a second", level,
+                                                                             SOUND_LEVEL)):
+            if not low <= got <= high:
+                faults.append(f"{name}: expected its {what} from {low:g} to {high:g} dB, got {got:.1f}")
+        if long > SOUND_LONG:
+            faults.append(f"{name}: expected {SOUND_LONG:g} seconds at most, got {long:.1f}")
+        if dc > DC or curve > ROUND:
+            faults.append(f"{name}: its mean is {dc:.4f} ({DC:g} at most), {100 * curve:.1f} % in the limiter's curve")
+    return rows, faults
+
+
+# ---- the page ----
+
+PAGE = """# The music of Glass Tide
+
+Made by `tools/music.py --page roms/glasstide >docs/music.md`; [music.sh](../tests/cli/music.sh) sees that it is current.
+
+Six pieces and {sounds} sounds, all of them MML: [music](../{game}/music) and
+[sfx](../{game}/sfx). One motif goes through all pieces, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
+falls back, and rises less.
+
+| piece | title | where | key | tempo | form, and bars | seconds |
+|---|---|---|---|---|---|---|
+{pieces}
+
+## What is declared, and checked
+
+Beside its notes a piece says in comments what they are meant to be:
+
+```
+;= key D minor
+;= tempo 132
+;= form intro A A' B turn
+;= tracks melody A, second C, harmony E F G, bass I, drums J K L M
+;= intro  Dm | Dm/F | Bbmaj7 | A7sus4 A7
+;= A      Dm9 | Fmaj7/A | Bbmaj7 | C
+```
+
+`form` names sections, and a line of each section's name has its chords, a bar between `|`, a bar of two chords in
+halves, `%` for the bar before again; `A'` without a line of its own has those of `A`. Keys are major, minor, harmonic
+minor, melodic minor, dorian, phrygian, lydian and mixolydian. `tools/music.py GAME` asks the packer for the notes
+(`curtain sound GAME NAME --notes`) and compares them:
+
+| | asked for |
+|---|---|
+{rules}
+
+A piece that loops lasts {long:g} seconds at least before it does, and its loop begins with a section; one that ends
+lasts {short[0]:g} to {short[1]:g}. No two pieces have key, tempo and chords in common.
+
+{notes}
+
+## Levels
+
+Loudness is ffmpeg's (`ebur128`, integrated), {spread:g} LU apart at most; without ffmpeg the power of the tenths of a
+second that are not 10 dB below the mean is compared, in integers, {own:g} dB apart at most. The peak is {peak:g} dB at
+most, {round:g} % at most is in the limiter's curve, the mean {dc:g} of full scale at most. Where a piece repeats it is
+rendered without its drums: its second difference within a hundredth of a second of that place is compared with the
+largest in four seconds around it.
+
+{levels}
+
+## Sounds
+
+Of each, up to where it stays below -60 dB; the loudest is the root mean square of its loudest twentieth of a second.
+
+{heard}
+
+## What it costs
+
+{cost}
+"""
+
+RULES = (
+    ("notes of melody, second part, harmony and bass in the scale", IN_SCALE), ("bass on tones of the chord", BASS_FITS),
+    ("chords that the bass begins with their root, or the note behind `/`", ROOTS),
+    ("harmony on tones of the chord", HARMONY_FITS), ("melody's notes on strong beats that are the chord's", STRONG_FITS),
+    ("moves of the melody by a tone at most", STEPS), ("bars in which the melody sounds", SINGS),
+)
+LIMITS = (
+    ("long notes of the melody a semitone above the chord", percent(CLASHES)),
+    ("bars that are as an earlier one, in all parts or in the melody", percent(REPEATED)), ("the melody's longest rest", f"{RESTS:g} bars"),
+)
+
+
+def table(rows):
+    head = [label for label, _ in next(iter(rows.values()))]
+    return "\n".join(["| | " + " | ".join(head) + " |", "|---" * (len(head) + 1) + "|"] +
+                     [f"| {name} | " + " | ".join(text for _, text in row) + " |" for name, row in rows.items()])
+
+
+def about(game, name, where):
+    """A line of the first table."""
+    d = Declared(os.path.join(game, "music", name + ".mml"))
+    with open(os.path.join(game, "music", name + ".mml"), encoding="utf-8") as f:
+        title = re.search(r"^#title (.*)$", f.read(), re.M).group(1)
+    form = " ".join(f"{s} {len(d.section(s))}" for s in d.form)
+    return f"| `{name}` | {title} | {where} | {d.key} | {d.tempo:g} | {form} |"
+
+
+WHERE = {"title": "title", "tide": "stage", "queen": "bosses", "clear": "a game is won", "over": "a game is lost",
+         "scores": "scores"}
+
+
+def page(curtain, game):
+    pieces, sounds = listed(curtain, game, "music"), listed(curtain, game, "sound")
+    (notes, bad), (levels, worse) = check_notes(curtain, game, pieces), check_levels(curtain, game, pieces)
+    heard_rows, worst = check_sounds(curtain, game, sounds)
+    seconds = {name: dict(row).get("seconds", "-") for name, row in notes.items()}
+    rules = [f"| {what} | {percent(least)} at least |" for what, least in RULES]
+    rules += [f"| {what} | {most} at most |" for what, most in LIMITS]
+    sizes = dict(re.findall(r"^\w+ (\w+): (\d+) bytes", run(curtain, "sound", game), re.M))
+    print(PAGE.format(
+        sounds=len(sounds), game=game, notes=table(notes), levels=table(levels), heard=table(heard_rows), long=LONG,
+        short=SHORT, spread=SPREAD, own=OWN_SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
+        pieces="\n".join(f"{about(game, n, WHERE.get(n, ''))} {seconds[n]} |" for n in pieces),
+        rules="\n".join(rules),
+        cost=COST.format(music=sum(int(sizes[n]) for n in pieces), sounds=sum(int(sizes[n]) for n in sounds))), end="")
+    return bad + worse + worst
+
+
+COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds."""
+
+# ---- the command ----
+
+def listed(curtain, game, what):
+    return [m.group(1) for m in re.finditer(rf"^{what} (\w+):", run(curtain, "sound", game), re.M)]
+
+
+CHECKS = {"--levels": (check_levels, "music"), "--sounds": (check_sounds, "sound"), "--notes": (check_notes, "music")}
+
+
+def main(args):
+    curtain, option = "build/curtain-null", "--notes"
+    while args and args[0].startswith("--"):
+        option = args.pop(0)
+        if option == "--curtain" and args:
+            curtain, option = args.pop(0), "--notes"
+        elif option != "--page" and option not in CHECKS:
+            raise Bad(__doc__.strip())
+    if not args:
+        raise Bad(__doc__.strip())
+    game, names = args[0], args[1:]
+    if option == "--page":
+        faults = page(curtain, game)
+    else:
+        check, what = CHECKS[option]
+        rows, faults = check(curtain, game, names or listed(curtain, game, what))
+        for name, row in rows.items():
+            print(f"{name}: " + ", ".join(f"{label} {text}" for label, text in row))
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except Bad as bad:
+        sys.exit(str(bad))
