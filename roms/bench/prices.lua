@@ -95,6 +95,12 @@ local fires = {
   end,
 }
 
+local kept = { kind = "d8", speed = 0.001, tag = "all", motion = gone }
+function fires.kept(i)
+  kept.x, kept.y, kept.dir = i % 64 * 4, i // 64 % 16, 7 * i
+  bullet.fire(kept)
+end
+
 -- A figure of 64 of them.
 local points, rows = {}, {}
 for i = 1, 64 do points[i] = { i % 8, i // 8 } end

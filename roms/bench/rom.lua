@@ -40,7 +40,8 @@ return {
     -- more of it: a switch has room for 16 words
     price_figure = { "none", "ring", "fan", "arc", "stack", "line", "polygon", "star", "ellipse", "rose", "whip", "scatter",
       "points", "dots" },
-    price_kind = { "none", "circle", "box", "capsule", "circles", "turned_circles", "frozen", "delay", "hp", "valued" },
+    price_kind = { "none", "circle", "box", "capsule", "circles", "turned_circles", "frozen", "delay", "hp", "valued",
+      "kept" },
     price_step = { "none", "go_to", "polar", "orbit", "around", "wave", "bounce", "named", "await", "signal", "path",
       "emit" },
     price_verb = { "none", "shift", "aim_all", "turn_all", "value", "clear_circle", "clear_box", "clear_line", "sweep", "near",

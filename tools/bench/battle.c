@@ -100,6 +100,8 @@ void section_battle(void)
     for (int round = -1; round < ROUNDS; round++)
         for (int i = 0; i < 2; i++)
             for (int f = 0; f < FRAMES; f++) {
+                if (f == 0)
+                    bench_look();
                 laps_begin(&l);
                 bench_tick(i ? &without : &with);
                 if (round >= 0 && f > 0)

@@ -20,6 +20,7 @@ void section_battle(void);
 void section_pictures(void);
 void section_lasers(void);
 void section_together(void);
+void section_threads(void);
 void section_game(void);
 void section_rewind(void);
 void section_replay(void);
@@ -57,12 +58,19 @@ struct samples {
 void samples_add(struct samples *s, double ns);
 void samples_free(struct samples *s);
 
-/* The share of the samples below it is `share`: 0.5 is the median. It sorts them. */
-double samples_quantile(struct samples *s, double share);
-double samples_median(struct samples *s);
+/* The share of the samples below it is `share`: 0.5 is the median. */
+double samples_quantile(const struct samples *s, double share);
+double samples_median(const struct samples *s);
+
+/* The median of a's samples in b's, each in that which was taken in its turn: the same number. */
+double samples_ratio(const struct samples *a, const struct samples *b);
+
+/* Looks how fast the machine's clock is: once a round. And says how fast it was since that was said last. */
+void bench_look(void);
+void bench_say_clock(void);
 
 /* "2.31±0.05": the median of the samples, each divided by `by`, and half the distance of their quartiles. */
-const char *samples_figure(struct samples *s, double by);
+const char *samples_figure(const struct samples *s, double by);
 
 /* Where a frame's time goes: a board's phases, and what a cabinet does then. */
 enum lap { LAP_SCRIPTS, LAP_MOTION, LAP_HITS, LAP_EVENTS, LAP_REST, LAP_DRAW, LAP_PRESENT, LAPS };

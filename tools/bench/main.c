@@ -10,12 +10,28 @@
 #include <time.h>
 #include "bench.h"
 
+/* Each ends with what the clock did. */
+#define CLOCKED(name)                                                                                                  \
+    static void clocked_##name(void)                                                                                   \
+    {                                                                                                                  \
+        section_##name();                                                                                              \
+        bench_say_clock();                                                                                             \
+    }
+CLOCKED(boss)
+CLOCKED(crowd)
+CLOCKED(prices)
+CLOCKED(battle)
+CLOCKED(pictures)
+CLOCKED(lasers)
+CLOCKED(together)
+CLOCKED(threads)
+
 static const struct report_part SECTIONS[] = {
-    { "machine", section_machine }, { "boss", section_boss },         { "crowd", section_crowd },
-    { "prices", section_prices },   { "battle", section_battle },     { "pictures", section_pictures },
-    { "lasers", section_lasers },   { "together", section_together }, { "game", section_game },
-    { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
-    { "sound", section_sound },     { "guards", section_guards },
+    { "machine", section_machine }, { "boss", clocked_boss },         { "crowd", clocked_crowd },
+    { "prices", clocked_prices },   { "battle", clocked_battle },     { "pictures", clocked_pictures },
+    { "lasers", clocked_lasers },   { "together", clocked_together }, { "threads", clocked_threads },
+    { "game", section_game },       { "rewind", section_rewind },     { "replay", section_replay },
+    { "memory", section_memory },   { "sound", section_sound },       { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
@@ -29,22 +45,26 @@ static const char ABOUT[] =
     "\n"
     "`make bench` measures this page and writes it with its plots; do not edit it. All figures are of one core and of "
     "the\n"
-    "machine named below; another has others. What holds on every machine, that the engine and two programs that "
+    "machine named below; another has others. What holds on every machine, that the engine and three programs that "
     "share\n"
-    "nothing with it move, test, hit, graze and draw the same, is compared in each run, and a difference fails it.\n"
+    "nothing with it move, hit and draw the same, is compared in each run, and a difference fails it.\n"
     "\n"
     "* A figure is the median over many frames; **±** is half the distance of the quartiles. Times are the wall's, but "
-    "of what takes\n"
-    "  long and is likely to be interrupted they are the bench's own share. Things that are compared run in turns, a "
-    "slice\n"
-    "  of frames each, so a ratio is of one run and one moment; the first frame of a slice warms up.\n"
+    "of\n"
+    "  what takes long and is likely to be interrupted they are the bench's own share.\n"
+    "* A machine that others share changes its clock within seconds, so a time says little without its second. What "
+    "is\n"
+    "  compared runs in turns, a slice of frames each (the first of a slice warms up), and a ratio is the median of "
+    "the ratios\n"
+    "  of the same turn. Sections end with what the clock did meanwhile.\n"
     "* A *frame* is what a cabinet does sixty times a second: the tick (scripts, motion, hits, events, rest), the "
     "picture\n"
     "  (draw), and its colours as 32-bit pixels (present). *Hash* is the state's hash, which a demo takes once a "
-    "second;\n"
-    "  it is not in the sums. Bullets are tested against players as they move, so *motion* has that too; *hits* "
-    "raises\n"
-    "  what came of it, and has the other collisions. Sixty frames a second leave 16.67 ms each.\n"
+    "second; it\n"
+    "  is not in the sums. Bullets are tested against players as they move, so *motion* has that too; *hits* raises "
+    "what came\n"
+    "  of it, and has the other collisions. Sixty frames a second leave 16.67 ms each.\n"
+    "* A *straight* bullet runs no program, and no player comes near it.\n"
     "* Nothing is drawn by the graphics card, no other thread helps, and the compiler's flags are those named below.\n"
     "* px is a pixel, a frame 1/60 s, 1 GB 10^9 bytes.\n"
     "\n";

@@ -67,25 +67,71 @@ void samples_free(struct samples *s)
     *s = (struct samples){ 0 };
 }
 
-double samples_quantile(struct samples *s, double share)
+double samples_quantile(const struct samples *s, double share)
 {
     if (!s->n)
         return 0;
-    numbers_sort(s->ns, (size_t)s->n);
-    return s->ns[(int)(share * (s->n - 1) + 0.5)];
+    double *sorted = malloc((size_t)s->n * sizeof *sorted);
+    if (!sorted)
+        report_fail("out of memory");
+    memcpy(sorted, s->ns, (size_t)s->n * sizeof *sorted);
+    numbers_sort(sorted, (size_t)s->n);
+    const double found = sorted[(int)(share * (s->n - 1) + 0.5)];
+    free(sorted);
+    return found;
 }
 
-double samples_median(struct samples *s)
+double samples_ratio(const struct samples *a, const struct samples *b)
+{
+    struct samples ratios = { 0 };
+
+    for (int i = 0; i < a->n && i < b->n; i++)
+        samples_add(&ratios, b->ns[i] > 0 ? a->ns[i] / b->ns[i] : 0);
+    const double found = samples_median(&ratios);
+    samples_free(&ratios);
+    return found;
+}
+
+double samples_median(const struct samples *s)
 {
     return samples_quantile(s, 0.5);
 }
 
-const char *samples_figure(struct samples *s, double by)
+const char *samples_figure(const struct samples *s, double by)
 {
     double half = (samples_quantile(s, 0.75) - samples_quantile(s, 0.25)) / 2 / by;
     const char *figure = report_figure(samples_median(s) / by), *dot = strchr(figure, '.');
 
     return report_string("%s±%.*f", figure, dot ? (int)strlen(dot + 1) : 0, half);
+}
+
+/* ---- the machine's clock ---- */
+
+enum { CHAIN = 2000 };
+
+static struct samples looks;
+static volatile uint64_t chained;
+
+void bench_look(void)
+{
+    uint64_t x = chained | 1;
+    const double from = bench_now();
+
+    for (int i = 0; i < CHAIN; i++)
+        x += x >> 1 | 1;
+    chained = x;
+    samples_add(&looks, bench_since(from) / CHAIN);
+}
+
+void bench_say_clock(void)
+{
+    if (looks.n)
+        report_text("The machine's clock meanwhile: a step of a chain of additions took %s ns in the median of %s "
+                    "looks, %s to %s in nine tenths of them.",
+                    report_string("%s", report_figure(samples_median(&looks))), report_count(looks.n),
+                    report_string("%s", report_figure(samples_quantile(&looks, 0.05))),
+                    report_figure(samples_quantile(&looks, 0.95)));
+    looks.n = 0;
 }
 
 void laps_begin(struct laps *l)

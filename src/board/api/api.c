@@ -151,8 +151,10 @@ int api_checked(lua_State *L, const struct api_entry *e)
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "only while scripts load");
     const struct api_entry *fire;
-    int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire);
-    lua_createtable(L, 0, all);
+    int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
+    for (int i = 0; i < all; i++)
+        fields += v[i].given || (i < e->count && e->params[i].def);
+    lua_createtable(L, 0, fields); /* it is walked over for each bullet of a figure: no empty places */
     for (int i = n; i < all; i++)
         if (v[i].given) {
             lua_pushvalue(L, v[i].at);

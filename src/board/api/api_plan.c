@@ -15,7 +15,9 @@
 #include "api_parts.h"
 
 enum {
-    WARM = 16, /* calls before a plan is made */
+    WARM = 16,                /* calls before a plan is made */
+    ROOMY = LUA_MINSTACK - 3, /* places for which a C function has room behind its arguments; odd, as values' are */
+    FURTHER = 16,             /* that a function of the API may need */
     KEYS = MAX_PARAMS
 };
 
@@ -114,6 +116,8 @@ static bool walk(lua_State *L, const struct api_entry *e, struct api_plan *p, in
     lua_pushnil(L);
     lua_pushnil(L);
     while (lua_next(L, at)) {
+        if (slot == at + ROOMY)
+            luaL_checkstack(L, 2 * (p->n + p->values), NULL);
         int i = p->follow[last];
         if (lua_topointer(L, -2) != p->key[i]) {
             if ((i = learn(L, e, p)) < 0)
@@ -166,12 +170,12 @@ int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v
     struct api_plan *p = plan_for(L, f, fire);
     if (!p)
         return api_arguments(L, e, v, fire);
-    luaL_checkstack(L, 2 * (p->n + p->values) + 16, NULL);
     memcpy(v, p->start, (size_t)(p->n + p->values) * sizeof *v);
     if (!walk(L, e, p, at, v, &given)) {
         lua_settop(L, at);
         return api_arguments(L, e, v, fire);
     }
+    luaL_checkstack(L, FURTHER, NULL);
     vm_board(L)->vm.planned++;
     for (int i = 0; i < e->plain; i++) {
         api_look(L, i + 1, i + 1, &v[i]);
