@@ -135,25 +135,40 @@ static void silence_music(struct board *b)
     b->voices.gain0 = b->music.level;
 }
 
+_Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE, "what is put aside has its voices");
+
+static void keep_music(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    if (s->tune && s->aside < SEQ_ASIDE)
+        voices_keep(&b->voices, s->aside);
+    seq_keep(s);
+}
+
+static void bring_back(struct board *b)
+{
+    voices_bring(&b->voices, b->music.aside - 1);
+    seq_back(&b->music);
+}
+
 /* What was asked for begins at that sample of the frame, or comes back. */
 static void change_music(struct board *b, int sample)
 {
     struct seq *s = &b->music;
     const int kept = s->next && !s->next_back ? seq_kept(s, s->next) : -1;
 
+    if (s->next_back)
+        keep_music(b);
+    else
+        seq_forget(s, kept + 1);
     if (b->voices.gain0 == 0 && sample == 0)
         silence_music(b);
     cut_music(b, sample);
-    if (kept >= 0) {
-        seq_forget(s, kept + 1);
-        seq_back(s);
-        return;
-    }
-    if (s->next_back)
-        seq_keep(s);
+    if (kept >= 0)
+        bring_back(b);
     else
-        seq_forget(s, 0);
-    start_music(b, s->next);
+        start_music(b, s->next);
 }
 
 /* What is left of the music's gain at the end of this frame. */
@@ -174,12 +189,12 @@ static bool goes(const struct seq *s)
 }
 
 /* Its last notes ring on. */
-static void end_piece(struct seq *s)
+static void end_piece(struct board *b)
 {
-    if (s->aside)
-        seq_back(s);
+    if (b->music.aside)
+        bring_back(b);
     else
-        seq_start(s, 0, NULL);
+        seq_start(&b->music, 0, NULL);
 }
 
 static void step_level(struct seq *s)
@@ -202,7 +217,7 @@ static void step_music(struct board *b)
     if (s->fade_over && s->fade == 0)
         change_music(b, 0);
     else if (s->tune && !goes(s) && seq_over(s))
-        end_piece(s);
+        end_piece(b);
     if (s->fade)
         s->fade--;
     for (int first = 0; s->tune && first < SND_FRAME;) {
@@ -346,6 +361,13 @@ void sound_music_stop(struct board *b, int32_t fade)
         ask_music(b, 0, &(struct music_how){ .fade = fade });
 }
 
+static void drop_kept(struct board *b, int i)
+{
+    for (int k = i; k + 1 < b->music.aside; k++)
+        voices_shift(&b->voices, k, k + 1);
+    seq_drop(&b->music, i);
+}
+
 void sound_music_back(struct board *b, int tune, int32_t fade)
 {
     struct seq *s = &b->music;
@@ -355,14 +377,14 @@ void sound_music_back(struct board *b, int tune, int32_t fade)
     if (goes(s) && s->next == index && s->next_back)
         forget_next(s);
     else if (goes(s) && s->next == index && kept >= 0) { /* it was to come back */
-        seq_drop(s, kept);
+        drop_kept(b, kept);
         s->next = s->aside ? s->kept[s->aside - 1] : 0;
     } else if (s->tune == index && goes(s) && s->next_back) /* another covers it: that will be alone */
         s->next_back = 0;
     else if (s->tune == index && !goes(s))
         ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
     else if (kept >= 0)
-        seq_drop(s, kept);
+        drop_kept(b, kept);
 }
 
 void sound_volume(struct board *b, uint16_t level, int32_t over)
@@ -507,7 +529,7 @@ static const struct {
     uint32_t cap;
 } box_parts[] = { { &seq_chip, offsetof(struct board, music), SEQ_SLOTS },
                   { &cues_chip, offsetof(struct board, cues), CUES },
-                  { &voices_chip, offsetof(struct board, voices), VOICE_SLOTS } };
+                  { &voices_chip, offsetof(struct board, voices), VOICE_ROOM } };
 
 enum { BOX_PARTS = sizeof box_parts / sizeof *box_parts };
 

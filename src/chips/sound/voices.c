@@ -153,6 +153,40 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
     s->pan1[voice] = pan;
 }
 
+/* ---- music that is put aside ---- */
+
+static int kept(int place, int voice)
+{
+    return VOICE_SLOTS + place * VOICES_MUSIC + voice;
+}
+
+void voices_keep(struct voices *s, int place)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        copy(s, kept(place, i), i);
+}
+
+void voices_shift(struct voices *s, int to, int from)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        copy(s, kept(to, i), kept(from, i));
+}
+
+void voices_bring(struct voices *s, int place)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++) {
+        if (!voices_busy(s, kept(place, i)))
+            continue;
+        if (voices_busy(s, i)) {
+            copy(s, VOICES + i, i);
+            voices_cut(s, VOICES + i, 0);
+        }
+        copy(s, i, kept(place, i));
+        s->vol0[i] = 0;
+        s->inst[kept(place, i)] = 0;
+    }
+}
+
 /* ---- a frame ---- */
 
 /* The pitch with its slide, a frame on. */
