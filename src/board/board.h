@@ -133,9 +133,13 @@ struct board_out {
 };
 
 struct board;
+struct cart;
 
 /* Bytes of RAM the ROM's board needs. False and one sentence in err when the manifest asks for too much. */
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
+
+/* The same of a cart that is open, or of one whose manifest was changed since; no maximum. */
+uint64_t board_room(const struct cart *cart);
 
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
  * ROM that cannot run, and where the build computes otherwise than others (ieee.h). A script fault while loading is not
@@ -194,6 +198,7 @@ struct board_tune {
     bool music, recording, endless;
     int tracks, priority, limit, marks;
     size_t bytes;
+    const uint8_t *data; /* tune.h */
 };
 bool board_box_tune(const struct board *b, int n, struct board_tune *out);
 

@@ -556,7 +556,7 @@ static const struct {
 /* A game with one sound, of that name. */
 static void power_sound(const char *name, const char *script)
 {
-    const struct mml_about about = { 255, 4, 2, "" };
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     struct manifest m = rig_manifest();
     static char text[1 << 13], lump[64];
     struct lump lumps[128];

@@ -575,6 +575,13 @@ static uint32_t samples_of(const struct cart *cart, uint32_t tune)
     return (uint32_t)(l.data - cart->tune_data);
 }
 
+size_t cart_wave_size(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    return i >= 0 && find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l) ? l.size : 0;
+}
+
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
     const bool named = inst_sample(inst)[0] != 0;

@@ -155,6 +155,9 @@ const char *cart_sound_name(const struct cart *cart, int i);
 uint32_t cart_sound(const struct cart *cart, int i);
 int cart_find_sound(const struct cart *cart, const char *name);
 
+/* Bytes of the samples of piece of music i; 0: it is no stream, or there is no i. */
+size_t cart_wave_size(const struct cart *cart, int i);
+
 /* The recording of an instrument, bytes `inst` of the tune at `tune`: its place; 0: there is none. */
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst);
 

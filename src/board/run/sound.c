@@ -132,7 +132,7 @@ static void silence_music(struct board *b)
     for (int i = 0; i < VOICE_SLOTS; i++)
         if (i % VOICES < VOICES_MUSIC)
             b->voices.inst[i] = 0;
-    b->voices.gain0 = b->music.level;
+    b->voices.gain0 = (uint16_t)((int32_t)b->music.level * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
 _Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE, "what is put aside has its voices");
@@ -171,6 +171,23 @@ static void change_music(struct board *b, int sample)
         start_music(b, s->next);
 }
 
+/* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
+static void step_duck(struct board *b)
+{
+    struct voices *v = &b->voices;
+    int32_t most = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (b->cues.tune[i]) {
+            const int32_t duck = tune_of(rom(b) + b->cues.tune[i]).duck * VOICE_GAIN / 255;
+            most = duck > most ? duck : most;
+        }
+    if (most > v->ducked)
+        v->ducked = (uint16_t)(v->ducked + (most - v->ducked + 3) / 4);
+    else
+        v->ducked = (uint16_t)(v->ducked - (v->ducked - most + 15) / 16);
+}
+
 /* What is left of the music's gain at the end of this frame. */
 static uint16_t gain(const struct board *b)
 {
@@ -179,7 +196,7 @@ static uint16_t gain(const struct board *b)
 
     if (b->voices.held)
         return 0;
-    return (uint16_t)(left * s->level / SEQ_FULL);
+    return (uint16_t)(left * s->level / SEQ_FULL * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
 /* Is it on its way out, for another or for none? */
@@ -237,6 +254,7 @@ void sound_end(struct board *b)
 {
     step_music(b);
     cues_step(&b->cues, rom(b), play_cue, b);
+    step_duck(b);
     b->voices.gain1 = gain(b);
 }
 
@@ -596,6 +614,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
         return false;
     rom_lump(b->cart.rom, (music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
     const struct tune t = tune_of(l.data);
+    const size_t bytes = l.size + cart_wave_size(&b->cart, music ? i : -1);
     *out = (struct board_tune){ music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
                                 tune_title(&t),
                                 music,
@@ -605,6 +624,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                l.size };
+                                bytes,
+                                l.data };
     return true;
 }

@@ -189,6 +189,7 @@ static enum result check_all(struct check *c)
     check_lua(c);
     check_sounds(c);
     check_art(c);
+    check_recordings(c);
     check_langs(c);
     check_unused(c);
     if (!c->broken)

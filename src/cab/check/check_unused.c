@@ -287,7 +287,7 @@ static void unused_files(struct check *c, bool texts)
         const char *path = c->files.name[i];
         if (ends_with(path, ".png") && !picture_used(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
-        if ((ends_with(path, ".wav") || ends_with(path, ".mml")) && !sound_file(c, path))
+        if ((art_is_recording(path) || ends_with(path, ".mml")) && !sound_file(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
         if (texts && ends_with(path, ".txt") && !pack_is_lang(path) && !in_scripts(c, path))
             diagnostics_add(&c->found, path, 0, "no script reads it, and it is packed all the same");

@@ -30,7 +30,7 @@ enum {
 
 struct voices {
     struct slots s;
-    uint64_t *phase;         /* at the frame's first sample: 2^-56 turns; of a sample its place, Q32 */
+    uint64_t *phase;         /* at the frame's first sample: 2^-56 turns; of noise 2^-44; of a sample its place, Q32 */
     uint64_t *step0, *step1; /* of a sample, at the frame's first one and at its end */
     int32_t *age;            /* samples since the note began, at the first one; negative: it begins within */
     int32_t *off, *kill;     /* the age at which it is let go; from which on it fades in VOICE_FADE; or NOTE_HELD */
@@ -40,6 +40,7 @@ struct voices {
     uint16_t *vol0, *vol1; /* of VOICE_LOUD, at the frame's beginning and end */
     uint8_t *pan0, *pan1;  /* 0 left to 128 right */
     uint16_t gain0, gain1; /* of all music */
+    uint16_t ducked;       /* of VOICE_GAIN: how much softer it is for a sound */
     uint8_t held;          /* music stands: it did not play the last frame, and plays it anew */
 };
 
