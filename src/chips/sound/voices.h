@@ -6,8 +6,8 @@
  * samples of what stands here and changes nothing. No script can read a voice, so voices are outside the combined hash.
  *
  * The first VOICES_MUSIC are of music, the others of sounds. Slot v is the note of voice v; slot VOICES + v is its
- * tail: the note before, which fades when a new one begins, so that nothing clicks. Behind all of these are the notes of
- * music that is put aside, in which nothing moves.
+ * tail: the note before, which fades when a new one begins, so that nothing clicks. Behind all of these are the notes
+ * of music that is put aside, in which nothing moves.
  *
  * inst and wave are places in the ROM: of the note's instrument (tune.h), 0: silent; of its sample (adpcm.h), 0: none.
  */
