@@ -101,7 +101,7 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)                                                      \
     PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
     PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
-    PART(voices_chip, voices, m->sound ? VOICE_SLOTS : 0, 0)
+    PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),

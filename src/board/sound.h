@@ -59,9 +59,9 @@ void sound_volume(struct board *b, uint16_t level, int32_t over);
 void sound_power(struct board *b);
 void sound_game(struct board *b);
 
-/* On the way to a mark, which begins and ends with sound_skip, the music goes the way that it would have gone: the stage
- * waits n frames; its clock is put n frames on, waits included; a fight is passed over, in which all fades end. They
- * return work (vm.h). */
+/* On the way to a mark, which begins and ends with sound_skip, the music goes the way that it would have gone: the
+ * stage waits n frames; its clock is put n frames on, waits included; a fight is passed over, in which all fades end.
+ * They return work (vm.h). */
 void sound_skip(struct board *b, bool on);
 uint64_t sound_pass_wait(struct board *b, int64_t n);
 uint64_t sound_pass_clock(struct board *b, int64_t n);

@@ -826,19 +826,20 @@ rom.lua:9: sound "boom": no script names it
 EOF
 rm -rf l
 loud='{ mml = "t60 @pulse V127 o4 [c1]9", limit = 8 }'
-sounds "hit = $loud, graze = $loud, kill = $loud, item = $loud, bomb = $loud, menu = $loud, shot = $loud, time = $loud" <<'LUA'
+sounds "$(printf "%s = $loud, " hit graze kill item bomb menu shot time)" <<'LUA'
 music.play("tide")
 task.go(function()
-  for _, name in ipairs { "hit", "graze", "kill", "item", "bomb", "menu", "shot", "time" } do sound.play(name, { pan = -1 }) end
+  for name in ("hit graze kill item bomb menu shot time"):gmatch "%a+" do sound.play(name, { pan = -1 }) end
 end)
 LUA
 finds 'a mix that is too loud' l <<'EOF'
-600 frames of nobody playing: the mix is above full scale in 590 of 600 frames, the first 0; volumes in rom.lua make it softer
+600 frames of nobody playing: the mix is above full scale in 590 of 600 frames, first in 0: too loud
 1 problem
 EOF
 rm -rf l
 long='mml = "t60 @sine V30 o4 c1"'
-sounds "hit = { $long, limit = 8 }, boom = { $long, limit = 1, priority = 5 }, bell = { $long, limit = 8, priority = 5 }" <<'LUA'
+first="limit = 8, priority = 5"
+sounds "hit = { $long, limit = 8 }, boom = { $long, limit = 1, priority = 5 }, bell = { $long, $first }" <<'LUA'
 music.play("tide", { again = true })
 task.go(function()
   while true do
@@ -852,7 +853,7 @@ task.go(function()
 end)
 LUA
 finds 'sounds that others take the voice of' l <<'EOF'
-600 frames of nobody playing: sound "hit" loses its end 30 of 30 times, first in frame 11: others need its voice; limit, priority in rom.lua
+600 frames of nobody playing: sound "hit" is cut short 30 of 30 times, first in frame 11: others need its voice
 1 problem
 EOF
 rm -rf l

@@ -139,9 +139,11 @@ pressed | ./player play notes --seed 5 >other 2>err
 cp -R notes ready
 edited 100 'mv g old; mv ready g'
 same 'another name' "$(part other 180 250)" "$(part out 181 251)"
-same '... and what played is gone' $'curtain: g: reloaded\ncurtain: g: the music "tide", which played, is gone' "$(cat err)"
+same '... and what played is gone' 'curtain: g: reloaded
+curtain: g: the music "tide", which played, is gone' "$(cat err)"
 back
 edited 100 'sed -i "s/tide = {/deep = {/" g/rom.lua' --record five.demo
-same 'a piece that a script still names: the old game goes on' "$(played five.demo 2)" "$("$curtain" verify before five.demo)"
+same 'a piece that a script still names: the old game goes on' "$(played five.demo 2)" \
+    "$("$curtain" verify before five.demo)"
 check '... with file and line' grep -q 'not taken in: main.lua:[0-9]*: music.play: "tide" is not in rom.lua' err
 finish

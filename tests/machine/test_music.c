@@ -225,6 +225,35 @@ static void test_restored(void **state)
     }
 }
 
+/* A piece that comes back sounds as if nothing had been between, but for its first frame. */
+static void test_goes_on(void **state)
+{
+    static uint64_t straight[400];
+
+    (void)state;
+    power("music.play('tide')");
+    for (int f = 0; f < 400; f++) {
+        rig_run(&rig, 1);
+        straight[f] = heard(rig.b);
+    }
+    done();
+    for (int at = 35; at < 60; at += 6) { /* in notes and between them */
+        char text[200];
+        snprintf(text, sizeof text,
+                 "music.play('tide') task.go(function() wait(%d) music.play('deep', { back = true }) wait(50)\n"
+                 "  music.play('tide') end)",
+                 at);
+        power(text);
+        for (int f = 0; f < 400; f++) {
+            rig_run(&rig, 1);
+            const int as = f < at ? f : f - 50;
+            if ((f < at || f > at + 50) && heard(rig.b) != straight[as])
+                fail_msg("put aside in frame %d: frame %d sounds otherwise", at, f);
+        }
+        done();
+    }
+}
+
 /* ---- screens ---- */
 
 #define GAME                                                                                                           \
@@ -326,6 +355,31 @@ static void test_marks(void **state)
         for (int f = 0; f < AFTER; f++)
             if (whole[f] != part[f])
                 fail_msg("%s: differs %d frames behind the mark", ways[i], f);
+    }
+}
+
+/* A phase that is practised has its own music, or the boss's, from its first frame on. */
+static void test_phases(void **state)
+{
+    static const struct {
+        const char *script, *section, *changes;
+    } tries[] = {
+        { "one({ music = 'tide' }, phase('a', 90))", "b/a", "0 tide 3" },
+        { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }))", "b/a", "0 tide 3, 60 deep 2" },
+        { "one({}, phase('a', 90))", "b/a", "" },
+        { "one({ music = 'deep' }, phase('a', 90))", "s", "0 tide 3" },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "%s stage.def('s', function() wait(forever) end, { music = 'tide' })\n"
+                 "boot.run { stages = { 's' }, players = { 'ship' } }",
+                 tries[i].script);
+        power_from(text, tries[i].section);
+        assert_string_equal(changes(140), tries[i].changes);
+        done();
     }
 }
 
@@ -701,11 +755,12 @@ static void test_voices(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),  cmocka_unit_test(test_restored), cmocka_unit_test(test_screens),
-        cmocka_unit_test(test_marks),    cmocka_unit_test(test_pause),    cmocka_unit_test(test_cue_in_pause),
-        cmocka_unit_test(test_stop),     cmocka_unit_test(test_room),     cmocka_unit_test(test_cues),
-        cmocka_unit_test(test_apart),    cmocka_unit_test(test_mistakes), cmocka_unit_test(test_room_mistakes),
-        cmocka_unit_test(test_extremes), cmocka_unit_test(test_voices),
+        cmocka_unit_test(test_stories),  cmocka_unit_test(test_restored),      cmocka_unit_test(test_goes_on),
+        cmocka_unit_test(test_screens),  cmocka_unit_test(test_marks),         cmocka_unit_test(test_phases),
+        cmocka_unit_test(test_pause),    cmocka_unit_test(test_cue_in_pause),  cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_room),     cmocka_unit_test(test_cues),          cmocka_unit_test(test_apart),
+        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_room_mistakes), cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_voices),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);

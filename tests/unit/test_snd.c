@@ -408,10 +408,10 @@ static void test_time(void **state)
 static struct voices *make_voices(uint8_t **block)
 {
     static struct voices v;
-    uint8_t *next = *block = calloc(1, (size_t)slots_size(&voices_chip, VOICE_SLOTS, 0) + 64);
+    uint8_t *next = *block = calloc(1, (size_t)slots_size(&voices_chip, VOICE_ROOM, 0) + 64);
 
     memset(&v, 0, sizeof v);
-    slots_layout(&voices_chip, &v, VOICE_SLOTS, 0, &next);
+    slots_layout(&voices_chip, &v, VOICE_ROOM, 0, &next);
     v.s.live = v.s.cap;
     v.gain0 = v.gain1 = VOICE_GAIN;
     return &v;

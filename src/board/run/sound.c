@@ -132,20 +132,24 @@ static void silence_music(struct board *b)
     for (int i = 0; i < VOICE_SLOTS; i++)
         if (i % VOICES < VOICES_MUSIC)
             b->voices.inst[i] = 0;
-    b->voices.gain0 = b->music.level;
+    b->voices.gain0 = (uint16_t)((int32_t)b->music.level * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
-/* A stream that comes back goes on at its place: its notes began when it did. Others go on with their next notes. */
-static void resume_stream(struct board *b, int sample)
-{
-    const struct seq *s = &b->music;
-    const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
-    const int64_t samples = (int64_t)s->pos / s->tempo + t.lead;
+_Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE, "what is put aside has its voices");
 
-    for (int i = 0; tune_streams(&t) && i < t.tracks && s->at[1 + i] != 0 && samples > 0; i++) {
-        play_music(b, i, &(struct tune_played){ TUNE_NOTE, RECORDING_NOTE, 0 }, sample);
-        voices_seek(&b->voices, rom(b), i, (uint64_t)samples);
-    }
+static void keep_music(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    if (s->tune && s->aside < SEQ_ASIDE)
+        voices_keep(&b->voices, s->aside);
+    seq_keep(s);
+}
+
+static void bring_back(struct board *b)
+{
+    voices_bring(&b->voices, b->music.aside - 1);
+    seq_back(&b->music);
 }
 
 /* What was asked for begins at that sample of the frame, or comes back. */
@@ -154,20 +158,17 @@ static void change_music(struct board *b, int sample)
     struct seq *s = &b->music;
     const int kept = s->next && !s->next_back ? seq_kept(s, s->next) : -1;
 
+    if (s->next_back)
+        keep_music(b);
+    else
+        seq_forget(s, kept + 1);
     if (b->voices.gain0 == 0 && sample == 0)
         silence_music(b);
     cut_music(b, sample);
-    if (kept >= 0) {
-        seq_forget(s, kept + 1);
-        seq_back(s);
-        resume_stream(b, sample);
-        return;
-    }
-    if (s->next_back)
-        seq_keep(s);
+    if (kept >= 0)
+        bring_back(b);
     else
-        seq_forget(s, 0);
-    start_music(b, s->next);
+        start_music(b, s->next);
 }
 
 /* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
@@ -207,14 +208,10 @@ static bool goes(const struct seq *s)
 /* Its last notes ring on. */
 static void end_piece(struct board *b)
 {
-    struct seq *s = &b->music;
-
-    if (!s->aside) {
-        seq_start(s, 0, NULL);
-        return;
-    }
-    seq_back(s);
-    resume_stream(b, 0);
+    if (b->music.aside)
+        bring_back(b);
+    else
+        seq_start(&b->music, 0, NULL);
 }
 
 static void step_level(struct seq *s)
@@ -382,6 +379,13 @@ void sound_music_stop(struct board *b, int32_t fade)
         ask_music(b, 0, &(struct music_how){ .fade = fade });
 }
 
+static void drop_kept(struct board *b, int i)
+{
+    for (int k = i; k + 1 < b->music.aside; k++)
+        voices_shift(&b->voices, k, k + 1);
+    seq_drop(&b->music, i);
+}
+
 void sound_music_back(struct board *b, int tune, int32_t fade)
 {
     struct seq *s = &b->music;
@@ -391,14 +395,14 @@ void sound_music_back(struct board *b, int tune, int32_t fade)
     if (goes(s) && s->next == index && s->next_back)
         forget_next(s);
     else if (goes(s) && s->next == index && kept >= 0) { /* it was to come back */
-        seq_drop(s, kept);
+        drop_kept(b, kept);
         s->next = s->aside ? s->kept[s->aside - 1] : 0;
     } else if (s->tune == index && goes(s) && s->next_back) /* another covers it: that will be alone */
         s->next_back = 0;
     else if (s->tune == index && !goes(s))
         ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
     else if (kept >= 0)
-        seq_drop(s, kept);
+        drop_kept(b, kept);
 }
 
 void sound_volume(struct board *b, uint16_t level, int32_t over)
@@ -543,7 +547,7 @@ static const struct {
     uint32_t cap;
 } box_parts[] = { { &seq_chip, offsetof(struct board, music), SEQ_SLOTS },
                   { &cues_chip, offsetof(struct board, cues), CUES },
-                  { &voices_chip, offsetof(struct board, voices), VOICE_SLOTS } };
+                  { &voices_chip, offsetof(struct board, voices), VOICE_ROOM } };
 
 enum { BOX_PARTS = sizeof box_parts / sizeof *box_parts };
 

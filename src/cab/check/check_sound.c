@@ -167,15 +167,15 @@ void check_heard_judge(struct check *c, struct check_heard *h, const char *what)
 {
     if (h->over > h->frames / RARELY)
         diagnostics_add(&c->found, what, 0,
-                        "the mix is above full scale in %" PRIu32 " of %" PRIu32 " frames, the first %" PRIu32
-                        "; volumes in rom.lua make it softer",
+                        "the mix is above full scale in %" PRIu32 " of %" PRIu32 " frames, first in %" PRIu32
+                        ": too loud",
                         h->over, h->frames, h->first);
     for (int i = 0; i < h->n; i++) {
         const struct heard_sound *s = &h->sound[i];
         if (s->began >= FEW && s->lost > s->began / TENTH)
             diagnostics_add(&c->found, what, 0,
-                            "sound \"%s\" loses its end %" PRIu32 " of %" PRIu32 " times, first in frame %" PRIu32
-                            ": others need its voice; limit, priority in rom.lua",
+                            "sound \"%s\" is cut short %" PRIu32 " of %" PRIu32 " times, first in frame %" PRIu32
+                            ": others need its voice",
                             s->name, s->lost, s->began, s->first);
     }
     begin(h);

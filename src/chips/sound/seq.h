@@ -3,9 +3,9 @@
  * floor: chips
  *
  * Music is game state: scripts read its beat, its bar and its markers. It has frames of its own, which a pause holds.
- * Where its tracks are follows from what is hashed: which piece, how far it is. Pieces may be put aside while another plays,
- * to go on where they were, the last of them first. The cues, which are the sounds that play, no script can read; they are outside the
- * combined hash, as voices are.
+ * Where its tracks are follows from what is hashed: which piece, how far it is. Pieces may be put aside while another
+ * plays, to go on where they were, the last of them first. The cues, which are the sounds that play, no script can
+ * read; they are outside the combined hash, as voices are.
  */
 #ifndef CHIPS_SEQ_H
 #define CHIPS_SEQ_H

@@ -156,17 +156,38 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
     s->pan1[voice] = pan;
 }
 
-/* A place beyond the end of a loop goes back by whole loops, but not so far that what is read around it leaves them. */
-void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples)
-{
-    const struct sample sample = sample_of(rom + s->wave[voice]);
-    const uint64_t loop = sample.loop == SAMPLE_ENDS ? 0 : sample.n - sample.loop, step = s->step0[voice];
-    uint64_t whole = samples * (step >> 32) + (samples * (uint32_t)step >> 32);
+/* ---- music that is put aside ---- */
 
-    if (loop && whole > sample.n + SINC_TAPS)
-        whole = sample.n + SINC_TAPS + (whole - sample.n - SINC_TAPS) % loop;
-    s->phase[voice] += whole << 32 | (uint32_t)(samples * (uint32_t)step);
-    s->vol0[voice] = 0;
+static int kept(int place, int voice)
+{
+    return VOICE_SLOTS + place * VOICES_MUSIC + voice;
+}
+
+void voices_keep(struct voices *s, int place)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        copy(s, kept(place, i), i);
+}
+
+void voices_shift(struct voices *s, int to, int from)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        copy(s, kept(to, i), kept(from, i));
+}
+
+void voices_bring(struct voices *s, int place)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++) {
+        if (!voices_busy(s, kept(place, i)))
+            continue;
+        if (voices_busy(s, i)) {
+            copy(s, VOICES + i, i);
+            voices_cut(s, VOICES + i, 0);
+        }
+        copy(s, i, kept(place, i));
+        s->vol0[i] = 0;
+        s->inst[kept(place, i)] = 0;
+    }
 }
 
 /* ---- a frame ---- */

@@ -6,7 +6,8 @@
  * samples of what stands here and changes nothing. No script can read a voice, so voices are outside the combined hash.
  *
  * The first VOICES_MUSIC are of music, the others of sounds. Slot v is the note of voice v; slot VOICES + v is its
- * tail: the note before, which fades when a new one begins, so that nothing clicks.
+ * tail: the note before, which fades when a new one begins, so that nothing clicks. Behind all of these are the notes
+ * of music that is put aside, in which nothing moves.
  *
  * inst and wave are places in the ROM: of the note's instrument (tune.h), 0: silent; of its sample (adpcm.h), 0: none.
  */
@@ -20,6 +21,8 @@ enum {
     VOICES = 24,
     VOICES_MUSIC = 16,
     VOICE_SLOTS = 2 * VOICES,
+    VOICE_PLACES = 3, /* of music that is put aside (seq.h) */
+    VOICE_ROOM = VOICE_SLOTS + VOICE_PLACES * VOICES_MUSIC,
     VOICE_FADE = 96, /* samples in which a tail goes */
     VOICE_LOUD = 32767,
     VOICE_GAIN = 32767 /* of music that is not faded */
@@ -61,9 +64,10 @@ void voices_off(struct voices *s, int voice, int at);
 void voices_cut(struct voices *s, int voice, int at);
 void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan);
 
-/* The note that just began is of a recording, which has played so many samples of SND_RATE already; it comes in over
- * the frame. */
-void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples);
+/* Puts the notes of all music aside; one place's into another; brings them back as they were, out of silence. */
+void voices_keep(struct voices *s, int place);
+void voices_shift(struct voices *s, int to, int from);
+void voices_bring(struct voices *s, int place);
 
 /* Moves all by a frame, but for music that is held. */
 void voices_step(struct voices *s, const uint8_t *rom);
