@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy bench bench-fx compare prove cross demos cookbook
+         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -31,13 +31,17 @@ LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
-# stdio.c passes alarms on from thread to thread. Before glibc 2.34 that is a library of its own; WebAssembly has none.
-THREADS  := $(if $(findstring wasm,$(CC)),,-pthread)
+# stdio.c passes alarms on from thread to thread, library.c opens libraries. Before glibc 2.34 these are libraries of
+# their own; WebAssembly has none.
+THREADS  := $(if $(findstring wasm,$(CC)),,-pthread -ldl)
 # Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
 HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
 HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
 ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
-LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS)
+# libopenmpt is opened late and throws; AddressSanitizer looks for what throws at the start alone.
+THROWS   = $(if $(findstring address,$(OPT)),-Wl$(comma)--push-state$(comma)--no-as-needed -l:libstdc++.so.6 -Wl$(comma)--pop-state)
+comma   := ,
+LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(THROWS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)
@@ -59,7 +63,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy prove cross cookbook
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound prove cross cookbook
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -75,7 +79,7 @@ help:
 	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
-	@echo "make accuracy measure docs/accuracy.md anew"
+	@echo "make accuracy measure docs/accuracy.md anew             make sound  measure docs/sound.md anew"
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
@@ -220,7 +224,7 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/bench $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
@@ -319,6 +323,18 @@ $(OUT)/lab: $(LAB_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/g
 accuracy: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(OUT)/lab
 	@$(OUT)/lab
+
+# ---- the ear: how good sound is, measured; docs/sound.md ----
+
+EAR_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/sound/*.c))
+
+$(OUT)/ear: $(EAR_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+sound: deps-play
+	@$(MAKE) --no-print-directory -j2 $(OUT)/ear
+	@$(OUT)/ear
 
 # ---- the bench: what a frame costs; docs/speed.md. ARGS="crowd battle" prints these sections only ----
 

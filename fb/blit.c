@@ -33,9 +33,9 @@ struct job {
 static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t add)
 {
     for (; words > 1; words -= 2, s += 16, d += 16)
-        cover_pair(d, s, (uint8_t)add);
+        paint_cover(d, s, (uint8_t)add);
     if (words > 0)
-        cover(d, words_load(s), add);
+        paint_word(d, words_load(s), add);
 }
 
 /* Whole words; words a row is a constant in the calls that matter. Here and below the job is copied into locals
@@ -73,7 +73,7 @@ static inline void paint_flipped_words(const struct job *j)
         const uint8_t *from = s;
         uint8_t *to = d;
         for (int k = words; k > 0; k--, from += 8, to -= 8)
-            cover(to, reverse(words_load(from)), add);
+            paint_word(to, reverse(words_load(from)), add);
     }
 }
 
@@ -115,7 +115,7 @@ static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
     uint64_t add = j->add;
 
     for (int y = j->rows; y > 0; y--, s += s_row, d += d_row)
-        cover(d, flip ? reverse(words_load(s) & mask) : words_load(s) & mask, add);
+        paint_word(d, flip ? reverse(words_load(s) & mask) : words_load(s) & mask, add);
 }
 
 /* As above with the first and last word of a row cut. */
@@ -291,16 +291,17 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 
 void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags)
 {
-    bool flip = flags & BLIT_FLIP_X;
+    const bool flip = flags & BLIT_FLIP_X, dots = flags & BLIT_DOTS;
     struct visible p;
 
     if (!visible_part(&p, fb, image, x, y, flags))
         return;
     uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
     const uint8_t *s = p.s + p.from;
-    for (int row = p.rows; row > 0; row--, d += fb->pitch, s += p.s_row)
+    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* of the image, so it moves along */
+    for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_row)
         for (int k = 0; k < p.to - p.from; k++)
-            if (s[k])
+            if (s[k] && !(dots && (odd + row + k) & 1))
                 d[flip ? -k : k] = c;
 }
 
@@ -355,9 +356,9 @@ __attribute__((always_inline)) static inline void mix_rows(const struct job *j, 
     for (int y = j->rows; y > 0; y--, s += j->s_row, d += j->d_row) {
         int k = 0;
         for (; k + 1 < j->words; k += 2)
-            mix_pair(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
+            paint_pair(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
         if (k < j->words)
-            mix_eight(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
+            paint_eight(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
     }
 }
 

@@ -18,6 +18,7 @@ struct image {
 enum {
     BLIT_FLIP_X = 1 << 0, /* left and right change places */
     BLIT_FLIP_Y = 1 << 1, /* top and bottom */
+    BLIT_DOTS = 1 << 2,   /* of blit_solid alone */
 };
 
 /* Draws an image with its top left corner at (x, y), clipped. Every pixel but 0 has bank * 16 added, modulo 256: it may
@@ -67,7 +68,7 @@ void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int
 void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                   const uint8_t table[65536]);
 
-/* The same, but every pixel of it is c. */
+/* The same, but every pixel of it is c; with BLIT_DOTS every second, as on a chess board. */
 void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags);
 
 /* Its pixels and the eight places next to each, in c. */

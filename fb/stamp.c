@@ -2,11 +2,8 @@
  * stamp.c - see stamp.h.
  *
  * Over what is there, a picture is painted from its own pixels (paint.h). In a layer a byte is what was there or, where
- * that is 0, the colour: a picture drawn later is the one below. Sixteen bytes at a time, in a form that compilers turn
- * into vector instructions of the plainest kind, or eight in a word. A word may hang over the picture's edge by up to 7
+ * that is 0, the colour: a picture drawn later is the one below. A word may hang over the picture's edge by up to 7
  * pixels, which are 0: fb.h's band and slack are there for it. The common sizes have loops of their own.
- *
- * `unroll 1` keeps the loops over sixteen bytes loops, as in paint.h.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -43,11 +40,14 @@ static inline void under(uint8_t *d, uint64_t colour)
     words_store(d, s | (colour & ~words_opaque(s)));
 }
 
-static inline void under_pair(uint8_t *restrict d, const uint8_t *restrict colour)
+static inline void under_pair(uint8_t *d, const uint8_t *colour)
 {
-#pragma GCC unroll 1
-    for (int k = 0; k < 16; k++)
-        d[k] = (uint8_t)(d[k] | (colour[k] & (uint8_t)(0 - (d[k] == 0))));
+    sixteen s, c;
+
+    memcpy(&s, d, sizeof s);
+    memcpy(&c, colour, sizeof c);
+    s |= c & (s == 0);
+    memcpy(d, &s, sizeof s);
 }
 
 static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colour, int row, int h)
@@ -75,20 +75,32 @@ struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
     return (struct stamp_corners){ fb->sx0, fb->sy0, some ? (uint32_t)wide : 0, some ? (uint32_t)high : 0 };
 }
 
-/* mix is a constant where this is called, and so are the widths and heights that most bullets have. */
+/* What destinations show instead of one image. */
+struct own {
+    const uint32_t *at;              /* where each one's pixels are, or NULL */
+    const struct stamp_turns *turns; /* or NULL */
+};
+
+/* mix is a constant where this is called, and so are the widths and heights that most bullets have. Each
+ * shows the image, or what `own` says: at, or turns. */
 __attribute__((always_inline)) static inline size_t over_usual(const struct fb *fb, const struct image *image,
-                                                               enum blit_mix mix, const uint32_t *dests, size_t n,
-                                                               bool wide, int h)
+                                                               const struct own own, enum blit_mix mix,
+                                                               const uint32_t *dests, size_t n, bool wide, int h)
 {
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
-    const uint8_t *s = image->pix;
     const ptrdiff_t pitch = fb->pitch;
+    const uint8_t *s = image->pix;
+    const struct stamp_turns t = own.turns ? *own.turns : (struct stamp_turns){ 0 };
 
     for (size_t i = 0; i < n; i++) {
         const uint8_t add = (uint8_t)(dests[i] >> 28 << 4);
         uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
         if (dests[i] & STAMP_OTHER)
             return i;
+        if (own.at)
+            s = image->pix + own.at[i];
+        if (own.turns)
+            s = image->pix + (size_t)stamp_turn(t.dir[t.which[i]], t.rotations) * t.size;
         if (wide)
             paint_wide(d, pitch, s, add, h, mix);
         else
@@ -98,20 +110,30 @@ __attribute__((always_inline)) static inline size_t over_usual(const struct fb *
 }
 
 __attribute__((always_inline)) static inline size_t over_sizes(const struct fb *fb, const struct image *image,
-                                                               enum blit_mix mix, const uint32_t *dests, size_t n)
+                                                               const struct own own, enum blit_mix mix,
+                                                               const uint32_t *dests, size_t n)
 {
     const int h = image->h;
 
     if (image->pitch == 8)
-        return h == 8 ? over_usual(fb, image, mix, dests, n, false, 8) : over_usual(fb, image, mix, dests, n, false, h);
+        return h == 8 ? over_usual(fb, image, own, mix, dests, n, false, 8)
+                      : over_usual(fb, image, own, mix, dests, n, false, h);
     if (h == 12)
-        return over_usual(fb, image, mix, dests, n, true, 12);
-    return h == 16 ? over_usual(fb, image, mix, dests, n, true, 16) : over_usual(fb, image, mix, dests, n, true, h);
+        return over_usual(fb, image, own, mix, dests, n, true, 12);
+    return h == 16 ? over_usual(fb, image, own, mix, dests, n, true, 16)
+                   : over_usual(fb, image, own, mix, dests, n, true, h);
+}
+
+static size_t own_at(const struct own *own, size_t i)
+{
+    if (own->turns)
+        return (size_t)stamp_turn(own->turns->dir[own->turns->which[i]], own->turns->rotations) * own->turns->size;
+    return own->at ? own->at[i] : 0;
 }
 
 /* Any size and rule. */
-static size_t over_others(const struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests,
-                          size_t n)
+static size_t over_others(const struct fb *fb, const struct image *image, const struct own own, enum blit_mix mix,
+                          const uint32_t *dests, size_t n)
 {
     enum { BATCH = 64 };
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
@@ -120,21 +142,134 @@ static size_t over_others(const struct fb *fb, const struct image *image, enum b
 
     while (i < n && !(dests[i] & STAMP_OTHER)) {
         for (k = 0; k < BATCH && i < n && !(dests[i] & STAMP_OTHER); k++, i++)
-            items[k] = (struct blit_item){ image->pix, first + (dests[i] & (STAMP_OTHER - 1)), dests[i] >> 28 };
+            items[k] = (struct blit_item){ image->pix + own_at(&own, i), first + (dests[i] & (STAMP_OTHER - 1)),
+                                           dests[i] >> 28 };
         blit_batch(items, k, fb->pitch, image->w, image->h, image->pitch, mix);
+    }
+    return i;
+}
+
+static bool is_usual(const struct image *image)
+{
+    return image->pitch == 8 || (image->pitch == 16 && image->w > 8);
+}
+
+__attribute__((always_inline)) static inline size_t over_all(const struct fb *fb, const struct image *image,
+                                                             const struct own own, enum blit_mix mix,
+                                                             const uint32_t *dests, size_t n)
+{
+    if (is_usual(image) && mix == BLIT_OPAQUE)
+        return over_sizes(fb, image, own, BLIT_OPAQUE, dests, n);
+    if (is_usual(image) && mix == BLIT_RAMP_ADD)
+        return over_sizes(fb, image, own, BLIT_RAMP_ADD, dests, n);
+    return over_others(fb, image, own, mix, dests, n);
+}
+
+/* Two rows of eight, of which masks and colours are at hand. */
+static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen colour)
+{
+    uint64_t two[2] = { words_load(d), words_load(d + pitch) };
+    sixteen v;
+
+    memcpy(&v, two, sizeof v);
+    v = (v & keep) | colour;
+    memcpy(two, &v, sizeof v);
+    words_store(d, two[0]);
+    words_store(d + pitch, two[1]);
+}
+
+/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks and
+ * colours stay in registers. */
+static size_t over_bank(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+{
+    const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
+    const ptrdiff_t pitch = fb->pitch;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+    sixteen keep[4], colour[4];
+    size_t i = 0;
+
+    for (int k = 0; k < 4; k++) {
+        sixteen s;
+        memcpy(&s, image->pix + 16 * k, sizeof s);
+        keep[k] = s == 0;
+        colour[k] = (s + (int8_t)(bank >> 1 << 4)) & ~keep[k];
+    }
+    for (; i < n && dests[i] >> 27 == bank; i++) {
+        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+        put_two(d, pitch, keep[0], colour[0]);
+        put_two(d + 2 * pitch, pitch, keep[1], colour[1]);
+        put_two(d + 4 * pitch, pitch, keep[2], colour[2]);
+        put_two(d + 6 * pitch, pitch, keep[3], colour[3]);
+    }
+    return i;
+}
+
+/* The same of turned copies: their masks are made as they go. */
+static size_t over_bank_turned(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                               const uint32_t *dests, size_t n)
+{
+    const struct stamp_turns t = *turns;
+    const uint32_t bank = dests[0] >> 27;
+    const ptrdiff_t pitch = fb->pitch;
+    const uint8_t *pix = image->pix;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+    const sixteen add = (sixteen){ 0 } + (int8_t)(bank >> 1 << 4);
+    size_t i = 0;
+
+    for (; i < n && dests[i] >> 27 == bank; i++) {
+        const uint8_t *from = pix + (size_t)stamp_turn(t.dir[t.which[i]], t.rotations) * t.size;
+        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+#pragma GCC unroll 4
+        for (int k = 0; k < 4; k++, d += 2 * pitch) {
+            sixteen s;
+            memcpy(&s, from + 16 * k, sizeof s);
+            put_two(d, pitch, s == 0, (s + add) & (s != 0));
+        }
+    }
+    return i;
+}
+
+/* The same of any banks: those of a kind mostly have one. Where it changes, so many are painted as they come, for the
+ * next may have another again. turns: NULL, or they are turned copies. */
+static size_t over_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                         const uint32_t *dests, size_t n)
+{
+    enum { MIXED = 64 };
+    struct stamp_turns rest = turns ? *turns : (struct stamp_turns){ 0 };
+    const struct own own = { NULL, turns ? &rest : NULL };
+    size_t i = 0;
+
+    while (i < n && !(dests[i] & STAMP_OTHER)) {
+        if (turns) {
+            rest.which = turns->which + i;
+            i += over_bank_turned(fb, image, &rest, dests + i, n - i);
+            rest.which = turns->which + i;
+        } else
+            i += over_bank(fb, image, dests + i, n - i);
+        i += over_usual(fb, image, own, BLIT_OPAQUE, dests + i, n - i < MIXED ? n - i : MIXED, false, 8);
     }
     return i;
 }
 
 size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n)
 {
-    const bool usual = image->pitch == 8 || (image->pitch == 16 && image->w > 8);
+    if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
+        return over_eight(fb, image, NULL, dests, n);
+    return over_all(fb, image, (struct own){ NULL, NULL }, mix, dests, n);
+}
 
-    if (usual && mix == BLIT_OPAQUE)
-        return over_sizes(fb, image, BLIT_OPAQUE, dests, n);
-    if (usual && mix == BLIT_RAMP_ADD)
-        return over_sizes(fb, image, BLIT_RAMP_ADD, dests, n);
-    return over_others(fb, image, mix, dests, n);
+size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, enum blit_mix mix,
+                  const uint32_t *dests, size_t n)
+{
+    return over_all(fb, image, (struct own){ at, NULL }, mix, dests, n);
+}
+
+size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
+                    const uint32_t *dests, size_t n)
+{
+    if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
+        return over_eight(fb, image, turns, dests, n);
+    return over_all(fb, image, (struct own){ NULL, turns }, mix, dests, n);
 }
 
 /* ---- layers ---- */

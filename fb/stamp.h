@@ -44,6 +44,29 @@ static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, u
  * picture as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
 size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n);
 
+/* The same with a picture for each, all of the image's size: that of dests[i] is at[i] bytes after the image's. */
+size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, enum blit_mix mix,
+                  const uint32_t *dests, size_t n);
+
+/* Turned copies of a picture, which follow each other: destination i shows the one nearest to dir[which[i]]. */
+struct stamp_turns {
+    const ang *dir;
+    const uint32_t *which;
+    uint32_t size, rotations; /* bytes of a copy; how many there are */
+};
+
+/* The copy nearest to dir. */
+static inline uint32_t stamp_turn(ang dir, uint32_t rotations)
+{
+    const uint32_t turn = (uint32_t)(((uint64_t)dir * rotations + (1u << 31)) >> 32);
+
+    return turn < rotations ? turn : 0;
+}
+
+/* The same with these copies, the first of which is the image. */
+size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
+                    const uint32_t *dests, size_t n);
+
 /*
  * Front to back. A layer is a surface that begins all 0, with its clip the whole picture; no pixel that is drawn is 0.
  * What is drawn later shows only where the layer is still 0; a map tells the areas where nothing is.

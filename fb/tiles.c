@@ -4,11 +4,13 @@
 #include "tiles.h"
 #include "paint.h"
 
-static inline void copy_pair(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
+static inline void copy_pair(uint8_t *d, const uint8_t *s, uint8_t add)
 {
-#pragma GCC unroll 1
-    for (int k = 0; k < 16; k++)
-        d[k] = (uint8_t)(s[k] + add);
+    sixteen v;
+
+    memcpy(&v, s, sizeof v);
+    v += (int8_t)add;
+    memcpy(d, &v, sizeof v);
 }
 
 __attribute__((always_inline)) static inline void draw_solid(uint8_t *d, ptrdiff_t pitch, const uint8_t *s, int side,
@@ -30,7 +32,7 @@ __attribute__((always_inline)) static inline void draw_holes(uint8_t *d, ptrdiff
     else
         for (int y = 0; y < rows; y++, d += pitch, s += side)
             for (int k = 0; k < side; k += 16)
-                cover_pair(d + k, s + k, add);
+                paint_cover(d + k, s + k, add);
 }
 
 __attribute__((always_inline)) static inline void draw_row(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix,

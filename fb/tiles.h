@@ -15,8 +15,8 @@ enum tile {
 };
 
 /* So many rows of n tiles, one beside the other from d on, on a surface of that pitch. Of tile k the first of these
- * rows is at pix + at[k], side px long, and the others follow it; side: 8, 16 or 32. add is added to every pixel that is
- * drawn, modulo 256. Nothing is clipped. */
+ * rows is at pix + at[k], side px long, and the others follow it; side: 8, 16 or 32. add is added to every pixel that
+ * is drawn, modulo 256. Nothing is clipped. */
 void tiles_draw(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix, const uint32_t *at, const uint8_t *tile, int n,
                 int side, int rows, uint8_t add);
 

@@ -115,8 +115,8 @@ void plat_loop(bool (*frame)(void));
 bool plat_alarm(int ms, void (*fn)(void));
 
 /* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before, those
- * that the card has taken and not played yet included, as far as that is known; 0: nothing was. -1: no speaker now. With
- * 0 frames it only says so. */
+ * that the card has taken and not played yet included, as far as that is known; 0: nothing was. -1: no speaker now.
+ * With 0 frames it only says so. */
 int plat_sound(const int16_t *lr, int frames);
 
 /* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder

@@ -30,6 +30,7 @@ end
 
 local function pause(p, items)
   stand(function()
+    sys.cue("pause")
     local i = show("pause", p, items)
     if i ~= 1 then left = items[i] end
   end)

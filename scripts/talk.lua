@@ -46,7 +46,9 @@ local function passed() return stage.skipping() or sys.skipping() end
 
 local function begin(a)
   if not sys.task() then sys.fail("talk.run", "only a task can talk; start one with task.go") end
-  if now and task.alive(now.task) then sys.fail("talk.run", "a talk is running: say and choose speak in it (a phase { talk = f } is one)") end
+  if now and task.alive(now.task) then
+    sys.fail("talk.run", "a talk is running: say and choose speak in it (a phase { talk = f } is one)")
+  end
   local t = sys.read("talk/box")(talk.look, a.skip)
   t.task = sys.task()
   sys.hold_players(HOLDS[a.hold])

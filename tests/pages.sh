@@ -40,6 +40,12 @@ game() { # a sandbox of its own, in $game
     rm -rf "$game"
     cp -r examples/sandbox "$game"
 }
+piece() { # FILE: a game with that music alone
+    game
+    echo 'return { title = "Piece", music = { try = { file = "try.mml" } } }' >"$game/rom.lua"
+    echo >"$game/main.lua"
+    cp "$1" "$game/try.mml"
+}
 words() { grep -oE "$1\(\"[^\"]+\"" "$2" | sed 's/.*("//; s/"$//'; }
 
 told() { # FILE: what has just run ended with exit code 2 and says what the block after FILE does
@@ -67,6 +73,8 @@ block() { # FILE: runs it as its kind says
         ;;
     *.rom)
         cp "$file" "$game/rom.lua"
+        cp "$repo"/examples/tape/music/reel.ogg "$game/music/"
+        cp "$repo"/examples/tape/sfx/bell.flac "$game/sfx/"
         "$bench/build/curtain" pack "$game" -o "$scratch/game.rom"
         ;;
     *.main-error) # without what rom.lua gives room for
@@ -77,6 +85,16 @@ block() { # FILE: runs it as its kind says
         ;;
     *.rom-error)
         cp "$file" "$game/rom.lua"
+        "$bench/build/curtain" pack "$game" -o "$scratch/game.rom" >"$scratch/fault" 2>&1
+        told "$file"
+        ;;
+    *.mml)
+        piece "$file"
+        "$bench/build/curtain" sound "$game" try -o "$scratch/try.wav" >"$scratch/found" &&
+            grep -E 'peak -[0-9]{1,2}\.' "$scratch/found"
+        ;;
+    *.mml-error)
+        piece "$file"
         "$bench/build/curtain" pack "$game" -o "$scratch/game.rom" >"$scratch/fault" 2>&1
         told "$file"
         ;;

@@ -85,6 +85,7 @@ torture)
     ;;
 sanitizer)
     export ASAN_OPTIONS=abort_on_error=1:detect_leaks=1:strict_string_checks=1 \
+        LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0 \
         UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
     cpu=3600
     add "$OUT"/machine/test_* "$OUT"/unit/test_*

@@ -3,7 +3,8 @@
 #
 #     tools/deps.sh [--say] [null] [play] [test] [fuzz] [nightly] [bench] [cross]
 #
-# null: what curtain-null is built with; play: that, and SDL2. Without arguments: all but nightly and cross. With --say
+# null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
+# too. Without arguments: all but nightly and cross. With --say
 # it installs nothing: it says, in one line to paste, what is missing, and exits with 3.
 set -eu
 say=""
@@ -35,6 +36,8 @@ for what; do
         ;;
     test)
         header cmocka.h || need libcmocka-dev
+        header sndfile.h || need libsndfile1-dev
+        header libopenmpt/libopenmpt.h || need libopenmpt-dev
         header libfixmath/fix16.h || need libfixmath-dev
         header mpfr.h || need libmpfr-dev
         have luac5.4 || need lua5.4
@@ -60,6 +63,8 @@ for what; do
     fuzz)
         have clang || need clang
         header cmocka.h || need libcmocka-dev
+        header sndfile.h || need libsndfile1-dev
+        header libopenmpt/libopenmpt.h || need libopenmpt-dev
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-14-dev
         ;;
     nightly)

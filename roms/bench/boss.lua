@@ -1,6 +1,8 @@
 -- boss.lua - a boss fight: rings of 20 to 200 bullets every few frames, so many that n are live. Four of five are turned,
 -- one of five blended, two of five run a program; with a boss, sparks, lasers, items, layers that scroll, and rows of text.
 --
+-- DIP price_part leaves one part of it out, or has all blend through a table (everything).
+--
 -- A ring's bullets live LIFE frames, so as many are fired in a frame as n / LIFE, counted in halves of bullets left over.
 local LIFE = 160
 local RINGS = { 20, 60, 200, 40, 120, 30, 90, 160, 50, 80 }
@@ -53,6 +55,7 @@ local function fire_rings(boss, n, list, moves)
 end
 
 local function surroundings()
+  local part = board.dip("price_part")
   laser.def("ray", { strip = "ray", width = 8, hit = { share = 0.5 } })
   item.def("coin", { sprite = "d12", radius = 0, gravity = 0.00005, top = 0.001 })
   spark.def("cinder", { sprite = "d12", life = SPARKS, gravity = 0.02, drag = 0.03 })
@@ -61,15 +64,15 @@ local function surroundings()
     bg.layer(2).map, bg.layer(2).vy = "clouds", 0.8
   end)
   return function(boss)
-    bg.show("sky", { over = 0 })
-    for i = 1, 8 do
+    if part ~= "no_scenery" then bg.show("sky", { over = 0 }) end
+    for i = 1, part == "no_lasers" and 0 or 8 do
       laser.beam { kind = "ray", x = 40 * i - 20, y = 10, dir = 90, length = 220, warn = 0, grow = 0, hold = forever,
                    spin = 0.4, bank = i % 8 }
     end
-    for i = 1, 64 do item.drop { kind = "coin", x = i % 32 * 10, y = 200 + i // 32 * 8, speed = 0 } end
+    for i = 1, part == "no_items" and 0 or 64 do item.drop { kind = "coin", x = i % 32 * 10, y = 200 + i // 32 * 8, speed = 0 } end
     task.go(function()
       while true do
-        spark.burst { kind = "cinder", from = boss, n = BURST, speed = 2 }
+        if part ~= "no_sparks" then spark.burst { kind = "cinder", from = boss, n = BURST, speed = 2 } end
         text.put { col = 1, row = 1, text = ("%09d"):format(board.frame() * 10) }
         wait(1)
       end

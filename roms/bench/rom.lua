@@ -46,7 +46,8 @@ return {
     price_verb = { "none", "shift", "aim_all", "turn_all", "value", "clear_circle", "clear_box", "clear_line", "sweep", "near",
       "near_box", "near_line", "found" },
     price_look = { "none", "dots", "sparks_fly", "sparks_burst", "sparks_ring", "sparks_row", "trails", "stand", "follow" },
-    price_part = { "none", "everything", "only_bullets", "only_lasers", "only_items", "only_sparks", "only_scenery", "nothing" },
+    price_part = { "none", "everything", "only_bullets", "only_lasers", "only_items", "only_sparks", "only_scenery", "nothing",
+      "no_lasers", "no_items", "no_sparks", "no_scenery" },
     picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks", "ramp" } },
   players = 1,
 }

@@ -34,10 +34,7 @@ on.stage(function(_, state)
   sea.speed(state == "start" and 1.6 or 0.6)
   if state == "start" then sound.play("ready") end
 end)
-on.game_over(function()
-  sea.speed(0.4)
-  music.stop { fade = 120 }
-end)
+on.game_over(function() sea.speed(0.4) end)
 
 task.go(sea.run)
 boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract",
@@ -45,6 +42,8 @@ boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract"
                    hard = "Every wave is higher." },
   ships = { heron = { text = "Quick, with darts ahead." },
             petrel = { text = "Slow, with a fan of fangs." } },
+  music = { title = "title", results = "clear", clear = "clear", over = "over", ending = "scores",
+            staff = "scores", name = "scores", scores = "scores", room = true },
   ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" } } }

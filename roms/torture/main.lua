@@ -56,4 +56,5 @@ task.go(function()
   end
 end)
 
-boot.run { stages = { "first", "second" }, players = { "fast", "slow", "long" }, demo = "torture", continues = 2 }
+boot.run { stages = { "first", "second" }, players = { "fast", "slow", "long" }, demo = "torture", continues = 2,
+  music = { title = "round", results = "short", clear = "short", over = "round", scores = "short", room = true } }

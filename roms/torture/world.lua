@@ -26,13 +26,13 @@ enemy.def("limb", { sprite = "steps", hit = { circle = 4 }, hp = 5, score = 3, s
 enemy.def("crab", { sprite = "letter", hit = { box = { 16, 10 } }, hp = 30, parts = {
   { kind = "limb", dx = -14, dy = 3, share = 0.5, tag = "left" }, { kind = "limb", dx = 14, dy = 3, share = 1 / 3, hp = 3, rate = 1.5 } } })
 
-boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, warning = 20, portrait = "box", phases = {
+boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, warning = 20, portrait = "box", music = "short", phases = {
   { talk = function(e) board.note(e.safe) wait(9) end },
   { id = "one", hp = 60, safe = 10, bonus_to = 100, time = 180, bonus = 500, drops = { heart = 1, coin = 3 }, clear = { items = "coin", spark = "ping" }, run = function(e)
       task.go(function() while true do pattern.aimed { from = e, kind = "needle", n = 3, every = 5, speed = 2, lock = true } wait(20) end end)
       pattern.spiral { from = e, kind = "dot", n = forever, arms = 2, step = 13, every = 6, speed = 1.6 }
     end },
-  { id = "two", spell = "Sign of Two", survive = true, time = 90, rest = 20, bg = "still", run = function(e)
+  { id = "two", spell = "Sign of Two", survive = true, time = 90, rest = 20, bg = "still", music = "round", run = function(e)
       while true do
         e:move { x = rng.int(40, 180), y = rng.number(40, 90), over = 25, ease = rng.pick { "in", "out", "both", "linear" } }
         pattern.arc { from = e, kind = "dot", n = 7, dir = rng.dir(), sweep = 200, speed = 1.2, motion = "spin" }
@@ -450,7 +450,7 @@ local function talks()
     talk.run(function()
       say(n % 2 == 0 and "one" or "two", "écrit " .. ("word "):rep(n % 40), { letter = n % 3, limit = 20 + n % 30 })
       say("two", "b", { face = n % 3 == 0 and "other" or nil, side = n % 5 == 0 and "left" or nil, limit = 30 })
-      say(nil, "c\nd", { limit = 9 })
+      say(nil, "c\nd", { limit = 9, voice = n % 2 == 0 and "hit" or nil })
       board.note(choose({ "a", "b", "c" }, { title = n % 2 == 0 and "t" or nil, chosen = 1 + n % 3, limit = 40,
         p = n % 4 == 0 and 2 or nil, back = n % 3 == 0 and 1 or nil }))
       wait(5)
@@ -570,14 +570,17 @@ end
 
 local function noises()
   for n = 0, forever do
-    music.play(n % 3 == 2 and "short" or "round", { fade = n % 4 == 1 and 7 or 0, again = n % 5 == 0 })
+    local at = n % 7 == 3 and (n % 2 == 0 and "bar" or "beat") or nil
+    music.play(n % 3 == 2 and "short" or "round",
+      { fade = n % 4 == 1 and not at and 7 or 0, again = n % 5 == 0, back = n % 8 > 5, at = at })
+    board.note(music.volume(n % 5 / 4, n % 3 * 9))
     sound.play("knock", { pan = n % 3 - 1, pitch = n % 9 - 4, volume = 0.75 })
     local p = player.get(1)
     if p.alive then sound.play("hit", { from = p }) end
     board.note(music.wait(1 + n % 3) + music.bar())
     if n % 4 == 3 then sound.stop("knock") end
     if n % 6 == 5 then music.stop { fade = n % 12 } end
-    if music.name() == "round" then board.note(music.wait("turn") + #music.marker()) end
+    if music.name() == "round" then board.note(music.wait("turn") + #(music.marker() or "")) end
     board.note(music.beat() + music.frames(0.5))
     if n % 7 == 6 then sound.stop() end
     wait(3)
@@ -587,7 +590,7 @@ end
 local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures,
   scenery, noises }
 
-talk.def("one", { name = "One", faces = { calm = "letter" } })
+talk.def("one", { name = "One", voice = "knock", faces = { calm = "letter" } })
 talk.def("two", { name = "Two", side = "right", bank = 1, faces = { calm = "box", other = "steps" } })
 
 stage.def("first", function()
@@ -611,4 +614,4 @@ stage.def("second", function()
   stage.wave { kind = "wall", n = 30, every = 3, path = across }
   stage.at(120)
   stage.clear(200)
-end)
+end, { music = "short" })

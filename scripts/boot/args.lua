@@ -26,6 +26,9 @@ local function keeps_records(a)
   for _, kind in ipairs(a.players) do
     if sys.ship(kind).needs then return true end
   end
+  for _, m in ipairs(a.music or {}) do
+    if m.needs then return true end
+  end
 end
 
 -- Returns the arguments.

@@ -27,6 +27,7 @@ local function forget() text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h 
 
 local function go_on(p)
   forget()
+  sys.cue("continue")
   sys.go_on(p)
 end
 

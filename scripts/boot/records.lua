@@ -18,6 +18,7 @@ function records.expect(a)
   for _, kind in ipairs(a.players) do refuse("player.def", sys.ship(kind).needs) end
   for _, needs in pairs(rawget(sys, "stage_needs") or {}) do refuse("stage.def", needs) end
   for _, mode in ipairs(a.modes or {}) do refuse("boot.run", mode.needs) end
+  for _, m in ipairs(a.music or {}) do refuse("boot.run", m.needs) end
 end
 
 -- What keeps something closed that needs this unlock: a hint, or ""; nil: it is open.

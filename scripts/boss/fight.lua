@@ -99,7 +99,10 @@ local function play(now, b, team, phase, after, all, alone)
   tidy(team, phase, won)
   if phase.bonus > 0 then
     local n = captured and status.worth()
-    if n then player.each(function(p) score.add(n, p) end) end
+    if n then
+      sys.cue("bonus")
+      player.each(function(p) score.add(n, p) end)
+    end
     now.verdict = { bonus = n, spell = phase.spell }
   end
   if captured and phase.spell then sys.history(b.name, phase.id, 2) end

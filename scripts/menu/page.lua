@@ -206,11 +206,14 @@ function page.list(a)
       chosen, idle = (chosen - 1 + step) % #a.items + 1, 0
       sys.cue("menu")
     end
-    if page.accepted(a.p) and not (a.closed and a.closed[chosen]) then
-      answer = chosen
-      break
+    if page.accepted(a.p) then
+      local open = not (a.closed and a.closed[chosen])
+      sys.cue(open and "select" or "wrong")
+      answer = open and chosen or nil
+      if open then break end
     end
     if a.back ~= false and page.pressed("bomb", a.p) then
+      sys.cue("back")
       answer = a.back
       break
     end

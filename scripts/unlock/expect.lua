@@ -43,7 +43,9 @@ return function(list, find, a)
     open = open or not needs
   end
   if not open then sys.fail("boot.run", "players: expected at least one that needs no unlock") end
-  for _, m in ipairs(a.modes or {}) do
-    if m.needs then find("boot.run", m.needs) end
+  for _, list in ipairs { a.modes or {}, a.music or {} } do
+    for _, m in ipairs(list) do
+      if m.needs then find("boot.run", m.needs) end
+    end
   end
 end

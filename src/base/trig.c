@@ -344,6 +344,12 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
     polar_by_series(speed, dir, vx, vy);
 }
+
+void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
+{
+    for (int i = 0; i < n; i++)
+        polar_by_series(speed[i], dir[i], &vx[i], &vy[i]);
+}
 #else
 /* The whole number nearest to (v + 1/2) * 2^10, in the low bits; |v| <= 2^31. 1.5 * 2^42 has no bits below 2^-10. */
 static inline uint64_t in_steps(double v)
@@ -361,7 +367,7 @@ static inline uint64_t in_steps(double v)
  * between it and the exact value, and it is right when cut to units; one time in 512 it is, and the series decides.
  * Only from FX_MIN can more come than an fx holds.
  */
-void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+static inline void polar(fx speed, ang dir, fx *vx, fx *vy)
 {
     double cosine, sine;
 
@@ -375,6 +381,17 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
     }
     *vx = (fx)(x >> 10);
     *vy = (fx)(y >> 10);
+}
+
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
+{
+    polar(speed, dir, vx, vy);
+}
+
+void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
+{
+    for (int i = 0; i < n; i++)
+        polar(speed[i], dir[i], &vx[i], &vy[i]);
 }
 #endif
 

@@ -28,6 +28,9 @@ ang trig_atan2(fx y, fx x);
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
+/* The same for n of them. */
+void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n);
+
 /*
  * What leads from the point at distance `from` along dir to the point at distance `to`, each of the two rounded once:
  * so strides in one direction add up without error. Any unit, |from|, |to| <= 2^48. A point is the nearest one unless

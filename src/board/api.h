@@ -20,8 +20,11 @@ enum { NO_MOTION = 0x7fffffff };
 /* An argument after the check. */
 struct api_value {
     bool given;
-    int at;    /* its stack index */
-    int64_t i; /* whole number, handle, index of a kind, 0/1 */
+    bool whole;   /* it is a whole number (Lua's integer) */
+    int8_t type;  /* Lua's, LUA_T */
+    int at;       /* its stack index */
+    int64_t bits; /* a number's: the whole number, or those of the double */
+    int64_t i;    /* whole number, handle, index of a kind, 0/1 */
     double n;
     fx f;
     ang a;

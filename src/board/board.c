@@ -144,7 +144,7 @@ static uint64_t event_room(const struct manifest *m)
            8 * (uint64_t)m->enemies + 2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + 1024;
 }
 
-static uint64_t ram_needed(const struct cart *cart)
+uint64_t board_room(const struct cart *cart)
 {
     const struct layout l = layout_of(&cart->m);
     uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct output));
@@ -162,7 +162,7 @@ static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, ch
     memset(cart, 0, sizeof *cart); /* it goes into RAM */
     if (!cart_open(cart, rom, err, err_size))
         return false;
-    uint64_t sum = ram_needed(cart);
+    uint64_t sum = board_room(cart);
     if (sum > MAX_RAM) {
         snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
                  (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);

@@ -133,9 +133,13 @@ struct board_out {
 };
 
 struct board;
+struct cart;
 
 /* Bytes of RAM the ROM's board needs. False and one sentence in err when the manifest asks for too much. */
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
+
+/* The same of a cart that is open, or of one whose manifest was changed since; no maximum. */
+uint64_t board_room(const struct cart *cart);
 
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
  * ROM that cannot run, and where the build computes otherwise than others (ieee.h). A script fault while loading is not
@@ -169,6 +173,17 @@ size_t board_sound_tables(void);
 void board_sound_open(void *tables);
 void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND]);
 
+/* What the slot-th voice of sounds plays after a tick; false: there are no more. */
+struct board_cue {
+    const char *name; /* NULL: nothing */
+    uint32_t began;   /* the frame in which it did */
+    bool first;       /* of its tracks */
+};
+bool board_cue(const struct board *b, int slot, struct board_cue *out);
+
+/* The piece of music that plays; "": none. */
+const char *board_music(const struct board *b);
+
 /* A board that only plays one sound or piece of music of a ROM, without its scripts, in board_box_size() bytes aligned
  * to 64: for listening. board_box_play plays sound NAME, or the music of that name; false: there is none. A frame is
  * one board_box_tick; false: all is over and silent. */
@@ -183,6 +198,7 @@ struct board_tune {
     bool music, recording, endless;
     int tracks, priority, limit, marks;
     size_t bytes;
+    const uint8_t *data; /* tune.h */
 };
 bool board_box_tune(const struct board *b, int n, struct board_tune *out);
 

@@ -11,6 +11,7 @@
 
 #include "board.h"
 #include "../chips/motion.h"
+#include "../chips/sound/voices.h"
 
 enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER, INSPECT_LASER };
 enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };
@@ -126,5 +127,31 @@ struct inspect_thing {
 /* The thing whose shape holds the screen pixel (x, y) or comes nearest to it, at most `within` px away; of several the
  * smallest, then the one whose middle is nearest, then the first in the order of inspect_bodies. False: none. */
 bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_thing *out);
+
+/* A voice of VOICES, those of music first. Of a board without sound none is busy. */
+struct inspect_voice {
+    bool music, busy;
+    bool ends;        /* let go, or only a tail */
+    const char *of;   /* the piece or the sound */
+    const char *wave; /* "fm" */
+    int32_t pitch;    /* 65536ths of a semitone; 69 are the a of 440 Hz */
+    int pan;          /* -64 left to 64 right */
+};
+void inspect_voice(const struct board *b, int i, struct inspect_voice *out);
+
+/* The largest sample, of 32768, that this voice alone makes in the frame just ticked. tables: of board_sound. */
+int inspect_voice_peak(const struct board *b, int i, const void *tables);
+
+/* Where the music is. name "": none plays. */
+struct inspect_music {
+    const char *name, *title;
+    const char *mark, *next; /* the last marker; what comes when this has faded; "": none */
+    uint64_t bar;            /* from 0 on, as beat */
+    int beat, beats;         /* of the bar */
+    uint32_t tempo;          /* hundredths of a quarter note a minute */
+    int gain;                /* percent */
+    bool held;               /* by the game's pause */
+};
+void inspect_music(const struct board *b, struct inspect_music *out);
 
 #endif

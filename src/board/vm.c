@@ -1,7 +1,8 @@
 /*
  * vm.c - see vm.h.
  *
- * The collector is stopped while a tick runs and steps between frames.
+ * The collector is stopped while a tick runs. Between frames it takes small steps, more if much was allocated, until it
+ * has been through the heap; then it rests until a little more is in use than it left.
  */
 #include "vm.h"
 #include <lualib.h>
@@ -13,11 +14,6 @@
 #include "machine.h"
 #include "script.h"
 #include "std.h"
-
-struct board *vm_board(lua_State *L)
-{
-    return *(struct board **)lua_getextraspace(L);
-}
 
 const char *board_lua_release(void)
 {
@@ -266,15 +262,39 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* No step when nothing was allocated since the last one: there is nothing new to collect. */
+/* The collector's pace. A step is as much work as STEP_PERCENT of 2^STEP_SHIFT bytes; a turn is a step, and one more for
+ * each STEP_FOR bytes that were allocated since the last. A round begins when REST_BYTES, and a REST_PART of what the
+ * last one left, are in use beyond that; where room is short, a REST_OF_ROOM of it. */
+enum { STEP_PERCENT = 100, STEP_SHIFT = 8, STEP_FOR = 4096, REST_BYTES = 16384, REST_PART = 16, REST_OF_ROOM = 4 };
+
+/* The collector has been through the heap, which leaves it so much in use. */
+static void rest(struct vm *vm)
+{
+    const size_t used = heap_used(vm->heap), room = vm->heap_size - used, most = room / REST_OF_ROOM;
+    const size_t more = REST_BYTES + used / REST_PART;
+
+    vm->collecting = false;
+    vm->collect_at = used + (more < most ? more : most);
+}
+
+static void collect(lua_State *L, struct vm *vm, uint64_t allocated)
+{
+    vm->collecting = true;
+    for (uint64_t n = 1 + allocated / STEP_FOR; n > 0; n--)
+        if (lua_gc(L, LUA_GCSTEP, 0)) {
+            rest(vm);
+            return;
+        }
+}
+
 int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
+    const uint64_t allocated = heap_work(vm->heap) - vm->swept;
 
     lualib_check_metatables(L);
-    if (heap_work(vm->heap) == vm->swept)
-        return 0;
-    lua_gc(L, LUA_GCSTEP, 1);
+    if (allocated && (vm->collecting || heap_used(vm->heap) >= vm->collect_at))
+        collect(L, vm, allocated);
     vm->swept = heap_work(vm->heap);
     return 0;
 }
@@ -493,7 +513,7 @@ int vm_boot(lua_State *L)
 {
     struct board *b = vm_board(L);
 
-    lua_gc(L, LUA_GCINC, 100, 400, 13);
+    lua_gc(L, LUA_GCINC, 100, STEP_PERCENT, STEP_SHIFT);
     lua_gc(L, LUA_GCSTOP);
     limit_texts(L);
     open_libraries(L);
@@ -509,6 +529,7 @@ int vm_boot(lua_State *L)
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
     lua_gc(L, LUA_GCCOLLECT); /* a run begins with what loading left and no more */
+    rest(&b->vm);
     if (board_lists(b) && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "practice: nothing can be chosen: %s.lua does not call boot.run", b->cart.m.entry);
     if (b->start.practice.section[0] && !b->vm.practice_read)
@@ -527,6 +548,7 @@ static int panic(lua_State *L)
 bool vm_open(struct board *b, void *block, size_t size)
 {
     b->vm.heap = heap_init(block, size);
+    b->vm.heap_size = size;
     b->vm.text_max = SIZE_MAX;
     vm_begin(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);

@@ -38,23 +38,36 @@ struct vm_weight {
     size_t n;
 };
 
+/* Where something of a name was found when a name that looked like it was last searched for: api_guess. What stands
+ * here changes nothing but the time that a search takes. */
+enum { VM_GUESSES = 128 };
+struct vm_guesses {
+    uint8_t props[VM_GUESSES];
+    uint16_t names[VM_GUESSES];
+};
+
 struct vm {
     lua_State *L;
     lua_State *running; /* the thread that has the turn: where an interrupt has to go */
     struct heap *heap;
-    uint64_t work;               /* of this tick */
-    uint64_t limit;              /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
-    uint64_t looked;             /* heap_work at the last look */
-    uint32_t step;               /* instructions before the next look */
-    uint32_t stream;             /* of the random numbers that step is drawn from */
-    struct vm_weight heaviest;   /* of this tick */
-    uint64_t swept;              /* heap_work when the collector last had its turn */
-    size_t text_block, text_max; /* bytes of Lua's block for the last text, and for the longest that is allowed */
+    uint64_t work;                /* of this tick */
+    uint64_t limit;               /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
+    uint64_t looked;              /* heap_work at the last look */
+    uint32_t step;                /* instructions before the next look */
+    uint32_t stream;              /* of the random numbers that step is drawn from */
+    struct vm_weight heaviest;    /* of this tick */
+    uint64_t swept;               /* heap_work when the collector last could have had its turn */
+    size_t heap_size, collect_at; /* bytes: the heap's, and in use when the collector's next round begins */
+    bool collecting;              /* a round is going on */
+    size_t text_block, text_max;  /* bytes of Lua's block for the last text, and for the longest that is allowed */
     bool counting;
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
     bool practice_read;         /* a script read the practice start (sys.practice) */
     enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
+    bool plain;                 /* a test's: arguments are read without plans (api_plan.c) */
+    uint32_t planned;           /* how often they were read by one, for tests */
+    struct vm_guesses guesses;
 };
 
 /* Opens Lua with the sandbox in the board's heap. False: not even that fits. */
@@ -64,7 +77,10 @@ bool vm_open(struct board *b, void *block, size_t size);
 bool vm_call(struct board *b, lua_CFunction f);
 
 /* The board a script's API call belongs to. */
-struct board *vm_board(lua_State *L);
+static inline struct board *vm_board(lua_State *L)
+{
+    return *(struct board **)lua_getextraspace(L);
+}
 
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
@@ -94,7 +110,7 @@ void vm_report(struct board *b, lua_State *from, int status);
 /* Adds the traceback of `from` to the fault. */
 void vm_trace(struct board *b, lua_State *L, lua_State *from);
 
-/* One step of the collector; between frames only. */
+/* The collector's turn; between frames only. */
 int vm_collect(lua_State *L);
 
 /* Writes into the frame's log; what does not fit is cut off. */

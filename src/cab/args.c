@@ -47,8 +47,8 @@ static const struct {
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
-                        "list the sounds and the music of a game, or play one: its length and level; with -o into a "
-                        "WAV file" },
+                        "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
+                        "write one" },
     [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
@@ -76,6 +76,7 @@ enum option {
     OPTION_SHEET,
     OPTION_WAV,
     OPTION_NOTES,
+    OPTION_PLAY,
     OPTION_OUT,
     OPTION_NEAREST,
     OPTION_BISECT,
@@ -119,8 +120,10 @@ static const struct {
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
-    [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER, "write the sound of all frames up to the last of --frames" },
+    [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
+                     "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
+    [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
     [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK | FOR_SOUND,
                      "where to write: render: folder (else the current one); pack: ROM file; sound: WAV file" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
@@ -446,6 +449,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->fullscreen);
     case OPTION_MUTE:
         return set_switch(&a->mute);
+    case OPTION_PLAY:
+        return set_switch(&a->play);
     case OPTION_PARTS:
         return set_switch(&a->parts);
     case OPTION_NEAREST:
@@ -553,6 +558,22 @@ static bool check_verify(unsigned seen, char *err, size_t err_size)
     return true;
 }
 
+/* What is done with one sound needs its name, and there is one way to do it. */
+static bool check_sound(const struct args *a, char *err, size_t err_size)
+{
+    const char *first = a->out ? "-o" : a->wav ? "--wav" : "--play";
+
+    if (a->command != COMMAND_SOUND || !(a->out || a->wav || a->play))
+        return true;
+    if (a->n_words < 2)
+        return err_set(err, err_size, "%s needs the name of a sound or a piece of music (curtain help sound)", first);
+    if (a->wav && a->out)
+        return err_set(err, err_size, "--wav does not go with -o, which says the same");
+    if (a->play && (a->out || a->wav))
+        return err_set(err, err_size, "--play does not go with %s", first);
+    return true;
+}
+
 static bool check_options(const struct args *a, unsigned seen, char *err, size_t err_size)
 {
     char with[64];
@@ -654,7 +675,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     } else if (a->n_words && !check_command(a, seen, err, err_size)) {
         return false;
     }
-    return check_options(a, seen, err, err_size) && check_words(a, err, err_size);
+    return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size);
 }
 
 /* ---- help ---- */

@@ -64,7 +64,7 @@ struct args {
     const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
     int n_traces;
     uint64_t seed;
-    bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes;
+    bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     int scale;      /* 0: not given */
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];

@@ -3,48 +3,91 @@
  */
 #include "listen.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "../base/bytes.h"
 #include "../base/edit.h"
+#include "../base/err.h"
 #include "../board/board.h"
+#include "hear.h"
 #include "host/report.h"
 #include "host/tape.h"
 #include "notes.h"
 #include "pack/pack.h"
+#include "sound/loudness.h"
+#include "sound/tune_time.h"
 
 enum { MOST_FRAMES = 7200, HEADER = 44 };
 
-static void list(const struct board *b)
+/* Sound as it is measured: the tape's samples. NULL: out of memory. */
+static int16_t *samples_of(const struct tape *t)
+{
+    int16_t *lr = malloc((size_t)t->frames * 4 + 1);
+
+    for (size_t i = 0; lr && i < 2 * (size_t)t->frames; i++)
+        lr[i] = (int16_t)bytes_get16(t->bytes + HEADER + 2 * i);
+    return lr;
+}
+
+/* Plays it onto the tape, so many frames at most. */
+static void record(struct board *b, struct tape *t, const char *name, int most)
+{
+    board_box_play(b, name);
+    for (int i = 0; i < most && board_box_tick(b); i++)
+        tape_add(t, b);
+}
+
+/* How long, how loud: of what never ends, once through. */
+static bool print_measured(struct board *b, const struct board_tune *t)
+{
+    const struct tune tune = tune_of(t->data);
+    const struct tune_time time = tune_time(&tune);
+    const int most = time.loop > 0 ? (int)(time.all * 60) + 1 : MOST_FRAMES;
+    struct tape tape;
+    int16_t *lr = NULL;
+
+    if (tape_open(&tape)) {
+        record(b, &tape, t->name, most < MOST_FRAMES ? most : MOST_FRAMES);
+        lr = samples_of(&tape);
+    }
+    if (lr) {
+        printf("%.2f s", time.loop > 0 ? time.all : tape.frames / 48000.0);
+        if (time.loop > 0)
+            printf(", loop %.2f s", time.loop);
+        printf(", peak %.1f dB, %.1f LUFS", loudness_peak(lr, tape.frames), loudness(lr, tape.frames));
+    }
+    free(lr);
+    tape_close(&tape);
+    return lr != NULL;
+}
+
+static enum result list(void *block, const struct rom *rom)
 {
     struct board_tune t;
+    char err[256];
+    struct board *b = board_box_open(block, rom, err, sizeof err);
 
-    for (int i = 0; board_box_tune(b, i, &t); i++)
-        printf("%s %s: %zu bytes, %s, tracks %d, %s %d%s%s%s\n", t.music ? "music" : "sound", t.name, t.bytes,
-               t.recording ? "recording" : "MML", t.tracks, t.music ? "markers" : "limit", t.music ? t.marks : t.limit,
-               t.endless ? ", endless" : "", t.title[0] ? ", " : "", t.title);
-}
-
-/* Decibels of full scale. */
-static double decibels(double level)
-{
-    return level > 0 ? 20 * log10(level / 32768) : -120;
-}
-
-static void print_level(const char *name, const struct tape *t)
-{
-    int64_t peak = 0;
-    double sum = 0;
-    const uint32_t n = 2 * t->frames;
-
-    for (uint32_t i = 0; i < n; i++) {
-        const int64_t v = (int16_t)bytes_get16(t->bytes + HEADER + 2 * (size_t)i);
-        peak = v > peak ? v : -v > peak ? -v : peak;
-        sum += (double)(v * v);
+    for (int i = 0; b && board_box_tune(b, i, &t); i++) {
+        printf("%s %s: ", t.music ? "music" : "sound", t.name);
+        if (!print_measured(b, &t))
+            return report_line(RESULT_HOST, "out of memory");
+        printf(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.recording ? "recording" : "MML", t.tracks,
+               t.music ? "markers" : "limit", t.music ? t.marks : t.limit, t.title[0] ? ", " : "", t.title);
+        b = board_box_open(block, rom, err, sizeof err);
     }
-    printf("%s: %.2f s, peak %.1f dB, mean %.1f dB\n", name, t->frames / 48000.0, decibels((double)peak),
-           decibels(sqrt(sum / (n ? n : 1))));
+    return RESULT_DONE;
+}
+
+static bool print_level(const char *name, const struct tape *t)
+{
+    int16_t *lr = samples_of(t);
+
+    if (lr)
+        printf("%s: %.2f s, peak %.1f dB, mean %.1f dB, %.1f LUFS\n", name, t->frames / 48000.0,
+               loudness_peak(lr, t->frames), loudness_mean(lr, t->frames), loudness(lr, t->frames));
+    free(lr);
+    return lr != NULL;
 }
 
 static enum result unknown(const struct board *b, const char *name)
@@ -83,25 +126,42 @@ static enum result print_notes(const struct board *b, const struct rom *rom, con
     return unknown(b, name);
 }
 
-static enum result play(struct board *b, const struct args *a)
+static enum result measure(struct board *b, const struct args *a)
 {
+    const char *out = a->out ? a->out : a->wav;
     struct tape t;
     char err[1200];
     bool good = true;
 
-    if (!board_box_play(b, a->words[1]))
-        return unknown(b, a->words[1]);
     if (!tape_open(&t)) {
         tape_close(&t);
         return report_line(RESULT_HOST, "out of memory");
     }
-    for (int i = 0; i < MOST_FRAMES && board_box_tick(b); i++)
-        tape_add(&t, b);
-    print_level(a->words[1], &t);
-    if (a->out)
-        good = tape_save(&t, a->out, err, sizeof err);
+    record(b, &t, a->words[1], MOST_FRAMES);
+    if (!print_level(a->words[1], &t))
+        good = err_set(err, sizeof err, "out of memory");
+    if (good && out)
+        good = tape_save(&t, out, err, sizeof err);
     tape_close(&t);
     return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+}
+
+/* Is there one of that name? */
+static bool has(const struct board *b, const char *name)
+{
+    struct board_tune t;
+
+    for (int i = 0; board_box_tune(b, i, &t); i++)
+        if (strcmp(t.name, name) == 0)
+            return true;
+    return false;
+}
+
+static enum result one(struct board *b, const struct args *a)
+{
+    if (!has(b, a->words[1]))
+        return unknown(b, a->words[1]);
+    return a->play ? hear(b, a->words[1]) : measure(b, a);
 }
 
 enum result listen_run(const struct args *a)
@@ -121,11 +181,11 @@ enum result listen_run(const struct args *a)
     if (!b)
         result = report_line(RESULT_REFUSED, "%s", err);
     else if (a->n_words < 2)
-        list(b);
+        result = list(b, &image.rom);
     else if (a->notes)
         result = print_notes(b, &image.rom, a->words[1]);
     else
-        result = play(b, a);
+        result = one(b, a);
     rom_image_free(&image);
     free(block);
     return result == RESULT_DONE ? report_stdout(result) : result;

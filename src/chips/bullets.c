@@ -1099,18 +1099,137 @@ static enum program_state go_on(struct bullets *b, const struct motion_world *w,
     return state;
 }
 
+/* ---- steps that have begun ---- */
+
+/*
+ * What bullets of one ring do in the middle of a step is the same for all: the step is looked up once for those that
+ * follow each other, the products of its frame are kept, and their new velocities are found in one go. It comes to what
+ * run_program does; where that would do anything else, it does it.
+ */
+struct course {
+    uint32_t motion, pc; /* whose step it is; motion 0: nobody's */
+    uint32_t does, over; /* does: 0, it is not for this */
+    ang dir, turn, home;
+    int64_t speed, accel;       /* in fx */
+    int64_t from;               /* the speed at which it began, and */
+    uint32_t left;              /* frames that are left of it: of a bullet */
+    int64_t reached;            /* whose speed is this now */
+    int n;                      /* bullets that wait for their velocity */
+    uint32_t slot[SLOTS_BLOCK]; /* which */
+    fx pace[SLOTS_BLOCK];
+    ang way[SLOTS_BLOCK];
+};
+
+static void take_course(struct course *c, const struct motion_world *w, uint32_t motion, uint32_t pc)
+{
+    const struct steps *s = w->steps;
+    const uint32_t st = w->motions->first[motion - 1] + pc, does = s->does[st];
+    const uint32_t others =
+        DOES_NAMED | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT;
+
+    c->motion = motion;
+    c->pc = pc;
+    c->does = does & others ? 0 : does & DOES_DRIVE;
+    c->over = s->over[st];
+    c->dir = s->dir[st];
+    c->turn = (ang)s->turn[st];
+    c->home = s->home[st];
+    c->speed = s->speed[st] >> PACE_BITS;
+    c->accel = s->accel[st] >> PACE_BITS;
+    c->left = 0;
+}
+
+/* The velocities of those that wait for them. */
+static void set_course(struct bullets *b, struct course *c)
+{
+    fx vx[SLOTS_BLOCK], vy[SLOTS_BLOCK];
+
+    trig_polars(c->pace, c->way, vx, vy, c->n);
+    for (int k = 0; k < c->n; k++)
+        set_velocity(b, c->slot[k], vx[k], vy[k]);
+    c->n = 0;
+}
+
+static ang course_dir(const struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i)
+{
+    ang dir = c->does & DOES_DIR ? c->dir : b->dir[i];
+
+    if (c->does & DOES_AIM)
+        dir = targets_aim(&w->targets, b->x[i], b->y[i], dir);
+    dir += c->does & DOES_TURN ? c->turn : 0;
+    if (c->does & DOES_HOME)
+        dir = toward(dir, targets_aim(&w->targets, b->x[i], b->y[i], dir), c->home);
+    return dir;
+}
+
+static fx course_speed(const struct bullets *b, struct course *c, uint32_t i, uint32_t left)
+{
+    const int64_t from = b->from[i] >> PACE_BITS, most = (int64_t)MAX_SPEED << 16;
+    int64_t v = b->speed[i];
+
+    if (c->does & DOES_SPEED) {
+        if (c->left != left || c->from != from)
+            c->reached = motion_part_way(from, c->speed, c->over - left + 1, c->over);
+        c->from = from;
+        c->left = left;
+        v = c->reached;
+    }
+    return (fx)int64_clamp(c->does & DOES_ACCEL ? v + c->accel : v, -most, most);
+}
+
+/* A frame in the middle of a step of bullet i. False, and nothing is done: run_program has to look at it. */
+static inline bool keep_course(struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i)
+{
+    const unsigned mute = b->mute[i], left = b->end[i] - w->clock;
+    unsigned does;
+
+    if (!(mute & STEP_BEGUN) || b->flags[i] & BULLET_FINE || !left)
+        return false;
+    if (b->motion[i] != c->motion || b->pc[i] != c->pc)
+        take_course(c, w, b->motion[i], b->pc[i]);
+    if (!c->does)
+        return false;
+    b->ran++;
+    does = c->does;
+    if (mute & OVERRIDE_DIR)
+        does &= ~(unsigned)DOES_STEER;
+    if (mute & OVERRIDE_SPEED)
+        does &= ~(unsigned)(DOES_SPEED | DOES_ACCEL);
+    if (does & DOES_STEER)
+        b->dir[i] = course_dir(b, w, c, i);
+    if (does & (DOES_SPEED | DOES_ACCEL))
+        b->speed[i] = course_speed(b, c, i, left);
+    else if (!(c->does & DOES_STEER))
+        return true;
+    c->slot[c->n] = i;
+    c->pace[c->n] = b->speed[i];
+    c->way[c->n++] = b->dir[i];
+    return true;
+}
+
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
+    struct course c;
 
+    c.motion = 0;
+    c.n = 0;
     for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         enum program_state state = PROGRAM_WAITS;
+        if (!(woken & bit(i)) && keep_course(b, w, &c, i)) {
+            busy |= bit(i);
+            continue;
+        }
+        if (c.n) /* those that run a step of their own may look at others */
+            set_course(b, &c);
         if (!(woken & bit(i)) || is_over(b, w, i))
             state = go_on(b, w, i);
         busy |= state == PROGRAM_RUNS ? bit(i) : 0;
         idle |= state == PROGRAM_WAITS ? bit(i) : 0;
     }
+    if (c.n)
+        set_course(b, &c);
     b->busy[block] = busy;
     b->idle[block] = idle;
 }

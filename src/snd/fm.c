@@ -1,45 +1,90 @@
 /*
  * fm.c - see fm.h. Sines are made in lanes of 16 bits: the quarter turns beside a crest are a polynomial of the square
- * of the distance w: cos = 1 - w - w (a - w (b - c w)), a b c fitted to 2^-16. Every loop is one that compilers make
- * into vectors of any width, with the same bits as one by one.
+ * of the distance w: cos = 1 - w - w (a - w (b - c w)), a b c fitted to 2^-16. Compilers do not find the instruction for
+ * the high half of a product, so on a processor that has it sines are made by it, to the same bits. Every other loop is
+ * one that they make into vectors of any width.
  */
 #include "fm.h"
 
 #include <string.h>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 /* The same with -O2 and -O3. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
 #endif
 
+enum { POLY_A = 15303, POLY_B = 16560, POLY_C = 1257, POLY_ONE = 65534 };
+
 static uint16_t high(uint16_t a, uint16_t b)
 {
     return (uint16_t)((uint32_t)a * b >> 16);
 }
 
-void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
+void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 {
     for (int n = 0; n < FM_BLOCK; n++) {
         const int16_t x = (int16_t)(phase[n] >> 16), sign = (int16_t)(x >> 15);
-        const int16_t far = (int16_t)(2 * ((x ^ sign) - 16384) + 1); /* from the crest, of a quarter turn, Q15 */
-        const uint16_t w = (uint16_t)((uint32_t)((int32_t)far * far) >> 14);
-        const uint16_t bent = high(w, (uint16_t)(15308 - high(w, (uint16_t)(16568 - high(w, 1260)))));
-        const int16_t crest = (int16_t)((uint16_t)(65535 - w - bent) >> 1);
+        const int16_t far = (int16_t)((x ^ sign) - 16384), near = (int16_t)(far ^ (far >> 15));
+        const uint16_t u = (uint16_t)(4 * near + 2), w = high(u, u); /* from the crest, of a quarter turn, Q16 */
+        const uint16_t bent = high(w, (uint16_t)(POLY_A - high(w, (uint16_t)(POLY_B - high(w, POLY_C)))));
+        const int16_t crest = (int16_t)((uint16_t)(POLY_ONE - w - bent) >> 1);
         out[n] = (int16_t)((crest ^ sign) - sign);
     }
 }
+
+#ifdef __SSE2__
+
+static __m128i all(int v)
+{
+    return _mm_set1_epi16((short)v);
+}
+
+static __m128i eight_sines(__m128i x)
+{
+    const __m128i sign = _mm_srai_epi16(x, 15), far = _mm_sub_epi16(_mm_xor_si128(x, sign), all(16384));
+    const __m128i near = _mm_xor_si128(far, _mm_srai_epi16(far, 15));
+    const __m128i u = _mm_add_epi16(_mm_slli_epi16(near, 2), all(2)), w = _mm_mulhi_epu16(u, u);
+    __m128i bent = _mm_sub_epi16(all(POLY_B), _mm_mulhi_epu16(w, all(POLY_C)));
+    bent = _mm_mulhi_epu16(w, _mm_sub_epi16(all(POLY_A), _mm_mulhi_epu16(w, bent)));
+    const __m128i crest = _mm_srli_epi16(_mm_sub_epi16(_mm_sub_epi16(all(POLY_ONE), w), bent), 1);
+    return _mm_sub_epi16(_mm_xor_si128(crest, sign), sign);
+}
+
+void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
+{
+    for (int n = 0; n < FM_BLOCK; n += 8) {
+        const __m128i a = _mm_loadu_si128((const __m128i *)(const void *)(phase + n));
+        const __m128i b = _mm_loadu_si128((const __m128i *)(const void *)(phase + n + 4));
+        const __m128i x = _mm_packs_epi32(_mm_srai_epi32(a, 16), _mm_srai_epi32(b, 16));
+        _mm_storeu_si128((__m128i *)(void *)(out + n), eight_sines(x));
+    }
+}
+
+#else
+
+void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
+{
+    fm_sines_plain(phase, out);
+}
+
+#endif
 
 /* Between two rows and two places of the table. */
 static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t rows[2],
                            int16_t out[FM_BLOCK])
 {
+    const int32_t by = (rows[1] - rows[0]) * 8; /* FM_BLOCK steps of it, 8 bits finer */
+
     for (int n = 0; n < FM_BLOCK; n++) {
-        const int32_t b = rows[0] + (rows[1] - rows[0]) * n / FM_BLOCK;
+        const int32_t b = rows[0] + (by * n >> 8);
         const int16_t *row = t->feedback[b / FEEDBACK_ROW], *next = row + FEEDBACK_LONG + 1;
         const uint32_t i = phase[n] >> (32 - FEEDBACK_BITS);
         const int32_t f = (int32_t)(phase[n] >> (32 - FEEDBACK_BITS - 15) & 0x7fff);
         const int32_t y = row[i] + ((row[i + 1] - row[i]) * f >> 15), z = next[i] + ((next[i + 1] - next[i]) * f >> 15);
-        out[n] = (int16_t)(y + (z - y) * (b % FEEDBACK_ROW) / FEEDBACK_ROW);
+        out[n] = (int16_t)(y + ((z - y) * (b & (FEEDBACK_ROW - 1)) >> 8));
     }
 }
 
@@ -63,20 +108,20 @@ static void add_bend(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32
 static void add_heard(const int16_t sine[FM_BLOCK], const struct fm_op *op, int16_t out[FM_BLOCK])
 {
     for (int n = 0; n < FM_BLOCK; n++)
-        out[n] = (int16_t)(out[n] + (sine[n] * op->gain[n] >> 15));
+        out[n] = (int16_t)(out[n] + ((sine[n] * op->gain[n] + (1 << 14)) >> 15));
 }
 
 void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
               int16_t out[FM_BLOCK])
 {
-    const unsigned heard = fm_heard(ops, algorithm);
+    const unsigned heard = inst_heard(ops, algorithm);
     int32_t bend[FM_OPS][FM_BLOCK] = { { 0 } };
     uint32_t phase[FM_BLOCK];
     int16_t sine[FM_BLOCK];
 
     memset(out, 0, FM_BLOCK * sizeof *out);
     for (int k = 0; k < ops; k++) {
-        const unsigned bends = fm_bends(ops, algorithm, k);
+        const unsigned bends = inst_bends(ops, algorithm, k);
         make_phases(&op[k], bend[k], phase);
         if (k == 0 && (rows[0] | rows[1]))
             feedback_sines(t, phase, rows, sine);
@@ -160,6 +205,14 @@ void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes)
         f->op[k] = inst_op(bytes, k);
 }
 
+/* unit times level of 32767, to the nearest. */
+static int32_t gain_of(int32_t unit, int32_t level)
+{
+    const int64_t gain = ((int64_t)unit * level * 65538 + (1 << 30)) >> 31; /* 65538: 2^31 / 32767 */
+
+    return gain > 32767 ? 32767 : (int32_t)gain;
+}
+
 /* The gains of an operator whose level goes from l0 at `age` to l1 at the block's end, times its own level. */
 static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t off, const int32_t level[2],
                        struct fm_op *out)
@@ -175,18 +228,18 @@ static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t o
     }
     if (wave_corner(e, age, age + FM_BLOCK, off)) {
         for (int n = 0; n < FM_BLOCK; n++)
-            out->gain[n] = (int16_t)(wave_level(e, age + n, off) * unit >> 15);
+            out->gain[n] = (int16_t)gain_of(unit, wave_level(e, age + n, off));
         return;
     }
-    const int32_t from = level[0] * unit >> 15, by = (level[1] * unit >> 15) - from;
-    for (int n = 0; n < FM_BLOCK; n++)
-        out->gain[n] = (int16_t)(from + by * n / FM_BLOCK);
+    const int32_t from = gain_of(unit, level[0]), by = gain_of(unit, level[1]) - from;
+    for (int n = 0, v = from * FM_BLOCK; n < FM_BLOCK; n++, v += by)
+        out->gain[n] = (int16_t)(v >> 5);
 }
 
 void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
              int16_t out[FM_BLOCK])
 {
-    const unsigned heard = fm_heard(f->ops, f->algorithm);
+    const unsigned heard = inst_heard(f->ops, f->algorithm);
     struct fm_op op[FM_OPS];
     int32_t from[FM_OPS], rows[2] = { 0, 0 };
 

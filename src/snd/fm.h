@@ -24,10 +24,11 @@ struct fm_op {
 void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
               int16_t out[FM_BLOCK]);
 
-/* The sine of 2^-16 turns; good to two units. */
+/* The sine of 2^-16 turns; good to two units. The second is the first without instructions of one processor. */
 void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
+void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 
-/* The row, FEEDBACK_ROW each, that at so many 2^-56 turns a sample is as a chip's feedback of b, 4096ths of a radian. */
+/* The row, FEEDBACK_ROW each, that at so many 2^-56 turns a sample is as a chip's feedback of b 4096ths of a radian. */
 int32_t fm_strength(int32_t b, uint64_t step);
 
 /* A note of FM, block by block. */

@@ -58,7 +58,7 @@ void inst_write(uint8_t p[INST_BYTES], const struct inst *i, const struct op ops
     bytes_put16(p + 64, i->arpeggio_frames);
     p[66] = i->arpeggio_n;
     for (int k = 0; k < i->arpeggio_n; k++)
-        p[68 + k] = (uint8_t)i->arpeggio[k];
+        p[68 + k] = i->arpeggio[k];
     strncpy((char *)p + 84, sample, INST_NAME - 1);
     for (int k = 0; k < inst_ops(i->kind); k++)
         write_op(p + INST_OPS + INST_OP * k, &ops[k]);
@@ -78,12 +78,12 @@ static const uint8_t bends[FM_ALGORITHMS][FM_OPS] = {
     { 0, 0, 0, 0 },  /* 1, 2, 3, 4 */
 };
 
-unsigned fm_heard(int ops, int algorithm)
+unsigned inst_heard(int ops, int algorithm)
 {
     return ops == 2 ? 2 : heard[algorithm];
 }
 
-unsigned fm_bends(int ops, int algorithm, int k)
+unsigned inst_bends(int ops, int algorithm, int k)
 {
     return ops == 2 ? (k == 0 ? 2 : 0) : bends[algorithm][k];
 }
@@ -99,7 +99,7 @@ static int32_t value_of(const uint8_t *curve, uint32_t k)
     return (int16_t)bytes_get16(curve + 4 + 2 * k);
 }
 
-int32_t curve_at(const uint8_t *curve, int32_t age)
+int32_t inst_curve(const uint8_t *curve, int32_t age)
 {
     const uint32_t t = age > 0 ? (uint32_t)age : 0, span = (uint32_t)bytes_get16(curve + 2) * SND_FRAME, k = t / span;
     const int32_t v = value_of(curve, k), next = value_of(curve, k + 1);
@@ -107,7 +107,7 @@ int32_t curve_at(const uint8_t *curve, int32_t age)
     return v + (int32_t)((int64_t)(next - v) * (t - k * span) / span);
 }
 
-bool curve_corner(const uint8_t *curve, int32_t from, int32_t to)
+bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to)
 {
     const int32_t span = bytes_get16(curve + 2) * SND_FRAME;
 
@@ -115,19 +115,19 @@ bool curve_corner(const uint8_t *curve, int32_t from, int32_t to)
 }
 
 /* 128 samples and more in a turn of the highest harmonic: a straight line between two of them is good to -84 dB. */
-int wave_bits(int version)
+int inst_wave_bits(int version)
 {
     static const uint8_t bits[WAVE_VERSIONS] = { 8, 8, 9, 9, 10, 10, 11, 11, 12, 12 };
 
     return bits[version];
 }
 
-size_t wave_at_version(int version)
+size_t inst_wave_at(int version)
 {
     size_t at = 2;
 
     for (int v = 0; v < version; v++)
-        at += 2 * (((size_t)1 << wave_bits(v)) + 1);
+        at += 2 * (((size_t)1 << inst_wave_bits(v)) + 1);
     return at;
 }
 
@@ -146,7 +146,7 @@ static bool curve_ok(const uint8_t *p, uint32_t at, size_t end, int lo, int hi)
     if (at == 0)
         return true;
     if (at < INST_BYTES || end < 6 || at > end - 6 || p[at] < 1 || p[at] > CURVE_MOST ||
-        curve_size(p + at) > end - at || (p[at + 1] >= p[at] && p[at + 1] != CURVE_STAYS))
+        inst_curve_size(p + at) > end - at || (p[at + 1] >= p[at] && p[at + 1] != CURVE_STAYS))
         return false;
     for (int k = 0; k < p[at]; k++) {
         const int v = (int16_t)bytes_get16(p + at + 4 + 2 * k);
@@ -161,7 +161,7 @@ static bool wave_ok(const uint8_t *p, const struct inst *i, size_t end)
     if (i->kind != INST_WAVE)
         return i->wave == 0;
     return i->wave >= INST_BYTES && end >= 2 && i->wave <= end - 2 && p[i->wave] >= 1 && p[i->wave] <= WAVE_VERSIONS &&
-           p[i->wave + 1] == 0 && wave_size(p[i->wave]) <= end - i->wave;
+           p[i->wave + 1] == 0 && inst_wave_size(p[i->wave]) <= end - i->wave;
 }
 
 static bool ops_ok(const uint8_t *p, const struct inst *i)
@@ -171,7 +171,7 @@ static bool ops_ok(const uint8_t *p, const struct inst *i)
 
     for (int k = 0; k < n; k++) {
         const struct op o = inst_op(p, k);
-        const bool is_heard = fm_heard(n, i->algorithm) >> k & 1;
+        const bool is_heard = inst_heard(n, i->algorithm) >> k & 1;
         loud += is_heard ? o.level : 0;
         if (!env_ok(&o.env) || o.level > (is_heard ? 32767 : FM_DEEPEST))
             return false;

@@ -72,9 +72,9 @@ struct inst {
     struct lfo vibrato, tremolo; /* 256ths of a semitone; of 32767 */
     int32_t root;                /* pitch at which a sample is as recorded, 65536ths of a semitone */
     uint32_t wave, volume_curve, pitch_curve, pan_curve;
-    uint16_t arpeggio_frames;       /* from one of its pitches to the next */
-    uint8_t arpeggio_n;             /* 0: it has none */
-    int8_t arpeggio[ARPEGGIO_MOST]; /* semitones */
+    uint16_t arpeggio_frames; /* from one of its pitches to the next */
+    uint8_t arpeggio_n;       /* 0: it has none */
+    const uint8_t *arpeggio;  /* semitones, as int8_t */
 };
 
 /* An operator: ratio to the note's pitch in 256ths, and so much faster, 2^-32 turns a sample. level: of 32767, if it is
@@ -93,25 +93,22 @@ static inline struct lfo inst_lfo(const uint8_t *depth, const uint8_t *times)
 /* From the bytes of a tune. Inline, so that who needs three fields reads three. */
 static inline struct inst inst_of(const uint8_t *p)
 {
-    struct inst i = { .kind = p[0],
-                      .algorithm = p[1],
-                      .duty = bytes_get16(p + 2),
-                      .feedback = bytes_get16(p + 6),
-                      .env = { bytes_get16(p + 4), bytes_get32(p + 8), bytes_get32(p + 12), bytes_get32(p + 16),
-                               bytes_get32(p + 20) },
-                      .vibrato = inst_lfo(p + 32, p + 24),
-                      .tremolo = inst_lfo(p + 34, p + 36),
-                      .root = (int32_t)bytes_get32(p + 44),
-                      .wave = bytes_get32(p + 48),
-                      .volume_curve = bytes_get32(p + 52),
-                      .pitch_curve = bytes_get32(p + 56),
-                      .pan_curve = bytes_get32(p + 60),
-                      .arpeggio_frames = bytes_get16(p + 64),
-                      .arpeggio_n = p[66] };
-
-    for (int k = 0; k < ARPEGGIO_MOST; k++)
-        i.arpeggio[k] = (int8_t)p[68 + k];
-    return i;
+    return (struct inst){ .kind = p[0],
+                          .algorithm = p[1],
+                          .duty = bytes_get16(p + 2),
+                          .feedback = bytes_get16(p + 6),
+                          .env = { bytes_get16(p + 4), bytes_get32(p + 8), bytes_get32(p + 12), bytes_get32(p + 16),
+                                   bytes_get32(p + 20) },
+                          .vibrato = inst_lfo(p + 32, p + 24),
+                          .tremolo = inst_lfo(p + 34, p + 36),
+                          .root = (int32_t)bytes_get32(p + 44),
+                          .wave = bytes_get32(p + 48),
+                          .volume_curve = bytes_get32(p + 52),
+                          .pitch_curve = bytes_get32(p + 56),
+                          .pan_curve = bytes_get32(p + 60),
+                          .arpeggio_frames = bytes_get16(p + 64),
+                          .arpeggio_n = p[66],
+                          .arpeggio = p + 68 };
 }
 
 struct op inst_op(const uint8_t *bytes, int k);
@@ -131,28 +128,28 @@ static inline int inst_ops(int kind)
 }
 
 /* Which operators are heard (bit k), and which ones operator k bends. */
-unsigned fm_heard(int ops, int algorithm);
-unsigned fm_bends(int ops, int algorithm, int k);
+unsigned inst_heard(int ops, int algorithm);
+unsigned inst_bends(int ops, int algorithm, int k);
 
 /* A curve's bytes. */
-static inline size_t curve_size(const uint8_t *curve)
+static inline size_t inst_curve_size(const uint8_t *curve)
 {
     return 4 + 2 * (size_t)curve[0];
 }
 
 /* Its value at an age in samples. */
-int32_t curve_at(const uint8_t *curve, int32_t age);
+int32_t inst_curve(const uint8_t *curve, int32_t age);
 
 /* Has it a corner between two ages? */
-bool curve_corner(const uint8_t *curve, int32_t from, int32_t to);
+bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to);
 
 /* The length of version v of a wave, a power of two; where it begins in the wave; the bytes of a wave of n versions. */
 enum { WAVE_SHORTEST = 8 /* bits: 256 of one harmonic */ };
-int wave_bits(int version);
-size_t wave_at_version(int version);
-static inline size_t wave_size(int versions)
+int inst_wave_bits(int version);
+size_t inst_wave_at(int version);
+static inline size_t inst_wave_size(int versions)
 {
-    return wave_at_version(versions);
+    return inst_wave_at(versions);
 }
 
 /* Are all fields in range? end: bytes from the instrument's first one to where its curves and its wave may end;

@@ -12,7 +12,7 @@ enum { HALF = WAVE_LONG / 2, STRONG = 2 * SINC_TAPS };
 
 /* Half octaves. */
 static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  16,  23, 32,
-                                               45, 64, 91, 128, 181, 256, 362, 512, 724 };
+                                               45, 64, 91, 128, 181, 256, 362, 512, 640 };
 
 /* Harmonic h of a saw is 1/h of the sine, of a triangle +-1/h^2, odd ones alone. */
 static void add_harmonic(struct snd_tables *t, uint32_t h)
@@ -82,7 +82,7 @@ static int64_t sinc(int32_t x)
 static void make_sinc(int16_t out[SINC_TAPS], int phase)
 {
     int64_t weight[SINC_TAPS], sum = 0;
-    int32_t left = 1 << 14;
+    int32_t left = 1 << 15;
 
     for (int j = 0; j < SINC_TAPS; j++) {
         const int32_t x = (j - 3) * SINC_PHASES - phase;
@@ -90,7 +90,7 @@ static void make_sinc(int16_t out[SINC_TAPS], int phase)
         sum += weight[j];
     }
     for (int j = 0; j < SINC_TAPS; j++) {
-        const int64_t twice = weight[j] * 2 * (1 << 14) + sum; /* to the nearest */
+        const int64_t twice = weight[j] * 2 * (1 << 15) + sum; /* to the nearest */
         out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
         left -= out[j];
     }
@@ -99,7 +99,7 @@ static void make_sinc(int16_t out[SINC_TAPS], int phase)
 
 /* ---- passes ---- */
 
-/* The middle of each pass's edge, in 2^-32 turns a sample: it stops what folds back below 20 kHz, 72 dB. */
+/* The middle of each pass's edge, in 2^-32 turns a sample: it stops what folds back below 20 kHz. */
 static const uint32_t edges[LOW_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
                                           804553372,  700187608,  607208282,  524373120,  450575381 };
 static const uint64_t reach[LOW_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,  7954141537, 8928222003,
@@ -170,7 +170,7 @@ void snd_tables_make(struct snd_tables *t)
     for (uint32_t i = 0; i <= 256; i++)
         t->pan[i] = (int16_t)((int64_t)trig_sin30((ang)i << 22) * 32767 >> 30);
     make_waves(t);
-    for (int i = 0; i < SINC_PHASES; i++)
+    for (int i = 0; i <= SINC_PHASES; i++)
         make_sinc(t->sinc[i], i);
     for (int i = 0; i < LOW_ROWS; i++)
         make_low(t->low[i], edges[i]);

@@ -28,8 +28,8 @@ struct snd_tables {
     uint16_t harmonics[WAVE_MIPS]; /* of each version, ascending */
     int16_t saw[WAVE_MIPS][WAVE_LONG + 1], triangle[WAVE_MIPS][WAVE_LONG + 1];
     int16_t sine[WAVE_LONG + 1];
-    int16_t sinc[SINC_PHASES][SINC_TAPS]; /* Q14: between the 4th and the 5th of eight samples */
-    int16_t low[LOW_ROWS][LOW_TAPS];      /* Q14: what a sample read faster must lose, around tap LOW_TAPS / 2 */
+    int16_t sinc[SINC_PHASES + 1][SINC_TAPS]; /* Q15: between the 4th and the 5th of eight samples */
+    int16_t low[LOW_ROWS][LOW_TAPS];          /* Q14: what a sample read faster must lose, around tap LOW_TAPS / 2 */
     int16_t feedback[FEEDBACK_ROWS + 1][FEEDBACK_LONG + 1]; /* y = sin(p + b y); the last row stands there again */
     int16_t pan[257];               /* of equal power: left is pan[256 - p], right pan[p]; Q15 */
     int64_t work[2][WAVE_LONG / 2]; /* what the sums were made in */

@@ -43,7 +43,7 @@ struct tune tune_of(const uint8_t *p)
                           .limit = p[3],
                           .bar = p[4],
                           .sides = p[20],
-                          .duck = p[21],
+                          .duck = p[TUNE_DUCK_AT],
                           .tempo = bytes_get32(p + 8),
                           .rest = bytes_get32(p + 24),
                           .lead = bytes_get32(p + 28) };

@@ -34,6 +34,7 @@
 enum {
     TUNE_FORMAT = 2,
     TUNE_HEADER = 32,
+    TUNE_DUCK_AT = 21, /* where in the header it is */
     TUNE_TITLE = 64,
     TUNE_TRACKS = 16,
     TUNE_INSTS = 64,
@@ -48,7 +49,8 @@ enum {
     TUNE_SIDES = 2,
     TUNE_LEAD = 1 << 24, /* samples before the first beat, at most */
     TUNE_PAN = 64,       /* the middle; 0 left, 128 right */
-    TUNE_LOUD = 127
+    TUNE_LOUD = 127,
+    RECORDING_NOTE = 60 * 256 /* pitch of the notes of a recording's tune, at which it is as recorded */
 };
 
 /* Events of a track. The conductor has TEMPO, MARK and END alone, the tracks all others. */

@@ -5,15 +5,16 @@
     snippets.py --cover PAGE    reads `curtain help lua` on stdin; fails when an entry stands in no Lua block
 
 KIND is what follows the three backquotes: lua (a script), lua task (the body of a task), lua main (main.lua), lua rom
-(rom.lua), lua = PATH (the text of a file of the repository), sh (commands), none (plain text). Of these the next block
-is what is said: lua error (the body of a task that faults), lua main error (a main.lua that faults where rom.lua gives
-no room), lua rom error (a rom.lua that is refused), lua check (the body of a task in which check finds something).
+(rom.lua), lua = PATH (the text of a file of the repository), mml (a piece of music), sh (commands), none (plain text).
+Of these the next block is what is said: mml error (a piece that is refused), lua error (the body of a task that
+faults), lua main error (a main.lua that faults where rom.lua gives no room), lua rom error (a rom.lua that is refused),
+lua check (the body of a task in which check finds something).
 """
 import os
 import re
 import sys
 
-WRONG = "lua error", "lua main error", "lua rom error", "lua check"
+WRONG = "lua error", "lua main error", "lua rom error", "lua check", "mml error"
 
 
 def blocks(page):

@@ -14,10 +14,13 @@ end)
 LUA
 
 "$curtain" sound g >list
-same "the list" "sound hit: 224 bytes, MML, tracks 1, limit 2
-music tide: 312 bytes, MML, tracks 1, markers 1, endless" "$(cat list)"
+same "the list" "sound hit: 0.32 s, peak -16.9 dB, -24.5 LUFS, 356 bytes, MML, tracks 1, limit 2
+music tide: 1.60 s, loop 1.60 s, peak -16.6 dB, -18.9 LUFS, 444 bytes, MML, tracks 1, markers 1" "$(cat list)"
 "$curtain" sound g hit -o hit.wav >level
-same "its length and level" "hit: 0.32 s, peak -16.9 dB, mean -30.3 dB" "$(cat level)"
+same "its length and level" "hit: 0.32 s, peak -16.9 dB, mean -30.3 dB, -24.5 LUFS" "$(cat level)"
+"$curtain" sound g hit --wav other.wav >again
+check "the same by another name" cmp hit.wav other.wav
+same "the same is said" "$(cat level)" "$(cat again)"
 same "as many frames as it says, 4 bytes each" $((44 + 19 * 3200)) "$(wc -c <hit.wav)"
 "$curtain" render g --frames 300 --wav run.wav
 same "a frame is 800 stereo frames" $((44 + 300 * 3200)) "$(wc -c <run.wav)"
@@ -32,6 +35,21 @@ check "hearing it changes nothing" cmp quiet heard
 
 refuse "a name that is not there" 'sound: the game has no "hut" (did you mean "hit"?)' "$curtain" sound g hut
 refuse "no game" 'curtain: sound: expected' "$curtain" sound
+refuse "nothing too many" 'sound: "x" is one argument too many' "$curtain" sound g hit x
+refuse "a file for no name" '-o needs the name of a sound or a piece of music' "$curtain" sound g -o x.wav
+refuse "nor as WAV" '--wav needs the name of a sound or a piece of music' "$curtain" sound g --wav x.wav
+refuse "nor to hear" '--play needs the name of a sound or a piece of music' "$curtain" sound g --play
+refuse "two files" '--wav does not go with -o' "$curtain" sound g hit -o x.wav --wav y.wav
+refuse "heard and written" '--play does not go with -o' "$curtain" sound g hit --play -o x.wav
+refuse "--play has no value" '--play takes no value, got "1"' "$curtain" sound g hit --play=1
+refuse "no file's name" '--wav: expected F.wav, got nothing' "$curtain" sound g hit --wav=
+refuse "an option of another command" '--mute does not go with sound (it goes with play)' "$curtain" sound g --mute
+refuse "nor this one here" '--play does not go with render (it goes with sound)' "$curtain" render g --play
+refuse "nobody hears it without a window" 'there is no window to play in' "$curtain" sound g hit --play
+"$curtain" sound g hit --play 2>/dev/null
+same "which is the host's fault" 3 $?
+refuse "no such game" 'nowhere' "$curtain" sound nowhere
+check "nothing was written" test ! -e x.wav
 refuse "a file that cannot be" 'g/rom.lua/x.wav' "$curtain" sound g hit -o g/rom.lua/x.wav
 printf 'A c7\n' >g/music/tide.mml
 refuse "MML with a mistake: file, line and column" 'music/tide.mml:1:4: a length of 1/7' "$curtain" pack g -o g.rom

@@ -30,7 +30,7 @@ static void make(const struct pcm *pcm)
 {
     static const struct art_marker marker = { "start", 0 };
     const struct art_sound about = {
-        .volume = 255, .priority = 4, .limit = 2, .bar = 4, .stereo = true, .n_markers = 1
+        .volume = 255, .priority = 4, .limit = 2, .bar = 4, .stereo = true, .exact = pcm->n > 2000, .n_markers = 1
     };
     struct recording_bytes tune, wave;
     char err[256] = "";

@@ -35,7 +35,7 @@ static void play(const uint8_t *bytes)
 
 static void as_mml(const uint8_t *data, size_t size)
 {
-    const struct mml_about about = { 255, 4, 2, "" };
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     uint8_t *out;
     char err[256] = "";
     size_t n;

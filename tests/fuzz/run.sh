@@ -14,7 +14,8 @@ if [ "${1:-}" = --one ]; then
     target=$2 corpus=$OUT/corpus/$2 seeds=()
     mkdir -p "$corpus" "$OUT/crashes" "$OUT/log"
     [ ! -d "tests/fuzz/seeds/$target" ] || seeds=("tests/fuzz/seeds/$target")
-    ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
+    ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 \
+        LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0 UBSAN_OPTIONS=print_stacktrace=1 \
         tests/patient.py "$OUT/log/$target" \
         "$OUT/fuzz/$target" -max_total_time="$seconds" -timeout=300 -rss_limit_mb=2048 \
         -max_len=65536 -len_control=0 -print_final_stats=1 -artifact_prefix="$OUT/crashes/$target-" "$corpus" \

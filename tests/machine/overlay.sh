@@ -86,6 +86,38 @@ for n in $(seq 65 79); do
 done
 same 'a bullet under the mouse is told' yes "$found"
 
+# ---- the mixer, and the keys of the volume ----
+
+game m <<'LUA'
+music.play("tide")
+LUA
+sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' m/rom.lua
+hears() { # OUT ARGUMENT...: as plays, of the game with music
+    local out=$1
+    shift
+    KEYS_WHOLE=1 ./player play m --seed 5 "$@" >"$out" 2>err
+}
+F3=60 M=16 MINUS=45 EQUALS=46
+keys 150 | hears straight.m --record straight.m.demo
+{ keys 20; keys 1 $F3; keys 80; keys 1 $F3; keys 48; } | hears shown.m --record shown.m.demo
+same 'the mixer is on the picture, and gone from it' "$(part straight.m 103 150)" "$(part shown.m 103 150)"
+check 'the demo is the same with it' cmp straight.m.demo shown.m.demo
+{ keys 20; keys 1 $F3; keys 79; } >script
+KEYS_PPM=100 hears out <script
+check 'piece, bar, beat, tempo and marker can be read' says 'bar 0  beat 3 of 4  tempo 133.25  gain 100%' 'marker "drop"' \
+    'no speaker' 'm1   tide             fm     o5c      0' 'm2'
+{ keys 1 $MINUS; keys 1; keys 1 $MINUS; keys 1; } >script
+KEYS_PPM=4 hears out <script
+check 'the volume is said' says 'volume 80 %'
+{ keys 1 $EQUALS; keys 1; keys 1 $M; keys 1; } >script
+KEYS_PPM=2 hears out <script
+check 'it ends at 100' says 'volume 100 %'
+KEYS_PPM=4 hears out <script
+check 'so is silence' says 'sound off'
+{ keys 1 $M; keys 1; } >script
+KEYS_PPM=2 plays out <script
+check 'and that a game has no sound' says 'this game has no sound'
+
 # ---- the console ----
 
 { keys 60; keys 1 $BACKQUOTE "'\`"; keys 1; line '20 + 3'; line "bullet.each('rain', function(b) b:remove() end)"

@@ -101,4 +101,47 @@ same 'a file that only got another time changes nothing' "$(part straight 1 290)
 same '... and nothing is told' '' "$(cat err)"
 edited 100 'cp g/art/all.png g/art/unused.png'
 same 'nor does a file that the game does not name' "$(part straight 1 290)" "$(part out 1 290)"
+
+# Music that plays: the dot follows its beat. Notes, tempo and name change.
+rm -rf g
+game g <<'LUA'
+local dot = sprite.put { sprite = 'dot', x = 0, y = 0 }
+task.go(function()
+  wait(20)
+  music.play(require 'song')
+  while true do
+    dot.x, dot.y = music.beat() * 16 % 240, 13 + music.frames(1) % 30
+    wait(1)
+  end
+end)
+LUA
+sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua
+sed -i "s/^task/local song = require 'song'\n&/; s/music.play(require 'song')/music.play(song)/" g/main.lua
+echo 'return "tide"' >g/song.lua
+cp -R g before
+pressed | ./player play g --seed 5 >straight 2>err
+sed -i 's/c8d8e8/o4 g8g8g8/' g/music/tide.mml
+cp -R g notes
+back() { rm -rf g old && cp -R before g; }
+back
+edited 100 'cp notes/music/tide.mml g/music/'
+same 'other notes: it goes on at the same beat' "$(part straight 180 250)" "$(part out 181 251)"
+same '... which is told' 'curtain: g: reloaded' "$(cat err)"
+back
+sed -i 's/t133.25/t260/' notes/music/tide.mml
+pressed | ./player play notes --seed 5 >other 2>err
+edited 100 'cp notes/music/tide.mml g/music/'
+same 'another tempo: it is where it would be' "$(part other 180 250)" "$(part out 181 251)"
+back
+sed -i 's/tide = {/deep = {/' notes/rom.lua
+echo 'return "deep"' >notes/song.lua
+pressed | ./player play notes --seed 5 >other 2>err
+cp -R notes ready
+edited 100 'mv g old; mv ready g'
+same 'another name' "$(part other 180 250)" "$(part out 181 251)"
+same '... and what played is gone' $'curtain: g: reloaded\ncurtain: g: the music "tide", which played, is gone' "$(cat err)"
+back
+edited 100 'sed -i "s/tide = {/deep = {/" g/rom.lua' --record five.demo
+same 'a piece that a script still names: the old game goes on' "$(played five.demo 2)" "$("$curtain" verify before five.demo)"
+check '... with file and line' grep -q 'not taken in: main.lua:[0-9]*: music.play: "tide" is not in rom.lua' err
 finish

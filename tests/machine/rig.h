@@ -266,8 +266,9 @@ static inline void rig_sounds(struct rig_game *g)
                        "C @pulse V40 o4 L [c32r32]8 r1 r8" },
         { "sound/boom", "A t240 @noise E0,200,0,5 o4 v15 c4\nB @sine E0,200,0,5 v15 {o4c<<c}4" },
         { "sound/hit", "t200 @noise E0,60,0,10 o6 c8" },
+        { "sound/siren", "t60 r1" },
     };
-    const struct mml_about about = { 255, 4, 2, "" };
+    struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     struct rig_game had = *g;
     struct lump lumps[RIG_LUMPS];
     struct recording_bytes bell;
@@ -279,7 +280,8 @@ static inline void rig_sounds(struct rig_game *g)
 
     for (int i = 0; i < n; i++)
         rom_lump(&had.image.rom, i, &lumps[i]);
-    for (; k < 4; k++) {
+    for (; k < 5; k++) {
+        about.duck = k == 4 ? 128 : 0;
         if (!mml_compile(texts[k].text, strlen(texts[k].text), texts[k].lump, &about, &made[k], &size, err, sizeof err))
             fail_msg("%s", err);
         lumps[n++] = (struct lump){ texts[k].lump, made[k], (uint32_t)size };

@@ -44,7 +44,7 @@ boot.run {
   players = { "heron", "petrel" }, continues = 1, demos = { "a" },
   modes = { { name = "story", stages = { "one" }, text = "One stage." }, { name = "doom", stages = { "doom" } } },
   difficulties = { easy = "For a calm dive." }, ships = { heron = { text = "Fast and narrow." } },
-  staff = { { "ART", "A. Heron" } }, music = { { name = "tide", text = "Stage one" }, { name = "crab" } },
+  staff = { { "ART", "A. Heron" } }, music = { { name = "tide", text = "Stage one" }, { name = "queen" } },
 }
 LUA
     "$curtain" hash "$1" --frames 30 --every 30 --record "$1/demos/a.demo" >"$scratch/none" || exit 2

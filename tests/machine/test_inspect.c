@@ -394,6 +394,96 @@ static void names_stay(void **state)
     rig_game_free(&game);
 }
 
+/* Where the music is, as scripts are told it, and voices by what they play; a voice that is alone is as loud as all. */
+static void what_sounds(void **state)
+{
+    struct manifest m = rig_manifest();
+    void *tables = malloc(board_sound_tables());
+    int16_t sound[2 * BOARD_SOUND];
+    struct inspect_voice v;
+    struct inspect_music music;
+    struct rig_game game;
+    struct rig r;
+    char want[64];
+
+    (void)state;
+    board_sound_open(tables);
+    m.sound = 1;
+    rig_script(
+        &game, &m,
+        "function string.told() return ('%d %d %s'):format(music.bar(), music.beat(), music.marker() or '') end\n"
+        "task.go(function() sound.play('hit', { pan = -1 }) wait(30) music.play('tide') end)");
+    rig_sounds(&game);
+    rig_power(&r, &game, NULL);
+    rig_run(&r, 2);
+    inspect_music(r.b, &music);
+    assert_string_equal(music.name, "");
+    inspect_voice(r.b, 0, &v);
+    assert_true(v.music && !v.busy);
+    int busy = 0;
+    for (int i = 0; i < VOICES; i++) {
+        inspect_voice(r.b, i, &v);
+        if (!v.busy)
+            continue;
+        busy++;
+        assert_false(v.music);
+        assert_string_equal(v.of, "hit");
+        assert_string_equal(v.wave, "noise");
+        assert_int_equal(v.pan, -64);
+        int peak = 0;
+        board_sound(r.b, tables, sound);
+        for (int k = 0; k < 2 * BOARD_SOUND; k++)
+            peak = abs(sound[k]) > peak ? abs(sound[k]) : peak;
+        assert_true(peak > 0);
+        assert_int_equal(inspect_voice_peak(r.b, i, tables), peak);
+    }
+    assert_int_equal(busy, 1);
+    for (int f = 0; f < 400; f++) {
+        const uint64_t hash = board_hash(r.b);
+        rig_run(&r, 1);
+        const uint64_t after = board_hash(r.b);
+        inspect_music(r.b, &music);
+        for (int i = 0; i < VOICES; i++)
+            inspect_voice_peak(r.b, i, tables);
+        assert_true(board_hash(r.b) == after && hash != after);
+        if (f < 40)
+            continue;
+        assert_string_equal(music.name, "tide");
+        snprintf(want, sizeof want, "%d %d %s", (int)music.bar, (int)music.bar * music.beats + music.beat, music.mark);
+        assert_string_equal(rig_told(&r), want);
+    }
+    inspect_voice(r.b, 0, &v);
+    assert_true(v.music && v.busy);
+    assert_string_equal(v.of, "tide");
+    assert_string_equal(v.wave, "fm");
+    assert_int_equal(inspect_voice_peak(r.b, 20, tables), 0);
+    inspect_voice(r.b, 1, &v);
+    assert_true(v.busy && strcmp(v.wave, "tri") == 0);
+    assert_true(inspect_voice_peak(r.b, 0, tables) != inspect_voice_peak(r.b, 1, tables));
+    rig_free(&r);
+    rig_game_free(&game);
+    free(tables);
+}
+
+/* A board without sound has nothing to show. */
+static void silence(void **state)
+{
+    struct inspect_voice v;
+    struct inspect_music music;
+    struct rig_game game;
+    struct rig r;
+
+    (void)state;
+    rig_script(&game, NULL, "");
+    rig_power(&r, &game, NULL);
+    inspect_voice(r.b, 3, &v);
+    inspect_music(r.b, &music);
+    assert_true(!v.busy && !music.name[0]);
+    assert_int_equal(inspect_voice_peak(r.b, 3, NULL), 0);
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
@@ -409,6 +499,8 @@ int main(void)
         cmocka_unit_test(a_board_that_is_asked_runs_on_alike),
         cmocka_unit_test(names_stay),
         cmocka_unit_test(capsules_lie_as_they_fly),
+        cmocka_unit_test(what_sounds),
+        cmocka_unit_test(silence),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,9 +40,11 @@ static void close_it(void)
     rig_game_free(&g);
 }
 
-/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour), and nothing else anywhere. NULL: none.
- */
-static void shows(const char *name, int frame, int bank, bool white, unsigned flip)
+enum { SOFT = 2 };
+
+/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour; SOFT: every second pixel in it), and
+ * nothing else anywhere. NULL: none. */
+static void shows(const char *name, int frame, int bank, int white, unsigned flip)
 {
     struct sprite s = { 0 };
     uint32_t rgb[256];
@@ -62,7 +64,7 @@ static void shows(const char *name, int frame, int bank, bool white, unsigned fl
             if (u >= 0 && v >= 0 && u < s.w && v < s.h) {
                 u = flip & BLIT_FLIP_X ? s.w - 1 - u : u;
                 int p = s.pix[(frame * s.rotations * s.h + v) * s.pitch + u];
-                want = !p ? 0 : white ? brightest : (p + 16 * bank) % 256;
+                want = !p ? 0 : white == 1 || (white && (u + v) % 2 == 0) ? brightest : (p + 16 * bank) % 256;
             }
             seen += want != 0;
             if (r.fb.pix[y * r.fb.pitch + x] != want)
@@ -123,6 +125,13 @@ static void test_blink(void **state)
     open_with(
         "local e = enemy.spawn { kind = 'brief', x = 100, y = 80 } e.flip_x = true task.go(function() e:hurt(5) end)");
     rig_run(&r, 1), shows("arrow", 0, 0, true, BLIT_FLIP_X); /* it has no picture hurt */
+    rig_run(&r, 1), shows("arrow", 0, 2, false, BLIT_FLIP_X);
+    close_it();
+    open_with("enemy.def('calm', { sprite = 'arrow', hit = 'none', hp = 99, bank = 2, blink = 1, blink_soft = true })\n"
+              "local e = enemy.spawn { kind = 'calm', x = 100, y = 80 } task.go(function() e:hurt(5) e.flip_x = true "
+              "e:hurt(1) wait(1) e:hurt(1) end)");
+    rig_run(&r, 1), shows("arrow", 0, 2, SOFT, BLIT_FLIP_X);
+    rig_run(&r, 1), shows("arrow", 0, 2, SOFT, BLIT_FLIP_X);
     rig_run(&r, 1), shows("arrow", 0, 2, false, BLIT_FLIP_X);
     close_it();
     open_with("local e = enemy.spawn { kind = 'plain', x = 100, y = 80 } task.go(function() e:hurt(5) end)");

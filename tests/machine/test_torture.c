@@ -1,9 +1,24 @@
 /*
  * test_torture.c - snapshots. After every frame all of RAM is spoilt and put back, and the board goes on as one that
- * was never disturbed: same hashes, same pictures. And: from any frame of a run, play on with other pads, spoil, go
+ * was never disturbed: same hashes, same pictures, same samples. And: from any frame of a run, play on with other pads, spoil, go
  * back, and the run is the same as it was. CURTAIN_LONG=1: more frames.
  */
 #include "rig.h"
+
+static void *tables; /* of board_sound */
+
+/* The picture, and the samples of a game that has any, as one number. */
+static uint64_t seen_and_heard(struct rig *r)
+{
+    int16_t sound[2 * BOARD_SOUND];
+
+    if (!tables) {
+        tables = malloc(board_sound_tables());
+        board_sound_open(tables);
+    }
+    board_sound(r->b, tables, sound);
+    return hash_bytes(rig_picture(r), sound, sizeof sound);
+}
 
 /* ---- games ---- */
 
@@ -67,7 +82,7 @@ static void same(const char *name, uint32_t frame, struct rig *a, struct rig *b)
 
     if (part)
         fail_msg("%s: frame %u: part %s differs", name, frame, part);
-    if (rig_picture(a) != rig_picture(b))
+    if (seen_and_heard(a) != seen_and_heard(b))
         fail_msg("%s: frame %u: the picture differs", name, frame);
 }
 
@@ -187,7 +202,7 @@ static void run_make(struct run *run, const struct rig_game *g, uint32_t frames,
     rng_seed(&rng, seed);
     for (uint32_t f = 0;; f++) {
         run->hash[f] = board_hash(r.b);
-        run->picture[f] = rig_picture(&r);
+        run->picture[f] = seen_and_heard(&r);
         if (f == frames)
             break;
         rig_pads(&rng, pads);
@@ -213,7 +228,7 @@ static void again(const struct run *run, struct rig *r, uint32_t from, uint32_t 
         rig_tick(r, run->pads[f]);
         if (board_hash(r->b) != run->hash[f + 1])
             fail_msg("back to frame %u: the hash of frame %u differs", from, f + 1);
-        if (pictures && rig_picture(r) != run->picture[f + 1])
+        if (pictures && seen_and_heard(r) != run->picture[f + 1])
             fail_msg("back to frame %u: the picture of frame %u differs", from, f + 1);
     }
 }
@@ -243,7 +258,7 @@ static void go_back(const struct run *run, uint32_t n)
             rig_save(&r);
             astray(&r, &rng);
             rig_restore(&r);
-            if (board_hash(r.b) != run->hash[f] || rig_picture(&r) != run->picture[f])
+            if (board_hash(r.b) != run->hash[f] || seen_and_heard(&r) != run->picture[f])
                 fail_msg("back to frame %u: not what was saved", f);
             again(run, &r, f, AGAIN, true);
             rig_restore(&r);

@@ -9,6 +9,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* unsetenv */
 #include "rig.h"
+#include "../../src/board/api/api_parts.h"
 
 enum { MOST = 512, PROPS = 32 };
 
@@ -54,7 +55,7 @@ static void note_steps(lua_State *L, int at)
 
 static int count_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_entry *e = lua_touserdata(L, lua_upvalueindex(1));
+    const struct api_entry *e = api_bound(L)->entry;
     int i = (int)(e - copies);
 
     if (!by_std(L, 1)) {
@@ -133,9 +134,9 @@ static void patch(lua_State *L, int at, lua_CFunction call, int seen)
         if (lua_istable(L, -1))
             patch(L, lua_gettop(L), call, seen);
         else if (lua_tocfunction(L, -1) == call) {
-            lua_getupvalue(L, -1, 1); /* the entry's address */
-            lua_pushlightuserdata(L, &copies[number_of(lua_touserdata(L, -1))]);
-            lua_setupvalue(L, -3, 1);
+            lua_getupvalue(L, -1, 1);
+            struct api_bound *f = lua_touserdata(L, -1);
+            f->entry = &copies[number_of(f->entry)];
             lua_pop(L, 1);
         }
         lua_pop(L, 1);
@@ -260,7 +261,7 @@ static void recipe(int f, struct rng *rng, uint16_t pads[PADS])
 
 static void record(const struct rig_game *game, const char *to)
 {
-    struct board_start at = { .seed = 20, .difficulty = -1 };
+    struct board_start at = { .seed = 21, .difficulty = -1 };
     struct demo_writer w;
     struct rng rng;
     struct rig r;

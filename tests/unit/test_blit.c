@@ -291,6 +291,32 @@ static void sprites_at_every_edge(void **state)
     }
 }
 
+/* In one colour, whole or every second pixel of the image, whichever part of it is seen. */
+static void in_one_colour(void **state)
+{
+    struct bed *b = *state;
+
+    for (int k = 0; k < 6000; k++) {
+        const unsigned flags = (unsigned)rng_below(&b->r, 8);
+        random_image(b, 1 + (int)rng_below(&b->r, 20), 1 + (int)rng_below(&b->r, 20));
+        const int w = b->image.w, h = b->image.h;
+        const int x0 = any_place(&b->r, W, w), y0 = any_place(&b->r, H, h);
+        random_clip(b);
+        begin(b);
+        for (int y = b->fb.y0; y < b->fb.y1; y++)
+            for (int x = b->fb.x0; x < b->fb.x1; x++) {
+                const int u = flags & BLIT_FLIP_X ? w - 1 - (x - x0) : x - x0, v = y - y0;
+                const int row = flags & BLIT_FLIP_Y ? h - 1 - v : v;
+                if (u < 0 || v < 0 || u >= w || v >= h || !b->pix[row * b->image.pitch + u])
+                    continue;
+                if (!(flags & BLIT_DOTS) || (u + v) % 2 == 0)
+                    b->want[y][x] = 77;
+            }
+        blit_solid(&b->fb, &b->image, x0, y0, 77, flags);
+        expect(b);
+    }
+}
+
 static void banks_wrap(void **state)
 {
     struct bed *b = *state;
@@ -479,6 +505,57 @@ static void stamps_are_sprites(void **state)
     assert_true(drawn > 10000 && large > 10);
 }
 
+/* Copies of one size behind each other: each destination shows the one that it is said to, or that its direction asks
+ * for. */
+static void stamps_of_copies(void **state)
+{
+    struct bed *b = *state;
+    enum { COPIES = 7, MOST = 200 };
+    static uint8_t pix[COPIES * 24 * 24];
+    uint32_t list[MOST], at[MOST], which[MOST];
+    ang dir[MOST];
+
+    for (int k = 0; k < 4000; k++) {
+        const int w = k % 2 ? 8 : 1 + (int)rng_below(&b->r, 20), h = k % 3 ? 8 : 1 + (int)rng_below(&b->r, 20);
+        const uint32_t copies = 1 + (uint32_t)rng_below(&b->r, COPIES), banks = k % 5 ? 1 : 16;
+        const enum blit_mix mix = any_mix(&b->r);
+        const bool turned = rng_below(&b->r, 2);
+        b->image = (struct image){ pix, w, h, (w + 7) / 8 * 8 };
+        const uint32_t size = (uint32_t)(b->image.pitch * h), n = (uint32_t)rng_below(&b->r, MOST + 1);
+        for (uint32_t i = 0; i < copies * size; i++)
+            pix[i] = (int)(i % (uint32_t)b->image.pitch) < w && rng_below(&b->r, 3) ? (uint8_t)rng_next(&b->r) : 0;
+        fb_clip_all(&b->fb);
+        struct stamp_corners c = stamp_corners(&b->fb, w, h);
+        begin(b);
+        for (uint32_t i = 0; i < n; i++) {
+            uint32_t dx = (uint32_t)rng_below(&b->r, c.wide), dy = (uint32_t)rng_below(&b->r, c.high);
+            uint8_t bank = (uint8_t)(rng_below(&b->r, 9) ? rng_below(&b->r, banks) : 3);
+            which[i] = (uint32_t)rng_below(&b->r, MOST);
+            dir[which[i]] = 0;
+            list[i] = stamp_dest(&b->fb, dx, dy, bank);
+        }
+        for (uint32_t i = 0; i < MOST; i++)
+            dir[i] = rng_below(&b->r, 4) ? (ang)rng_next(&b->r)
+                                         : (ang)(rng_below(&b->r, 9) << 29) - (ang)rng_below(&b->r, 2);
+        for (uint32_t i = 0; i < n; i++) {
+            uint32_t copy = turned ? (uint32_t)(((uint64_t)dir[which[i]] * copies + 0x80000000u) >> 32) % copies
+                                   : (uint32_t)rng_below(&b->r, copies);
+            uint32_t place = list[i] & (STAMP_OTHER - 1), pitch = (uint32_t)b->fb.pitch;
+            at[i] = copy * size;
+            b->image.pix = b->pix = pix + at[i];
+            paint_through(b, (int)(place % pitch) + c.x0, (int)(place / pitch) + c.y0, (uint8_t)(list[i] >> 28), 0,
+                          table_of(mix));
+        }
+        b->image.pix = pix;
+        if (turned)
+            assert_int_equal(
+                n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, list, n));
+        else
+            assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, list, n));
+        expect(b);
+    }
+}
+
 /* No pixel of a layer may be drawn as 0. */
 static void random_solid(struct bed *b, int w, int h, bool holes)
 {
@@ -581,13 +658,21 @@ static void layers_are_sprites(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sprites_of_every_width), cmocka_unit_test(rules),
-        cmocka_unit_test(ruled_sprites),          cmocka_unit_test(batches),
-        cmocka_unit_test(sprites_at_every_edge),  cmocka_unit_test(banks_wrap),
-        cmocka_unit_test(nothing_to_draw),        cmocka_unit_test(flipped_rows_of_any_length),
-        cmocka_unit_test(blended_sprites),        cmocka_unit_test(blended_pairs),
-        cmocka_unit_test(blended_nothing),        cmocka_unit_test(stamps_are_sprites),
+        cmocka_unit_test(sprites_of_every_width),
+        cmocka_unit_test(rules),
+        cmocka_unit_test(ruled_sprites),
+        cmocka_unit_test(batches),
+        cmocka_unit_test(stamps_of_copies),
+        cmocka_unit_test(sprites_at_every_edge),
+        cmocka_unit_test(banks_wrap),
+        cmocka_unit_test(nothing_to_draw),
+        cmocka_unit_test(flipped_rows_of_any_length),
+        cmocka_unit_test(blended_sprites),
+        cmocka_unit_test(blended_pairs),
+        cmocka_unit_test(blended_nothing),
+        cmocka_unit_test(stamps_are_sprites),
         cmocka_unit_test(layers_are_sprites),
+        cmocka_unit_test(in_one_colour),
     };
     return cmocka_run_group_tests(tests, bed_open, bed_close);
 }

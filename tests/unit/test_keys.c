@@ -253,7 +253,7 @@ static void help_has_them_all(void **state)
     keys_help(count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
-    assert_int_equal(lines, KEYS_ACTIONS + 5);
+    assert_int_equal(lines, KEYS_ACTIONS + 6);
 }
 
 int main(void)

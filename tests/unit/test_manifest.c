@@ -261,14 +261,15 @@ static void test_unknown_names(void **state)
 
 static void test_sounds(void **state)
 {
-    struct result *r =
-        read_good("return { sounds = { b = { file = 'b.wav', volume = 0.5, limit = 3 }, a = { mml = 'c' } },"
-                  " music = { t = { file = 'm/t.mml', title = 'T' } } }");
+    struct result *r = read_good(
+        "return { sounds = { b = { file = 'b.wav', volume = 0.5, limit = 3, duck = 0.4 }, a = { mml = 'c' } },"
+        " music = { t = { file = 'm/t.mml', title = 'T' } } }");
 
     (void)state;
     assert_true(r->m.sound == 1 && r->art.n_sounds == 2 && r->art.n_tunes == 1);
     assert_string_equal(r->art.sounds[0].mml, "c");
-    assert_true(r->art.sounds[1].volume == 128 && r->art.sounds[1].limit == 3 && r->art.sounds[1].priority == 4);
+    assert_true(r->art.sounds[1].volume == 128 && r->art.sounds[1].limit == 3 && r->art.sounds[1].duck == 102 &&
+                r->art.sounds[1].priority == 4);
     assert_string_equal(r->art.tunes[0].title, "T");
     free(r);
     r = read_good("return {}");
@@ -280,6 +281,7 @@ static void test_sounds(void **state)
                                          "mml=\"...\"");
     entry_refused("sounds = { a = { mml = 'c', volume = 2 } }",
                   "sounds.a.volume: expected a number from 0 to 1, got 2");
+    entry_refused("sounds = { a = { mml = 'c', duck = 2 } }", "sounds.a.duck: expected a number from 0 to 1, got 2");
     entry_refused("sounds = { a = { mml = 'c', limit = 9 } }",
                   "sounds.a.limit: expected a whole number from 1 to 8, got 9");
     entry_refused("music = { a = { file = 'a.mp3' } }",

@@ -15,7 +15,7 @@
 #include "../../src/cab/sound/mml.h"
 #include "../../src/snd/tune.h"
 
-static const struct mml_about about = { 200, 3, 5, "" };
+static const struct mml_about about = { .volume = 200, .priority = 3, .limit = 5, .title = "" };
 
 /* ---- what it compiles to ---- */
 
@@ -86,6 +86,22 @@ static void test_commands(void **state)
     EVENTS("A c8 ; the first\nB e8\nA d8", "0i0 0n60 240o 240n62 480o 480. ");
 }
 
+/* Those beside the notes themselves: slides, strokes, grace notes, swing. */
+static void test_ornaments(void **state)
+{
+    (void)state;
+    EVENTS("l8 c G16 d e G0 f", "0i0 0n60 240o 240n60 240/62 480o 480n62 480/64 720o 720n65 960o 960. ");
+    EVENTS("S2,16 c4 S0 d8", "0i0 0n58 0/60 480o 480n62 720o 720. ");
+    EVENTS("v8 W16,-2 c8. W0 d16", "0v67 0i0 0n60 120v51 120n60 240v35 240n60 360v67 360o 360n62 480o 480. ");
+    EVENTS("~c16 d4 ~e~f4 g2", "0i0 0n60 120o 120n62 480o 480n64 540o 540n65 1020o 1020n67 1440o 1440. ");
+    EVENTS("D20 DD5 c8 _3 __-1 c8 D0 _0 c8", "0i0 0n60.25 240o 240n62.25 480o 480n60 720o 720. ");
+    EVENTS("MA30,5,0 c8 MA0 MP20,5,0 c8 M0 c8", "0i0 0n60 240o 240i1 240n60 480o 480i2 480n60 720o 720. ");
+    EVENTS("#swing 16,60\nA c16 d16 e8 {f>f}8", "0i0 0n60 144o 144n62 240o 240n64 480o 480n65 480/77 720o 720. ");
+    EVENTS("@E up 2:0,100\n@M bent 1:0,100|0\n@P round 9:-64,64\nA Eup c8 Mbent Pround c8 E- M- P- c8",
+           "0i0 0n60 240o 240i1 240n60 480o 480i2 480n60 720o 720. ");
+    EVENTS("#mark here 1,2\nA c2", "0i0 0n60 960o 960. ");
+}
+
 static struct tune compiled(const char *text)
 {
     char err[256];
@@ -148,11 +164,40 @@ static void test_mistakes(void **state)
         { "!up c\nA !pu", "x.mml:2:3: there is no macro \"pu\" (did you mean \"up\"?)" },
         { "A \"drop", "x.mml:1:3: \" without an end" },
         { "A E5,5 c", "x.mml:1:7: expected E attack,decay,sustain,release: milliseconds, and percent for sustain" },
+        { "A ~r c", "x.mml:1:3: expected a note behind ~, as ~c16 d4" },
+        { "A ~c4 d4", "x.mml:1:7: its grace notes are as long as the note" },
+        { "A c4 ~d r4", "x.mml:1:9: a grace note before a rest" },
+        { "A c4 ~d", "x.mml:1:8: a grace note before nothing" },
+        { "A S2 c", "x.mml:1:5: expected S semitones,length, or S0" },
+        { "A W16 c", "x.mml:1:6: expected W length,louder, or W0" },
+        { "A Gc", "x.mml:1:4: expected G and a length in which notes slide from the one before, or G0" },
+        { "A P64 c", "x.mml:1:3: expected a curve's name behind P, or P- for none (p64 is a place)" },
+        { "A Eup c", "x.mml:1:3: there is no curve \"up\": expected a line @E up FRAMES:VALUE,VALUE..." },
+        { "@E Up 2:0\nA c", "x.mml:1:4: expected a name that begins with a small letter, got \"Up\"" },
+        { "@E up 2;0\nA c",
+          "x.mml:1:7: expected FRAMES:VALUE,VALUE...; with | before the value it goes on from, as 2:100,60|50,40" },
+        { "@E up 2:101\nA c", "x.mml:1:9: expected percent from 0 to 100, got \"101\"" },
+        { "#swing 16\nA c", "x.mml:1:1: expected #swing 16,60: of each two 16ths the first has 60 percent" },
+        { "#swing 16,60\nA L c16", "x.mml:2:3: with #swing what L repeats is whole pairs of 240 ticks, got 120 ticks" },
+        { "#mark up 3\nA c1", "x.mml:1:1: bar 3 is behind the end" },
+        { "#mark up 1,5\nA c1", "x.mml:1:12: expected a beat of the bar from 1 to 4, got \"5\"" },
+        { "@w wave decay=3\nA c", "x.mml:1:1: expected harmonics= or points=: a wave has none of its own" },
+        { "@w wave harmonics=0,0\nA c", "x.mml:1:19: expected a harmonic that is heard" },
+        { "@w wave points=1,1,1,1\nA c", "x.mml:1:16: expected 4 to 64 points of a turn, not all of them equal" },
+        { "@b saw harmonics=1\nA c", "x.mml:1:8: only a wave has harmonics" },
+        { "@b fm op3=1\nA c", "x.mml:1:7: it has 2 operators" },
+        { "@b fm algorithm=1\nA c", "x.mml:1:7: only fm4 has an algorithm" },
+        { "@b fm4 op1=2 algorithm=1\nA c",
+          "x.mml:1:24: expected the algorithm before the operators, for it says which ones are heard" },
+        { "@b fm4 op1=1,101\nA c",
+          "x.mml:1:14: expected percent (an operator that is heard) from 0 to 100, got \"101\"" },
+        { "@b saw arpeggio=2\nA c", "x.mml:1:8: expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as arpeggio=2:0,4,7" },
+        { "@b saw decay=2x\nA c", "x.mml:1:15: expected a blank behind decay, got \"x\"" },
         { "; nothing\n", "x.mml:1:1: it has no track (a line that begins with A and a blank)" },
-        { "#tempo 120\nA c", "x.mml:1:1: expected #title, #bar or #echo" },
+        { "#tempo 120\nA c", "x.mml:1:1: expected #title, #bar, #echo, #swing or #mark" },
         { "#echo B:A\nA c", "x.mml:1:8: expected #echo B=A,8,-3: track B is track A an 8th later and 3 softer" },
         { "[[[[[[[[[c]2", "x.mml:1:9: more than 8 loops one in another" },
-        { "[[[[[c%1]255]255]255]255]255", "x.mml:1:1: more than 262144 notes and settings, loops written out" },
+        { "[[[[[c%1]255]255]255]255]255", "x.mml:1:6: more than 262144 notes and settings, loops written out" },
     };
 
     (void)state;
@@ -160,15 +205,52 @@ static void test_mistakes(void **state)
         assert_string_equal(events(list[i][0]), list[i][1]);
 }
 
+/* ---- warnings ---- */
+
+static void keep_warning(void *context, const char *sentence)
+{
+    strcat(strcat(context, sentence), "|");
+}
+
+static const char *warnings(const char *text)
+{
+    static char said[1024];
+    const struct mml_about heard = { .limit = 1, .title = "", .warn = keep_warning, .context = said };
+    char err[256];
+    uint8_t *bytes;
+    size_t size;
+
+    said[0] = '\0';
+    assert_true(mml_compile(text, strlen(text), "x.mml", &heard, &bytes, &size, err, sizeof err));
+    free(bytes);
+    return said;
+}
+
+/* At 120 a frame is 16 ticks. What is near the first note of a track takes nothing away. */
+static void test_warnings(void **state)
+{
+    (void)state;
+    assert_string_equal(warnings("A c4 d%16 e4"), "");
+    assert_string_equal(warnings("A c%15 d4"), "");
+    assert_string_equal(warnings("A c4\nA [d%15 e4]3"),
+                        "x.mml:2:9: within a frame (1/60 s) of the note before in this track: what sounded before them "
+                        "is cut off|");
+    assert_string_equal(warnings("A c4 t60 d%15 e4"), "");
+}
+
 /* ---- damage ---- */
 
 /* Ten thousand texts and tunes with some bytes changed: each is taken, and then good, or refused. */
 static void test_damage(void **state)
 {
-    static const char text[] = "#title Tide\n#bar 4\n@b fm ratio=3.5 depth=2 vibrato=20,5.5,200\n!m c8 d8\n"
-                               "A t120 @b v12 o4 L !m {c>g}4,8 \"up\" {{cde}}2 [c / d]2 r4\nB K-5 _{+f} L l8 c1^1\n";
+    static const char text[] =
+        "#title Tide\n#bar 4\n#swing 16,55\n@E up 2:0,100|50\n@b fm ratio=3.5 depth=2 vibrato=20,5.5,200\n"
+        "@f fm4 algorithm=4 op1=2,1.5,0,90,30,60 detune2=-3 pan=3:-64,64 feedback=0.5\n"
+        "@w wave points=0,50,100,-30 arpeggio=2:0,4,7\n!m c8 d8\n"
+        "A t120 @b v12 o4 L !m {c>g}4,8 \"up\" {{cde}}2 [c / d]2 r4\n"
+        "B @f K-5 _{+f} L l8 W16,-1 c1 W0 @w Eup S2,16 ~d c1\n";
     static char bad[sizeof text];
-    static uint8_t tune[4096];
+    static uint8_t tune[8192];
     struct rng r;
     uint8_t *out;
     char err[256];
@@ -210,10 +292,8 @@ static void test_damage(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commands),
-        cmocka_unit_test(test_header),
-        cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_damage),
+        cmocka_unit_test(test_commands), cmocka_unit_test(test_ornaments), cmocka_unit_test(test_warnings),
+        cmocka_unit_test(test_header),   cmocka_unit_test(test_mistakes),  cmocka_unit_test(test_damage),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

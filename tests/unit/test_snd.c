@@ -15,6 +15,7 @@
 #include "../../src/cab/sound/mml.h"
 #include "../../src/chips/sound/voices.h"
 #include "../../src/snd/adpcm.h"
+#include "../../src/snd/fm.h"
 #include "../../src/snd/wave.h"
 
 static struct snd_tables tables;
@@ -60,10 +61,10 @@ static void test_sinc(void **state)
         int sum = 0;
         for (int j = 0; j < SINC_TAPS; j++)
             sum += tables.sinc[p][j];
-        assert_int_equal(sum, 1 << 14);
+        assert_int_equal(sum, 1 << 15);
     }
     for (int j = 0; j < SINC_TAPS; j++)
-        assert_true(abs(tables.sinc[0][j] - (j == 3 ? 1 << 14 : 0)) < 600);
+        assert_true(abs(tables.sinc[0][j] - (j == 3 ? 1 << 15 : 0)) < 1200);
 }
 
 /* A sine read at another speed, against the right one. */
@@ -179,7 +180,7 @@ static void test_adpcm(void **state)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
     for (int looped = 0; looped < 2; looped++) {
         double wrong = 0, loud = 0;
-        sample_write(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
+        encode_sample(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
         assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
         sample_read(&s, 0, 4 * N, all);
         for (int i = 0; i < N; i++) {
@@ -200,6 +201,145 @@ static void test_adpcm(void **state)
     assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
     assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED) - 1, &s));
     free(bytes);
+}
+
+/* ---- fast and plain ---- */
+
+static struct rng chance;
+
+/* Any 16 bits, extremes often. */
+static int16_t any16(void)
+{
+    static const int16_t extremes[] = { 0, 1, -1, 32767, -32767, -32768, 16384, -16384 };
+    const uint64_t v = rng_next(&chance);
+
+    return v % 3 == 0 ? extremes[v >> 8 & 7] : (int16_t)(v >> 16);
+}
+
+/* All sines there are. */
+static void test_sines(void **state)
+{
+    uint32_t phase[FM_BLOCK];
+    int16_t fast[FM_BLOCK], plain[FM_BLOCK];
+
+    (void)state;
+    for (uint32_t p = 0; p < 65536; p += FM_BLOCK) {
+        for (uint32_t n = 0; n < FM_BLOCK; n++)
+            phase[n] = (p + n) << 16 | (n * 2114 & 0xffff);
+        fm_sines(phase, fast);
+        fm_sines_plain(phase, plain);
+        assert_memory_equal(fast, plain, sizeof fast);
+        for (uint32_t n = 0; n < FM_BLOCK; n++)
+            assert_true(fabs(plain[n] - 32767 * sin(2 * M_PI * (p + n + 0.5) / 65536)) < 2);
+    }
+}
+
+static int16_t x[4 * SND_BLOCK + 2 * LOW_TAPS];
+
+static int64_t in16(int64_t v)
+{
+    return v > 32767 ? 32767 : v < -32768 ? -32768 : v;
+}
+
+static void same_sample(int round)
+{
+    const uint64_t step = rng_next(&chance) >> (30 + round % 3);
+    const uint32_t phase = (uint32_t)rng_next(&chance) | (round % 4 ? 0 : 0xfff00000u);
+    int16_t out[SND_BLOCK];
+
+    wave_sample(&tables, x + LOW_TAPS, phase, step, out);
+    for (int n = 0; n < SND_BLOCK; n++) {
+        const uint64_t at = phase + (uint64_t)n * step, place = ((at & 0xffffffff) + (1 << 21)) >> 22;
+        int64_t sum = 1 << 14;
+        for (int j = 0; j < SINC_TAPS; j++)
+            sum += (int64_t)x[LOW_TAPS + (int)(at >> 32) + j - 3] * tables.sinc[place][j];
+        assert_int_equal(out[n], in16(sum >> 15));
+    }
+}
+
+static void same_low(int round)
+{
+    const uint64_t step = (uint64_t)(4 + 3 * (round % 4)) << 30;
+    const int row = snd_low(step);
+    int16_t out[SND_BLOCK];
+
+    wave_low(&tables, x + LOW_TAPS, SND_BLOCK, step, step, out);
+    for (int n = 0; n < SND_BLOCK; n++) {
+        int64_t sum = 1 << 13;
+        for (int j = 0; row >= 0 && j < LOW_TAPS; j++)
+            sum += (int64_t)x[LOW_TAPS / 2 + n + j] * tables.low[row][j];
+        assert_int_equal(out[n], row < 0 ? x[LOW_TAPS + n] : in16(sum >> 14));
+    }
+}
+
+static int32_t between(int32_t from, int32_t to, int n)
+{
+    return (from * SND_BLOCK + (to - from) * n) >> 5;
+}
+
+static void same_mix(void)
+{
+    const struct wave_sides from = { any16() & 32767, any16() & 32767 }, to = { any16() & 32767, any16() & 32767 };
+    int16_t wave[SND_BLOCK], level[SND_BLOCK];
+    int32_t left[SND_BLOCK], right[SND_BLOCK], was[SND_BLOCK];
+
+    for (int n = 0; n < SND_BLOCK; n++) {
+        wave[n] = any16();
+        level[n] = any16() & 32767;
+        was[n] = left[n] = right[n] = (int32_t)rng_next(&chance) >> 6;
+    }
+    wave_add(wave, level, &from, &to, left, right);
+    for (int n = 0; n < SND_BLOCK; n++) {
+        const int32_t heard = (wave[n] * level[n] + (1 << 14)) >> 15;
+        assert_int_equal(left[n], was[n] + (heard * between(from.left, to.left, n) >> 8));
+        assert_int_equal(right[n], was[n] + (heard * between(from.right, to.right, n) >> 8));
+    }
+}
+
+/* Filters and the mix are what is written here one by one, whatever comes. */
+static void test_plain(void **state)
+{
+    (void)state;
+    rng_seed(&chance, 8);
+    for (int round = 0; round < 3000; round++) {
+        for (size_t i = 0; i < sizeof x / sizeof *x; i++)
+            x[i] = any16();
+        same_sample(round);
+        same_low(round);
+        same_mix();
+    }
+}
+
+/* Operators at their extremes: the sum of those that are heard stays within 16 bits, and silence is silent. */
+static void test_operators(void **state)
+{
+    struct fm_op op[FM_OPS];
+    int16_t out[FM_BLOCK];
+
+    (void)state;
+    rng_seed(&chance, 9);
+    for (int round = 0; round < 4000; round++) {
+        const int algorithm = round % FM_ALGORITHMS, ops = round % 5 ? 4 : 2;
+        const unsigned heard = inst_heard(ops, algorithm);
+        int n_heard = 0;
+        for (int k = 0; k < ops; k++)
+            n_heard += heard >> k & 1 ? 1 : 0;
+        for (int k = 0; k < ops; k++) {
+            op[k].phase = (uint32_t)rng_next(&chance);
+            op[k].step = (uint32_t)rng_next(&chance);
+            op[k].scale = heard >> k & 1 ? 0 : (int)(rng_next(&chance) % 5);
+            for (int n = 0; n < FM_BLOCK; n++)
+                op[k].gain[n] = (int16_t)(heard >> k & 1 ? (round % 7 ? 32767 / n_heard : 0) : any16() & 32767);
+        }
+        const int32_t top = (FEEDBACK_ROWS - 1) * FEEDBACK_ROW, rows[2] = { round % 3 ? top : 0, round % 2 ? top : 0 };
+        fm_block(&tables, ops, algorithm, op, rows, out);
+        for (int n = 0; n < FM_BLOCK; n++) {
+            int32_t sum = 0; /* each operator alone can be no louder than its gain */
+            for (int k = 0; k < ops; k++)
+                sum += heard >> k & 1 ? op[k].gain[n] + 1 : 0;
+            assert_true(abs(out[n]) <= sum);
+        }
+    }
 }
 
 /* ---- time ---- */
@@ -237,7 +377,7 @@ static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samp
 static void test_time(void **state)
 {
     static struct played whole, parts;
-    const struct mml_about about = { 255, 4, 2, "" };
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     const char *text = "t137.31 l16 c d e4. r32 L f&g {ab}4 v3 p9 [c32]5 {{cdefgab}}2 r";
     const int pieces[] = { 1, 7, 32, 799, 800, 12345 };
     uint8_t *bytes;
@@ -320,6 +460,7 @@ int main(void)
         cmocka_unit_test(test_pitch),   cmocka_unit_test(test_halved), cmocka_unit_test(test_sinc),
         cmocka_unit_test(test_filter),  cmocka_unit_test(test_alias),  cmocka_unit_test(test_limit),
         cmocka_unit_test(test_level),   cmocka_unit_test(test_adpcm),  cmocka_unit_test(test_time),
+        cmocka_unit_test(test_sines),   cmocka_unit_test(test_plain),  cmocka_unit_test(test_operators),
         cmocka_unit_test(test_borders),
     };
 

@@ -24,10 +24,12 @@ void section_game(void);
 void section_rewind(void);
 void section_replay(void);
 void section_memory(void);
+void section_sound(void);
 void section_guards(void);
 
-/* The end of section "prices": what is only seen. */
+/* The end of section "prices": what is only seen; and what of a script's time is Lua's own. */
 void looks_prices(void);
+void floor_prices(void);
 
 /* The end of section "pictures": backgrounds. */
 void scenery_prices(void);

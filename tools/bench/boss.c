@@ -1,5 +1,5 @@
 /*
- * boss.c - section "boss": a boss fight as games have them, in three sizes, and where its frames go.
+ * boss.c - section "boss": a boss fight as games have them, in three sizes, where its frames go, and what its parts take.
  */
 #include <stdlib.h>
 #include "../../platform/platform.h"
@@ -9,6 +9,17 @@ enum { SIZES = 3, WARM = 400, ROUNDS = 12, FRAMES = 20, SPARKS = 320 };
 
 static const int sizes[SIZES] = { 3000, 10000, 30000 };
 
+/* What the fight of the first size is without: values of DIP price_part of roms/bench. */
+static const struct left_out {
+    const char *dip, *what;
+} LEFT_OUT[] = {
+    { "no_scenery", "two layers of tiles that scroll" },
+    { "no_lasers", "8 beams that turn, 220 px long and 8 wide" },
+    { "no_items", "64 items of 12 px" },
+    { "no_sparks", "300 sparks of 12 px" },
+};
+enum { LEFT_OUTS = sizeof LEFT_OUT / sizeof *LEFT_OUT };
+
 struct fight {
     struct scene scene;
     uint32_t *shown;
@@ -17,10 +28,11 @@ struct fight {
     int64_t live; /* bullets, summed over the frames that count */
 };
 
-static void open_fight(struct fight *f, int n)
+static void open_fight(struct fight *f, int n, const char *part)
 {
     bench_scene(&f->scene,
-                &(struct scene_want){ .does = "boss", .n = n, .bullets = 2 * n, .sparks = SPARKS, .scenery = true });
+                &(struct scene_want){
+                    .does = "boss", .price = part, .n = n, .bullets = 2 * n, .sparks = SPARKS, .scenery = true });
     f->shown = calloc((size_t)(f->scene.fb.w * f->scene.fb.h), sizeof *f->shown);
     if (!f->shown)
         report_fail("out of memory");
@@ -69,12 +81,54 @@ static void print_row(struct fight *f)
                us[LAP_REST], us[LAP_DRAW], us[LAP_PRESENT], samples_figure(&f->frame, 1e3), NULL);
 }
 
+/* The tick, of its parts: the median of each, so that what runs in few frames counts in none. */
+static double tick_of(struct fight *f)
+{
+    double sum = 0;
+
+    for (int l = 0; l < LAP_DRAW; l++)
+        sum += samples_median(&f->lap[l]);
+    return sum;
+}
+
+static void print_part(const char *what, struct fight *with, struct fight *without)
+{
+    const double tick = tick_of(with) - tick_of(without);
+    const double draw = samples_median(&with->lap[LAP_DRAW]) - samples_median(&without->lap[LAP_DRAW]);
+
+    report_row(false, what, report_string("%s", report_figure(tick / 1e3)),
+               report_string("%s", report_figure(draw / 1e3)), NULL);
+}
+
+/* What the fight takes beyond one without a part of it. */
+static void parts(void)
+{
+    static struct fight whole, without[LEFT_OUTS];
+
+    open_fight(&whole, sizes[0], NULL);
+    for (int i = 0; i < LEFT_OUTS; i++)
+        open_fight(&without[i], sizes[0], LEFT_OUT[i].dip);
+    for (int round = 0; round < ROUNDS; round++)
+        for (int i = -1; i < LEFT_OUTS; i++)
+            for (int k = 0; k < FRAMES; k++)
+                frame(i < 0 ? &whole : &without[i], k > 0);
+    report_text("What is in it beside bullets: microseconds of %s live beyond the same fight without it.",
+                report_count(whole.live / whole.frame.n));
+    report_table(NULL, "part | tick> | draw>");
+    for (int i = 0; i < LEFT_OUTS; i++)
+        print_part(LEFT_OUT[i].what, &whole, &without[i]);
+    report_table_end();
+    close_fight(&whole);
+    for (int i = 0; i < LEFT_OUTS; i++)
+        close_fight(&without[i]);
+}
+
 void section_boss(void)
 {
     static struct fight fights[SIZES];
 
     for (int i = 0; i < SIZES; i++)
-        open_fight(&fights[i], sizes[i]);
+        open_fight(&fights[i], sizes[i], NULL);
     for (int round = 0; round < ROUNDS; round++)
         for (int i = 0; i < SIZES; i++)
             for (int k = 0; k < FRAMES; k++)
@@ -88,6 +142,7 @@ void section_boss(void)
     for (int i = 0; i < SIZES; i++)
         print_row(&fights[i]);
     report_table_end();
+    parts();
     for (int i = 0; i < SIZES; i++) {
         const int64_t live = fights[i].live / fights[i].frame.n;
         bench_claim(live > sizes[i] * 4 / 5 && live < sizes[i] * 6 / 5 ? NULL : "it has another size",

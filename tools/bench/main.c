@@ -15,7 +15,7 @@ static const struct report_part SECTIONS[] = {
     { "prices", section_prices },   { "battle", section_battle },     { "pictures", section_pictures },
     { "lasers", section_lasers },   { "together", section_together }, { "game", section_game },
     { "rewind", section_rewind },   { "replay", section_replay },     { "memory", section_memory },
-    { "guards", section_guards },
+    { "sound", section_sound },     { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

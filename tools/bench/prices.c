@@ -221,6 +221,7 @@ void section_prices(void)
     print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | in all> | beyond straight>");
     report_text("What it takes to fire one, in figures of 64; it is gone in the same frame.");
     print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | in all> | beyond `bullet.fire`>");
+    floor_prices();
     item_prices();
     looks_prices();
 }

@@ -113,7 +113,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("guard", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, phases = {
+boss.def("guard", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, music = "queen", phases = {
   { id = "pincers", hp = 800, time = 26 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 800, time = 30 * 60, bonus = 15000,
     run = grotto, clear = FOAM, drops = { pearl = 8 } },

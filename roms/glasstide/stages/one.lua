@@ -81,14 +81,11 @@ local function deep()
 end
 
 stage.def("one", function()
-  music.play("tide")
   sea.speed(1.6)
   shallows()
   stage.mark("guard")
   sea.speed(0.8)
-  music.play("queen", { fade = 40 })
   boss.fight("guard")
-  music.play("tide", { fade = 60 })
   sea.speed(2.4)
   stage.at(2070)
   bg.show("abyss", { over = 60 })
@@ -96,10 +93,11 @@ stage.def("one", function()
   deep()
   stage.mark("queen")
   sea.speed(0.5)
-  music.play("queen", { fade = 60, again = true })
+  music.stop { fade = 60 }
   wait(60)
   meeting()
+  music.play("queen") -- until she is broken, however often she comes back
   queen.fight()
   music.stop { fade = 140 }
   wait(150)
-end)
+end, { music = "tide" })

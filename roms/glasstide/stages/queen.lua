@@ -182,7 +182,8 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of her bullets when a phase is beaten
 
-boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, phases = {
+boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76,
+                    music = "queen", phases = {
   { id = "wheels", hp = 1500, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1600, time = 50 * 60, bonus = 30000,
@@ -193,7 +194,7 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
     run = function(e) flower(e, 2000) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
-boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76,
+boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 76, music = "queen",
   phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
                run = function(e) flower(e, 1800) end } } })
 

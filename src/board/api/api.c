@@ -24,6 +24,15 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
 
 /* ---- the script digest ---- */
 
+enum { FOLDED = 16 /* bytes of a text that count as a VM instruction */ };
+
+void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
+{
+    if (n >= FOLDED)
+        vm_charge(L, n / FOLDED);
+    b->script.digest = hash_bytes(b->script.digest, s, n);
+}
+
 void api_fold(lua_State *L, struct board *b, int at)
 {
     size_t n;
@@ -42,8 +51,7 @@ void api_fold(lua_State *L, struct board *b, int at)
         break;
     case LUA_TSTRING: {
         const char *s = lua_tolstring(L, at, &n);
-        vm_charge(L, n / 16);
-        b->script.digest = hash_bytes(b->script.digest, s, n);
+        api_fold_text(L, b, s, n);
         break;
     }
     case LUA_TBOOLEAN:
@@ -54,6 +62,18 @@ void api_fold(lua_State *L, struct board *b, int at)
     }
 }
 
+void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v)
+{
+    double d;
+
+    if (v->type != LUA_TNUMBER) {
+        api_fold(L, b, v->at);
+        return;
+    }
+    memcpy(&d, &v->bits, sizeof d);
+    script_fold(b, !v->whole && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
+}
+
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n)
 {
     b->script.calls++;
@@ -61,7 +81,7 @@ void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct a
     for (int i = 0; i < n; i++)
         if (v[i].given) {
             script_fold(b, (uint64_t)i);
-            api_fold(L, b, v[i].at);
+            api_fold_looked(L, b, &v[i]);
         }
 }
 
@@ -95,11 +115,12 @@ const struct api_entry *api_find(const char *name)
     return NULL;
 }
 
-/* Every API function. Upvalue 1: the entry's address as light userdata; 2: a hash of its name, which is folded into the
- * digest in place of its index, so that new entries do not change old demos. */
+/* Every API function. The hash of its name is folded into the digest in place of its index, so that new entries do not
+ * change old demos. */
 static int call(lua_State *L)
 {
-    const struct api_entry *e = lua_touserdata(L, lua_upvalueindex(1));
+    struct api_bound *f = api_bound(L);
+    const struct api_entry *e = f->entry;
     struct board *b = vm_board(L);
     struct api_value v[MAX_PARAMS];
 
@@ -109,9 +130,9 @@ static int call(lua_State *L)
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
         return api_error(L, e->name, "call it with a colon, on a thing");
     const struct api_entry *fire;
-    int n = api_arguments(L, e, v, &fire);
+    int n = api_arguments_planned(L, f, v, &fire);
     if (e->flags & API_CHANGES) {
-        api_fold_call(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, n);
+        api_fold_call(L, b, f->hash, v, n);
         for (int i = e->plain + 1; e->flags & API_MORE && i <= lua_gettop(L); i++)
             api_fold(L, b, i);
     }
@@ -170,11 +191,12 @@ int api_sys_check(lua_State *L)
 
 /* ---- opening ---- */
 
-static void push_function(lua_State *L, const struct api_entry *e)
+void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f)
 {
-    lua_pushlightuserdata(L, (void *)(uintptr_t)e);
-    lua_pushinteger(L, (lua_Integer)hash_bytes(HASH_START, e->name, strlen(e->name)));
-    lua_pushcclosure(L, call, 2);
+    struct api_bound *bound = lua_newuserdatauv(L, sizeof *bound, 1);
+
+    *bound = (struct api_bound){ .entry = e, .hash = hash_bytes(HASH_START, e->name, strlen(e->name)) };
+    lua_pushcclosure(L, f, 1);
 }
 
 enum { SEARCH = 100 /* VM instructions that a search for an entry counts for */ };
@@ -197,7 +219,7 @@ bool api_push_member(lua_State *L, const char *of, char split, const char *name)
             const struct api_entry *e = &api_modules[m]->entries[i];
             const char *member = api_member(e, of, split);
             if (member && !strcmp(member, name) && !api_off(&vm_board(L)->cart.m, e->name)) {
-                push_function(L, e);
+                api_push_bound(L, e, call);
                 return true;
             }
         }
@@ -306,7 +328,7 @@ static void install(lua_State *L, const struct api_entry *e)
     if (!vm_board(L)->lasers.s.cap && !strncmp(e->name, "laser", 5))
         return;
     if (!split) {
-        push_function(L, e);
+        api_push_bound(L, e, call);
         lua_setglobal(L, e->name);
     } else if (*split == '.' && !(e->flags & API_SYS)) {
         snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);

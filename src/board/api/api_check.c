@@ -64,9 +64,9 @@ static void expected_number(lua_State *L, const char *entry, const struct api_pa
 
 static void check_int(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    int whole = 0;
+    int whole = v->whole;
 
-    v->i = lua_type(L, at) == LUA_TNUMBER ? lua_tointegerx(L, at, &whole) : 0;
+    v->i = whole ? v->bits : v->type == LUA_TNUMBER ? lua_tointegerx(L, at, &whole) : 0;
     if (p->type == A_COUNT && whole && v->i == LUA_MAXINTEGER)
         return;
     if (whole && (double)v->i >= p->lo && (double)v->i <= p->hi)
@@ -77,11 +77,22 @@ static void check_int(lua_State *L, const char *entry, const struct api_param *p
         expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
 }
 
+/* The number that was looked at; of what is none, 0. */
+static double number_of(const struct api_value *v)
+{
+    double d;
+
+    if (v->whole || v->type != LUA_TNUMBER)
+        return v->whole ? (double)v->bits : 0;
+    memcpy(&d, &v->bits, sizeof d);
+    return d;
+}
+
 static void check_number(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    bool is = lua_type(L, at) == LUA_TNUMBER;
+    bool is = v->type == LUA_TNUMBER;
 
-    v->n = is ? lua_tonumber(L, at) : 0;
+    v->n = number_of(v);
     if (!is || !(v->n >= p->lo && v->n <= p->hi))
         expected_number(L, entry, p, at, "a number");
     if (p->type == A_FX && !fx_from_double(v->n, &v->f))
@@ -121,9 +132,9 @@ static void check_span(lua_State *L, const char *entry, const struct api_param *
 
 static void check_dir(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    bool is = lua_type(L, at) == LUA_TNUMBER;
+    bool is = v->type == LUA_TNUMBER;
 
-    v->n = is ? lua_tonumber(L, at) : 0;
+    v->n = number_of(v);
     if (!is || !trig_from_degrees(v->n, &v->a))
         expected(L, entry, p, at, "a number of degrees");
 }
@@ -138,11 +149,13 @@ static void check_type(lua_State *L, const char *entry, const struct api_param *
 static void check_string(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     char what[64];
+    size_t bytes;
 
     (void)v;
     check_type(L, entry, p, at, LUA_TSTRING, "a string");
-    double n = (double)lua_rawlen(L, at);
-    if (strlen(lua_tostring(L, at)) != lua_rawlen(L, at))
+    const char *s = lua_tolstring(L, at, &bytes);
+    double n = (double)bytes;
+    if (strlen(s) != bytes)
         expected(L, entry, p, at, "a string without \\0");
     if (p->hi > 0 && (n < p->lo || n > p->hi)) {
         snprintf(what, sizeof what, "a string of %d to %d bytes", (int)p->lo, (int)p->hi);
@@ -154,7 +167,7 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
 {
     unsigned mask = (unsigned)p->lo;
 
-    v->i = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
+    v->i = v->whole ? v->bits : 0;
     if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
         return;
     for (int k = 1; k < HANDLES; k++)
@@ -284,6 +297,8 @@ static void check_tune(lua_State *L, const char *entry, const struct api_param *
         return;
     for (int i = 0; i < (sound ? cart->sounds : cart->tunes); i++)
         api_suggest_nearer(name, sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
+    if ((sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
+        api_error(L, entry, "\"%s\" is not in rom.lua's %s: it is in its %s", name, list, sound ? "music" : "sounds");
     if (!found)
         api_error(L, entry, "\"%s\" is not in rom.lua's %s", name, list);
     api_error(L, entry, "\"%s\" is not in rom.lua's %s (did you mean \"%s\"?)", name, list, found);
@@ -336,7 +351,7 @@ static void check_word(lua_State *L, const char *entry, const struct api_param *
 
 static void check_pad(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    v->i = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
+    v->i = v->whole ? v->bits : 0;
     if (handle_is(v->i) && handle_kind(v->i) == H_PLAYER) {
         if (!handle_gen(v->i)) {
             v->i = 0;
@@ -350,7 +365,7 @@ static void check_pad(lua_State *L, const char *entry, const struct api_param *p
 
 static void check_motion(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    int64_t h = lua_isinteger(L, at) ? lua_tointeger(L, at) : 0;
+    int64_t h = v->whole ? v->bits : 0;
 
     if (handle_is(h) && handle_kind(h) == H_MOTION) {
         v->i = handle_gen(h) ? handle_slot(h) + 1 : 0;
@@ -453,14 +468,17 @@ static check *const CHECKS[] = {
     [A_DOWN] = check_word,
 };
 
+void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v)
+{
+    assert(p->type < sizeof CHECKS / sizeof *CHECKS && CHECKS[p->type]);
+    CHECKS[p->type](L, entry, p, v->at, v);
+}
+
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    v->at = at;
-    v->given = !lua_isnoneornil(L, at);
-    if (!v->given && p->optional)
-        return;
-    assert(p->type < sizeof CHECKS / sizeof *CHECKS && CHECKS[p->type]);
-    CHECKS[p->type](L, entry, p, at, v);
+    api_look(L, at, at, v);
+    if (v->given || !p->optional)
+        api_check_looked(L, entry, p, v);
 }
 
 double api_default(const struct api_param *p)
@@ -476,10 +494,10 @@ double api_default(const struct api_param *p)
 }
 
 /* Numbers keep their default as text, as Lua spells it. */
-static void fill_default(const struct api_param *p, struct api_value *v)
+void api_fill_default(const struct api_param *p, struct api_value *v)
 {
-    if (!p->def)
-        return;
+    if (!p->def || (p->def[0] == '0' && !p->def[1]) || (p->type == A_BOOL && p->def[0] == 'f'))
+        return; /* nearly all: v is 0 and false already */
     v->n = api_default(p);
     v->i = (int64_t)v->n;
     if (p->type == A_FX)
@@ -506,7 +524,7 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
 
 /* Whose parameters a call takes besides its own: of a pattern, by the field `fire` of its table at `at`. A wrong word
  * there is found when that argument is checked. */
-static const struct api_entry *fires(lua_State *L, const struct api_entry *e, int at)
+const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int at)
 {
     if (!(e->flags & API_FIRE))
         return NULL;
@@ -529,7 +547,7 @@ static const struct api_entry *fires(lua_State *L, const struct api_entry *e, in
 }
 
 /* An entry's own parameter hides one of `fire` of the same name, because it comes first. */
-static int param_named(const struct api_entry *e, const struct api_entry *fire, const char *name)
+int api_search_param(const struct api_entry *e, const struct api_entry *fire, const char *name)
 {
     int n = api_param_count(e, fire);
 
@@ -550,9 +568,9 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
 
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
-    if (fire == api_fire[FIRES_BULLETS] && param_named(api_fire[FIRES_SHOTS], NULL, name) >= 0)
+    if (fire == api_fire[FIRES_BULLETS] && api_search_param(api_fire[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "%s is an argument of shots (did you mean to add fire = \"shot\"?)", name);
-    if (api_step_word(name) && param_named(e, fire, "motion") >= 0)
+    if (api_step_word(name) && api_search_param(e, fire, "motion") >= 0)
         api_error(L, e->name,
                   "unknown argument \"%s\" (it is of a motion's steps: motion = motion.def { { %s = ... } })", name,
                   name);
@@ -565,10 +583,12 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     api_error(L, e->name, "unknown argument \"%s\"", name);
 }
 
-/* Spreads the table of named arguments at `at` over the stack from `first` on, a slot a parameter. */
-static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fire, int at, int first)
+/* Spreads the table of named arguments at `at` over the stack behind it, a slot a parameter, and looks at them. */
+static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fire, int at, struct api_value *v)
 {
+    const int n = api_param_count(e, fire), first = at + 1;
     const enum api_names values = api_value_names(fire ? fire : e);
+    struct board *b = vm_board(L);
     const char *wrong = NULL;
 
     lua_pushnil(L);
@@ -577,17 +597,19 @@ static void spread(lua_State *L, const struct api_entry *e, const struct api_ent
             const char *got = push_got(L, -2);
             api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", got);
         }
-        int i = param_named(e, fire, lua_tostring(L, -2));
-        if (i < 0 && api_values(vm_board(L), values) > 0) {
-            int k = api_names_find(L, values, lua_tostring(L, -2));
-            i = k == NO_SLOT ? -1 : api_param_count(e, fire) + k;
+        const char *key = lua_tostring(L, -2);
+        int i = api_search_param(e, fire, key);
+        if (i < 0 && api_values(b, values) > 0) {
+            int k = api_names_find(L, values, key);
+            i = k == NO_SLOT ? -1 : n + k;
         }
+        if (i >= 0 && i < n)
+            api_look(L, first + i - e->plain, -1, &v[i]);
         if (i >= 0)
             lua_replace(L, first + i - e->plain);
         else {
-            const char *name = lua_tostring(L, -2);
-            if (!wrong || strcmp(name, wrong) < 0)
-                wrong = name;
+            if (!wrong || strcmp(key, wrong) < 0)
+                wrong = key;
             lua_pop(L, 1);
         }
     }
@@ -619,9 +641,11 @@ static bool runs_bare(lua_State *L)
     return true;
 }
 
+enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments for which, and for what is done with them, a C function has room */
+
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
-    const struct api_entry *fire = *fire_of = fires(L, e, e->plain + 1);
+    const struct api_entry *fire = *fire_of = api_fires(L, e, e->plain + 1);
     const enum api_names names = api_value_names(fire ? fire : e);
     int n = api_param_count(e, fire), top = lua_gettop(L), values = api_values(vm_board(L), names);
     int named = n - e->plain;
@@ -630,12 +654,14 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         const char *usual = e->plain + (named > 0) == 1 ? "" : "s";
         api_error(L, e->name, "expected at most %d argument%s, got %d", e->plain + (named > 0), usual, top);
     }
-    luaL_checkstack(L, n + 16, NULL);
+    if (n + values > ROOMY)
+        luaL_checkstack(L, n + 16, NULL);
+    memset(v, 0, (size_t)n * sizeof *v);
     if (named > 0) {
         int at = e->plain + 1;
         lua_settop(L, at + named + values);
         if (lua_type(L, at) == LUA_TTABLE)
-            spread(L, e, fire, at, at + 1);
+            spread(L, e, fire, at, v);
         else if (!lua_isnil(L, at)) {
             const char *got = push_got(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s%s", got,
@@ -646,15 +672,16 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
     bool lenient = false; /* with `each`, something else than `fire` may be called */
     for (int i = 0; i < n; i++) {
         const struct api_param *p = api_param_at(e, fire, i);
-        int at = i < e->plain ? i + 1 : i + 2;
-        bool given = !lua_isnoneornil(L, at);
-        if (given && i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
-            lenient = true;
-        v[i] = (struct api_value){ .at = at };
-        if (given || !(p->optional || (lenient && i >= e->count)))
-            api_check(L, e->name, p, at, &v[i]);
+        if (i < e->plain)
+            api_look(L, i + 1, i + 1, &v[i]);
         else
-            fill_default(p, &v[i]);
+            v[i].at = i + 2;
+        if (v[i].given && i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
+            lenient = true;
+        if (v[i].given || !(p->optional || (lenient && i >= e->count)))
+            api_check_looked(L, e->name, p, &v[i]);
+        else
+            api_fill_default(p, &v[i]);
     }
     check_values(L, e, names, n + 2, v + n);
     return n + values;

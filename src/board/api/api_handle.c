@@ -27,7 +27,7 @@ bool api_push_method(lua_State *L, int kind, const char *name)
     return lua_isfunction(L, -1);
 }
 
-static const struct api_prop *prop_named(const struct api_thing *t, const char *name, int *index)
+static const struct api_prop *search_prop(const struct api_thing *t, const char *name, int *index)
 {
     for (int i = 0; i < t->n; i++)
         if (!strcmp(t->props[i].value.name, name)) {
@@ -41,7 +41,34 @@ bool api_property(const struct api_thing *t, const char *name)
 {
     int unused;
 
-    return prop_named(t, name, &unused) != NULL;
+    return search_prop(t, name, &unused) != NULL;
+}
+
+/* The property of that name, if it stands where one was found last; else NULL. No verb has a property's name. */
+static const struct api_prop *prop_guessed(const struct api_thing *t, const uint8_t *guess, const char *name)
+{
+    return *guess < t->n && !strcmp(t->props[*guess].value.name, name) ? &t->props[*guess] : NULL;
+}
+
+/* The guess for a property of things of that kind; reads and writes have theirs, so that the first read of a name
+ * always goes the same way. */
+static uint8_t *prop_guess(struct board *b, enum handle_kind kind, bool write, const char *name, size_t n)
+{
+    return &b->vm.guesses.props[api_guess(name, n, (unsigned)kind + (write ? HANDLES : 0))];
+}
+
+static const struct api_prop *prop_named(const struct api_thing *t, uint8_t *guess, const char *name, int *index)
+{
+    const struct api_prop *prop = prop_guessed(t, guess, name);
+
+    if (prop) {
+        *index = *guess;
+        return prop;
+    }
+    prop = search_prop(t, name, index);
+    if (prop)
+        *guess = (uint8_t)*index;
+    return prop;
 }
 
 /* Groups and motions are always alive. */
@@ -200,10 +227,23 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
                      name, switched[i].word);
 }
 
+/* Of a thing that is there, and of a player's properties that last. */
+static int push_property(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int p)
+{
+    const struct api_prop *prop = &t->props[p];
+
+    check_on(L, b, t, handle_kind(h), prop->value.name);
+    if (!board_there(b, h) && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
+        return lua_pushnil(L), 1;
+    t->get(L, b, handle_slot(h), p);
+    return 1;
+}
+
 static int get_property(lua_State *L)
 {
     struct board *b = vm_board(L);
     int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
+    size_t bytes;
     int p;
 
     if (!handle_is(h))
@@ -211,14 +251,17 @@ static int get_property(lua_State *L)
     if (lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "%s has no property of type %s", api_thing_names[handle_kind(h)],
                         luaL_typename(L, 2));
-    const char *name = lua_tostring(L, 2);
+    const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_things[handle_kind(h)];
+    uint8_t *guess = prop_guess(b, handle_kind(h), false, name, bytes);
+    if (prop_guessed(t, guess, name))
+        return push_property(L, b, t, h, *guess);
     if (api_push_method(L, (int)handle_kind(h), name))
         return 1;
     bool alive = board_alive(b, h);
     if (!strcmp(name, "alive") && may_die(handle_kind(h)))
         return lua_pushboolean(L, alive), 1;
-    const struct api_prop *prop = prop_named(t, name, &p);
+    const struct api_prop *prop = prop_named(t, guess, name, &p);
     if (handle_kind(h) == H_PLAYER && !prop) {
         int reg = api_player_register(L, b, handle_slot(h), name);
         if (reg >= 0) {
@@ -229,11 +272,7 @@ static int get_property(lua_State *L)
     }
     if (!prop)
         return get_value(L, b, t, h, name);
-    check_on(L, b, t, handle_kind(h), name);
-    if (!board_there(b, h) && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
-        return lua_pushnil(L), 1;
-    t->get(L, b, handle_slot(h), p);
-    return 1;
+    return push_property(L, b, t, h, p);
 }
 
 /* A register stops at its least, whatever is taken from it, and at its most, whatever is added. */
@@ -250,18 +289,20 @@ static int set_property(lua_State *L)
     struct board *b = vm_board(L);
     int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
     struct api_value v = { 0 };
+    size_t bytes;
     int p;
 
     if (!handle_is(h) || lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
-    const char *name = lua_tostring(L, 2);
+    const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_things[handle_kind(h)];
-    const struct api_prop *prop = prop_named(t, name, &p);
+    const struct api_prop *prop = prop_named(t, prop_guess(b, handle_kind(h), true, name, bytes), name, &p);
     bool alive = board_alive(b, h);
     script_fold(b, 0x2000);
-    api_fold(L, b, 1);
-    api_fold(L, b, 2);
-    api_fold(L, b, 3);
+    script_fold(b, (uint64_t)h);
+    api_fold_text(L, b, name, bytes);
+    api_look(L, 3, 3, &v);
+    api_fold_looked(L, b, &v);
     if (handle_kind(h) == H_PLAYER && !prop) {
         int reg = api_player_register(L, b, handle_slot(h), name);
         if (reg >= 0)
@@ -273,7 +314,8 @@ static int set_property(lua_State *L)
     if (!prop || prop->write != PROP_WRITE)
         return read_only(L, t, (int)handle_kind(h), name);
     check_on(L, b, t, handle_kind(h), name);
-    api_check(L, t->name, &prop->value, 3, &v);
+    if (v.given || !prop->value.optional)
+        api_check_looked(L, t->name, &prop->value, &v);
     if (alive)
         t->set(L, b, handle_slot(h), p, &v);
     return 0;

@@ -66,12 +66,26 @@ void api_names_declare(lua_State *L, enum api_names what, const char *entry, con
         vm_board(L)->names[what].at[index] = name;
 }
 
-int api_names_find(lua_State *L, enum api_names what, const char *name)
+static int find_in_table(lua_State *L, enum api_names what, const char *name)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]) == LUA_TNIL)
         return lua_pop(L, 1), NO_SLOT;
     int index = lua_getfield(L, -1, name) == LUA_TNUMBER ? (int)lua_tointeger(L, -1) : NO_SLOT;
     lua_pop(L, 2);
+    return index;
+}
+
+int api_names_find(lua_State *L, enum api_names what, const char *name)
+{
+    struct board *b = vm_board(L);
+    uint16_t *guess = &b->vm.guesses.names[api_guess(name, strlen(name), (unsigned)what)];
+    const char *there = api_names_at(b, what, *guess);
+
+    if (there && (there == name || !strcmp(there, name)))
+        return *guess;
+    int index = find_in_table(L, what, name);
+    if (index >= 0 && index <= UINT16_MAX)
+        *guess = (uint16_t)index;
     return index;
 }
 

@@ -5,9 +5,57 @@
 #ifndef BOARD_API_PARTS_H
 #define BOARD_API_PARTS_H
 
+#include <string.h>
 #include "../api.h"
 
 enum { MAX_PARAMS = 40 };
+
+/* What a function of the API is bound to, its upvalue: a userdata, whose user value is what plan points to. */
+struct api_bound {
+    const struct api_entry *entry;
+    uint64_t hash;         /* of its name */
+    struct api_plan *plan; /* api_plan.c; NULL: none was made */
+    uint32_t tables;       /* calls that could have made one */
+};
+
+/* Pushes f as a function that is bound to e. */
+void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f);
+
+/* What the function that runs is bound to. */
+static inline struct api_bound *api_bound(lua_State *L)
+{
+    return lua_touserdata(L, lua_upvalueindex(1));
+}
+
+/* What Lua says of the value at index `now`, which is to stand at `at`: once for its check, the digest and who wants
+ * the number. */
+static inline void api_look(lua_State *L, int at, int now, struct api_value *v)
+{
+    v->at = at;
+    v->whole = lua_isinteger(L, now);
+    v->type = v->whole ? LUA_TNUMBER : (int8_t)lua_type(L, now);
+    v->given = v->type > LUA_TNIL;
+    if (v->whole) {
+        v->bits = lua_tointeger(L, now);
+    } else if (v->type == LUA_TNUMBER) {
+        const double d = lua_tonumber(L, now);
+        memcpy(&v->bits, &d, sizeof d);
+    }
+}
+
+/* Checks a value that was looked at, given or not; and fills in what p says where none is given. */
+void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
+void api_fill_default(const struct api_param *p, struct api_value *v);
+
+/* Where a name is likely to be found: the place, among VM_GUESSES, under which it is kept where a name of n bytes was
+ * found last among those of `of`. It hashes letters and no address. It is only a guess: who takes it compares the whole
+ * name, and searches if it is another, so whatever stands among struct vm_guesses, a search ends the same way. */
+static inline unsigned api_guess(const char *name, size_t n, unsigned of)
+{
+    const uint8_t *c = (const uint8_t *)name;
+
+    return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + of * 41u) % VM_GUESSES;
+}
 
 /* The entries of bullet.fire, shot.fire, laser.bolt, laser.curve and laser.beam. A pattern (API_FIRE) takes the
  * parameters of one of them too: of what its argument `fire` names, by FIRES_. */
@@ -88,6 +136,14 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
  * besides its own, or NULL. */
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
+/* api_arguments of the function that runs, in less time if its table looks like those before. */
+int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire);
+
+/* Whose parameters a call of e takes besides its own, by the field `fire` of its table at `at`; NULL: none. And the
+ * number of the parameter of that name, or -1. */
+const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int at);
+int api_search_param(const struct api_entry *e, const struct api_entry *fire, const char *name);
+
 /* Pushes a table of the call's arguments, checked as those of e, with its defaults; returns 1. Errors begin with e's
  * name, which may say more, in quotes: "boss.def phase \"rain\"". */
 int api_checked(lua_State *L, const struct api_entry *e);
@@ -97,6 +153,11 @@ int api_sys_check(lua_State *L);
 
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
+
+/* The same of a value that was looked at, and stands at v->at: of a number, nothing more is asked of Lua. And of a
+ * text. */
+void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v);
+void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n);
 
 /* Folds a call: a hash of the entry's name, and the arguments that were given of v, as they were given. */
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n);

@@ -179,15 +179,14 @@ static uint8_t extreme(const struct board *b, bool bright)
     return (uint8_t)at;
 }
 
-static void put_white(struct draw_target *c, uint32_t i)
+static void put_white(struct draw_target *c, uint32_t i, unsigned dots)
 {
     const struct enemies *e = &c->b->enemies;
     const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
     struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
 
     blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox, c->y + fx_floor(e->y[i]) - s->oy, extreme(c->b, true),
-               e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0);
-    c->drawn++;
+               (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
 static void draw_enemies(struct draw_target *c)
@@ -198,11 +197,15 @@ static void draw_enemies(struct draw_target *c)
     EACH_LIVE (i, &e->s) {
         if (e->flags[i] & ENEMY_HIDDEN)
             continue;
-        if (e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i))
-            put_white(c, i);
-        else
+        const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i);
+        const bool soft = k->flags[e->kind[i]] & ENEMY_SOFT;
+        if (!white || soft)
             put(c, enemies_picture(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i] & ENEMY_BANK,
                 e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+        else
+            c->drawn++;
+        if (white)
+            put_white(c, i, soft ? BLIT_DOTS : 0);
     }
 }
 

@@ -3,9 +3,9 @@
  * front, over all sprites.
  *
  * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
- * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an empty
- * tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows. What is
- * mixed with what is under it is put together in a buffer first, a row at a time.
+ * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an
+ * empty tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows.
+ * What is mixed with what is under it is put together in a buffer first, a row at a time.
  *
  * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
  * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
@@ -154,7 +154,8 @@ static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map
     const int side = m->side, skip = (int)r->x & (side - 1), in = (int)r->my & (side - 1);
     const int left = c->b->cart.m.field_x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
     uint8_t *d = c->fb->pix + (c->b->cart.m.field_y + r->y) * c->fb->pitch + left;
-    const bool cut_left = left<c->fb->sx0, cut_right = left + t->n * side> c->fb->sx1;
+    const bool cut_left = left < c->fb->sx0;
+    const bool cut_right = left + t->n * side > c->fb->sx1;
     const int first = cut_left ? 1 : 0, last = t->n - (cut_right && t->n > first ? 1 : 0);
 
     if (cut_left)

@@ -3,10 +3,10 @@
  *
  * A counting sort lists every kind's bullets in slot order as destinations (stamp.h), or by slot those that hang over
  * the clip's edge. A picture that all of a kind show is then stamped in one batch; where they are turned, animated or
- * blended, their slots are listed as well, and each one's own picture is picked, again in batches. Which of these a kind
- * takes is decided once a kind, so that one that is drawn in another way slows no other. When the overdraw is high,
- * bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to cover it,
- * then, of the others, those that can still be seen.
+ * blended, their slots are listed as well, and each one's own picture is picked, again in batches. Which of these a
+ * kind takes is decided once a kind, so that one that is drawn in another way slows no other. When the overdraw is
+ * high, bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to
+ * cover it, then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
@@ -281,8 +281,10 @@ static void list_other(struct lists *l, const struct bullets *s, const struct vi
     if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high) {
         l->slots[cursor->next] = i;
         l->list[cursor->next++] = stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]);
-    } else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
+    } else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0) {
+        l->slots[cursor->next] = i;
         l->list[cursor->next++] = STAMP_OTHER | i;
+    }
 }
 
 /* Lists those bullets of a block that m names, one by one. */
@@ -291,9 +293,10 @@ static void list_some(struct lists *l, const struct bullets *s, const struct vie
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         struct cursor *cursor = &l->cursor[s->kind[i]];
-        if (t->clips && l->by_slot[s->kind[i]])
+        if (t->clips && l->by_slot[s->kind[i]]) {
+            l->slots[cursor->next] = i;
             l->list[cursor->next++] = STAMP_OTHER | i;
-        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i])) {
+        } else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i])) {
             l->slots[cursor->next] = i;
             l->list[cursor->next++] = ((uint32_t)s->bank[i] << 28) +
                                       (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
@@ -303,28 +306,68 @@ static void list_some(struct lists *l, const struct bullets *s, const struct vie
     }
 }
 
+enum { RUN = 8 };
+
+/* Bullets of one kind, as rings are: no counter waits for another. */
+static bool is_run(const uint16_t *kinds)
+{
+    uint64_t a, b;
+
+    memcpy(&a, kinds, sizeof a);
+    memcpy(&b, kinds + 4, sizeof b);
+    return a == b && a == kinds[0] * (uint64_t)0x0001000100010001;
+}
+
+static inline void list_run(uint32_t *restrict list, const uint32_t *restrict at, uint32_t from)
+{
+    for (int k = 0; k < RUN; k++)
+        list[k] = at[k] + from;
+}
+
+static inline void list_slots(uint32_t *restrict slots, uint32_t first)
+{
+    for (uint32_t k = 0; k < RUN; k++)
+        slots[k] = first + k;
+}
+
+/* Lists a block of which no bullet needs clipping; own: with their slots, a constant where this is called. */
+__attribute__((always_inline)) static inline void list_whole(struct lists *l, const uint16_t *kinds,
+                                                             const uint32_t at[SLOTS_BLOCK], uint32_t first, bool own)
+{
+    uint32_t *list = l->list, *slots = l->slots;
+
+    for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN) {
+        struct cursor *cursor = &l->cursor[kinds[k]];
+        if (is_run(kinds + k)) {
+            list_run(list + cursor->next, at + k, cursor->from);
+            if (own)
+                list_slots(slots + cursor->next, first + k);
+            cursor->next += RUN;
+            continue;
+        }
+#pragma GCC unroll 8
+        for (uint32_t i = 0; i < RUN; i++) {
+            cursor = &l->cursor[kinds[k + i]];
+            const uint32_t next = cursor->next++;
+            list[next] = at[k + i] + cursor->from;
+            if (own)
+                slots[next] = first + k + i;
+        }
+    }
+}
+
 /* Lists a block whose slots are all live and need no clipping, the usual case. False: it listed nothing. */
 static bool list_block(struct lists *l, const struct bullets *s, const struct view *t, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
-    const uint16_t *kinds = s->kind + first;
-    uint32_t *list = l->list, *slots = l->slots, at[SLOTS_BLOCK];
+    uint32_t at[SLOTS_BLOCK];
 
     if (l->some_by_slot || ~s->s.used[block] || !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
         return false;
-    if (l->some_own) {
-        for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
-            struct cursor *cursor = &l->cursor[kinds[k]];
-            const uint32_t next = cursor->next++;
-            list[next] = at[k] + cursor->from;
-            slots[next] = first + k;
-        }
-        return true;
-    }
-    for (uint32_t k = 0; k < SLOTS_BLOCK; k++) {
-        struct cursor *cursor = &l->cursor[kinds[k]];
-        list[cursor->next++] = at[k] + cursor->from;
-    }
+    if (l->some_own)
+        list_whole(l, s->kind + first, at, first, true);
+    else
+        list_whole(l, s->kind + first, at, first, false);
     return true;
 }
 
@@ -367,12 +410,13 @@ static void draw_other(struct draw_target *c, const struct bullets *s, const str
 /* How the pictures of a kind that is turned or animated are picked: by multiplication. age * every >> AGE_BITS is the
  * quotient, for the reciprocal is too large by less than 1 in 2^AGE_BITS / 2^16, and ages are below YOUNG. */
 struct picker {
-    const uint8_t *pix;
     uint32_t size;                         /* bytes of one */
     uint32_t rotations, all, frames, slow; /* all: turned copies there are of each frame; slow: frames a picture */
     uint64_t every, round;                 /* reciprocals of frames a picture, and of pictures a round */
     ang along, spin;                       /* along: all bits, or none */
     bool ages;                             /* the age matters */
+    unsigned shift;                        /* rotations are 2^(32 - shift); 0: they are no power of 2 */
+    ang half;                              /* of one */
 };
 
 enum { AGE_BITS = 40, YOUNG = 1 << 23 };
@@ -382,12 +426,21 @@ static uint64_t reciprocal(uint32_t n)
     return ((uint64_t)1 << AGE_BITS) / n + 1;
 }
 
+static unsigned shift_of(uint32_t rotations)
+{
+    unsigned shift = 31;
+
+    while (shift && rotations != 1u << (32 - shift))
+        shift--;
+    return shift;
+}
+
 static struct picker picker_of(const struct style *style)
 {
     const struct sprite *pic = style->pic;
+    const unsigned shift = shift_of(pic->rotations);
 
-    return (struct picker){ .pix = pic->pix,
-                            .size = (uint32_t)pic->pitch * (uint32_t)pic->h,
+    return (struct picker){ .size = (uint32_t)pic->pitch * (uint32_t)pic->h,
                             .rotations = style->turns ? pic->rotations : 0,
                             .all = pic->rotations,
                             .frames = pic->frames,
@@ -396,72 +449,77 @@ static struct picker picker_of(const struct style *style)
                             .round = reciprocal(pic->frames),
                             .along = style->along ? UINT32_MAX : 0,
                             .spin = style->spin,
-                            .ages = pic->frames > 1 || style->spin };
+                            .ages = pic->frames > 1 || style->spin,
+                            .shift = shift,
+                            .half = shift ? 1u << (shift - 1) : 0 };
 }
 
-/* dir, in turned copies. */
-static inline uint32_t turn_of(ang dir, uint32_t rotations)
-{
-    const uint32_t turn = (uint32_t)(((uint64_t)dir * rotations + (1u << 31)) >> 32);
-
-    return turn < rotations ? turn : 0;
-}
-
-/* The pixels of bullet i's picture, where its age matters. */
-static inline const uint8_t *picked(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
+/* Where bullet i's picture is, where its age matters. */
+static inline uint32_t picked(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
 {
     const uint32_t age = bullets_age(s, i, clock);
     const uint32_t at = age < YOUNG ? (uint32_t)(age * p->every >> AGE_BITS) : age / p->slow;
     const uint32_t frame = at < YOUNG ? at - (uint32_t)(at * p->round >> AGE_BITS) * p->frames : at % p->frames;
 
-    return p->pix + (size_t)(frame * p->all + turn_of((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
+    return (frame * p->all + stamp_turn((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
 }
 
-/* Bullets of one kind that are opaque, or mixed by a rule: all that need no clipping in batches. */
-struct batch {
-    struct blit_item items[BATCH];
-    size_t n;
-};
-
-static void draw_batch(struct draw_target *c, const struct style *style, struct batch *batch)
+/* Where the pictures of n bullets are. What is listed by slot is asked for as well, and not drawn. */
+static void pick(const struct draw_target *c, const struct bullets *s, const struct picker *picker,
+                 const uint32_t *restrict slots, uint32_t n, uint32_t *restrict at)
 {
-    const struct sprite *pic = style->pic;
+    const struct picker p = *picker;
+    const ang *dir = s->dir;
 
-    blit_batch(batch->items, batch->n, c->fb->pitch, pic->w, pic->h, pic->pitch, style->mix);
-    batch->n = 0;
+    if (p.ages)
+        for (uint32_t k = 0; k < n; k++)
+            at[k] = picked(&p, s, slots[k], c->b->core.clock);
+    else if (p.shift)
+        for (uint32_t k = 0; k < n; k++)
+            at[k] = ((dir[slots[k]] + p.half) >> p.shift) * p.size;
+    else
+        for (uint32_t k = 0; k < n; k++)
+            at[k] = stamp_turn(dir[slots[k]], p.rotations) * p.size;
 }
 
-/* Puts bullets into the batch up to the first that is listed by slot, at most so many as there is room for; returns how
- * many. */
-static size_t take_batch(const struct draw_target *c, const struct bullets *s, const struct picker *p,
-                         const uint32_t *list, const uint32_t *slots, size_t n, struct batch *batch)
-{
-    const struct fb *fb = c->fb;
-    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
-    const uint32_t clock = c->b->core.clock;
-    size_t k = 0;
-
-    for (n = n < BATCH ? n : BATCH; k < n && !(list[k] & STAMP_OTHER); k++) {
-        const uint32_t i = slots[k];
-        const uint8_t *pix =
-            p->ages ? picked(p, s, i, clock) : p->pix + (size_t)turn_of(s->dir[i], p->rotations) * p->size;
-        batch->items[k] = (struct blit_item){ pix, first + (list[k] & (STAMP_OTHER - 1)), list[k] >> 28 };
-    }
-    return batch->n = k;
-}
-
-static void draw_batches(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
-                         const struct style *style, uint32_t n)
+/* Eight pixels wide, and turned: most bullets. A store is what a row waits for, so the copy is found meanwhile; with
+ * wider pictures the time is shorter where copies are picked before. */
+static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                        const struct style *style, const struct picker *p, uint32_t n)
 {
     const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
-    const struct picker p = picker_of(style);
-    struct batch batch;
+    const struct image image = video_image(style->pic, 0, false, 0);
+    struct stamp_turns turns = { .dir = s->dir, .size = p->size, .rotations = p->rotations };
 
-    for (size_t k = 0; k < n;) {
-        k += take_batch(c, s, &p, list + k, slots + k, n - k, &batch);
-        draw_batch(c, style, &batch);
-        if (k < n && list[k] & STAMP_OTHER)
-            draw_other(c, s, l, t, list[k++] & (STAMP_OTHER - 1));
+    for (uint32_t k = 0; k < n; k++) {
+        turns.which = slots + k;
+        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, list + k, n - k);
+        if (k < n)
+            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
+    }
+}
+
+/* Each shows a picture of its own. */
+static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+                     const struct style *style, uint32_t n)
+{
+    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const struct image image = video_image(style->pic, 0, false, 0);
+    const struct picker p = picker_of(style);
+    uint32_t at[BATCH];
+
+    if (!p.ages && image.pitch == 8) {
+        draw_turned(c, s, l, t, style, &p, n);
+        return;
+    }
+    for (uint32_t k = 0, most; k < n; k += most) {
+        most = n - k < BATCH ? n - k : BATCH;
+        pick(c, s, &p, slots + k, most, at);
+        for (uint32_t j = 0; j < most; j++) {
+            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, list + k + j, most - j);
+            if (j < most)
+                draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
+        }
     }
 }
 
@@ -498,7 +556,7 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, const stru
     else if (style->singly)
         draw_singly(c, s, l, t, style, n);
     else
-        draw_batches(c, s, l, t, style, n);
+        draw_own(c, s, l, t, style, n);
 }
 
 static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)

@@ -347,8 +347,9 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     return true;
 }
 
-const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item", "bomb",
-                                           "warning", "menu", "extend", "spell", "time" };
+const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item",    "bomb",
+                                           "warning", "menu", "extend", "spell", "bonus",   "time",
+                                           "select",  "back", "wrong",  "pause", "continue" };
 
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
@@ -572,6 +573,13 @@ static uint32_t samples_of(const struct cart *cart, uint32_t tune)
     if (i == cart->tunes || !find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l))
         return 0;
     return (uint32_t)(l.data - cart->tune_data);
+}
+
+size_t cart_wave_size(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    return i >= 0 && find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l) ? l.size : 0;
 }
 
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)

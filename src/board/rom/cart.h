@@ -65,8 +65,15 @@ enum cart_cue {
     CUE_WARNING,
     CUE_MENU,
     CUE_EXTEND,
+    /* Those from here on the library asks for by their names, and "warning" and "menu". */
     CUE_SPELL,
+    CUE_BONUS,
     CUE_TIME,
+    CUE_SELECT,
+    CUE_BACK,
+    CUE_WRONG,
+    CUE_PAUSE,
+    CUE_CONTINUE,
     CART_CUES
 };
 extern const char *const cart_cues[CART_CUES]; /* "shot" */
@@ -147,6 +154,9 @@ int cart_find_tune(const struct cart *cart, const char *name);
 const char *cart_sound_name(const struct cart *cart, int i);
 uint32_t cart_sound(const struct cart *cart, int i);
 int cart_find_sound(const struct cart *cart, const char *name);
+
+/* Bytes of the samples of piece of music i; 0: it is no stream, or there is no i. */
+size_t cart_wave_size(const struct cart *cart, int i);
 
 /* The recording of an instrument, bytes `inst` of the tune at `tune`: its place; 0: there is none. */
 uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst);

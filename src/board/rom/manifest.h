@@ -144,6 +144,7 @@ struct art_sound {
     char mml[ART_MML];
     char title[64];
     int32_t volume, priority, limit; /* volume: of 255 */
+    int32_t duck;                    /* of 255, how much softer music is while it plays */
     /* of a recording */
     bool exact;  /* kept as 16 bits */
     bool stereo; /* two voices, if it has two channels */

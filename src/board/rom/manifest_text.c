@@ -830,13 +830,14 @@ static void read_maps(const struct at *root, struct manifest *m, struct art *art
 }
 
 /* A part of one as a number from 0 to 255. */
-static int32_t get_volume(const struct at *a)
+/* A share, of 255. */
+static int32_t get_share(const struct at *a, const char *key, int32_t usual)
 {
     char path[MAX_PATH];
 
-    path_of(a, "volume", path);
-    if (!get(a, "volume"))
-        return 255;
+    path_of(a, key, path);
+    if (!get(a, key))
+        return usual;
     const lua_Number v = lua_type(a->lua, -1) == LUA_TNUMBER ? lua_tonumber(a->lua, -1) : -1;
     if (!(v >= 0 && v <= 1))
         bad(a->lua, path, "expected a number from 0 to 1, got %s", got(a->lua));
@@ -951,15 +952,16 @@ static void only_of_recordings(const struct at *a)
 /* A sound's or a piece's file is a recording or MML. */
 static void read_sound(const struct at *a, struct art_sound *s, bool music, struct art *art)
 {
-    static const char *const of_sound[] = { "file",  "mml",    "volume", "priority", "limit",
-                                            "exact", "stereo", "loop",   NULL };
+    static const char *const of_sound[] = { "file", "mml",   "volume", "priority", "limit",
+                                            "duck", "exact", "stereo", "loop",     NULL };
     static const char *const of_music[] = { "file",  "volume", "title",  "exact",   "stereo", "loop",
                                             "tempo", "bar",    "offset", "markers", NULL };
 
     only(a, music ? of_music : of_sound);
     s->priority = 4;
     s->limit = 2;
-    s->volume = get_volume(a);
+    s->volume = get_share(a, "volume", 255);
+    s->duck = get_share(a, "duck", 0);
     const bool file = get_file(a, "file", s->file), mml = get_text(a, "mml", "MML", s->mml, sizeof s->mml);
     const bool recording = file && art_is_recording(s->file);
     get_text(a, "title", "a line", s->title, sizeof s->title);

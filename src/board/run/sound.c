@@ -135,6 +135,19 @@ static void silence_music(struct board *b)
     b->voices.gain0 = b->music.level;
 }
 
+/* A stream that comes back goes on at its place: its notes began when it did. Others go on with their next notes. */
+static void resume_stream(struct board *b, int sample)
+{
+    const struct seq *s = &b->music;
+    const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+    const int64_t samples = (int64_t)s->pos / s->tempo + t.lead;
+
+    for (int i = 0; tune_streams(&t) && i < t.tracks && s->at[1 + i] != 0 && samples > 0; i++) {
+        play_music(b, i, &(struct tune_played){ TUNE_NOTE, RECORDING_NOTE, 0 }, sample);
+        voices_seek(&b->voices, rom(b), i, (uint64_t)samples);
+    }
+}
+
 /* What was asked for begins at that sample of the frame, or comes back. */
 static void change_music(struct board *b, int sample)
 {
@@ -147,6 +160,7 @@ static void change_music(struct board *b, int sample)
     if (kept >= 0) {
         seq_forget(s, kept + 1);
         seq_back(s);
+        resume_stream(b, sample);
         return;
     }
     if (s->next_back)
@@ -154,6 +168,23 @@ static void change_music(struct board *b, int sample)
     else
         seq_forget(s, 0);
     start_music(b, s->next);
+}
+
+/* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
+static void step_duck(struct board *b)
+{
+    struct voices *v = &b->voices;
+    int32_t most = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (b->cues.tune[i]) {
+            const int32_t duck = tune_of(rom(b) + b->cues.tune[i]).duck * VOICE_GAIN / 255;
+            most = duck > most ? duck : most;
+        }
+    if (most > v->ducked)
+        v->ducked = (uint16_t)(v->ducked + (most - v->ducked + 3) / 4);
+    else
+        v->ducked = (uint16_t)(v->ducked - (v->ducked - most + 15) / 16);
 }
 
 /* What is left of the music's gain at the end of this frame. */
@@ -164,7 +195,7 @@ static uint16_t gain(const struct board *b)
 
     if (b->voices.held)
         return 0;
-    return (uint16_t)(left * s->level / SEQ_FULL);
+    return (uint16_t)(left * s->level / SEQ_FULL * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
 /* Is it on its way out, for another or for none? */
@@ -174,12 +205,16 @@ static bool goes(const struct seq *s)
 }
 
 /* Its last notes ring on. */
-static void end_piece(struct seq *s)
+static void end_piece(struct board *b)
 {
-    if (s->aside)
-        seq_back(s);
-    else
+    struct seq *s = &b->music;
+
+    if (!s->aside) {
         seq_start(s, 0, NULL);
+        return;
+    }
+    seq_back(s);
+    resume_stream(b, 0);
 }
 
 static void step_level(struct seq *s)
@@ -202,7 +237,7 @@ static void step_music(struct board *b)
     if (s->fade_over && s->fade == 0)
         change_music(b, 0);
     else if (s->tune && !goes(s) && seq_over(s))
-        end_piece(s);
+        end_piece(b);
     if (s->fade)
         s->fade--;
     for (int first = 0; s->tune && first < SND_FRAME;) {
@@ -222,14 +257,24 @@ void sound_end(struct board *b)
 {
     step_music(b);
     cues_step(&b->cues, rom(b), play_cue, b);
+    step_duck(b);
     b->voices.gain1 = gain(b);
 }
 
 /* ---- what is asked for ---- */
 
+static uint32_t ringing(const struct board *b)
+{
+    uint32_t rings = 0;
+
+    for (int i = 0; i < CUES; i++)
+        rings |= (uint32_t)voices_busy(&b->voices, VOICES_MUSIC + i) << i;
+    return rings;
+}
+
 void sound_play(struct board *b, const struct cue *cue)
 {
-    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame);
+    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame, ringing(b));
 
     for (int i = 0; i < CUES; i++)
         if (ended >> i & 1)
@@ -462,6 +507,29 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
 }
 
+bool board_cue(const struct board *b, int slot, struct board_cue *out)
+{
+    const struct cues *c = &b->cues;
+    int sound = 0;
+
+    if (!board_has_sound(b) || slot >= CUES)
+        return false;
+    *out = (struct board_cue){ 0 };
+    if (c->tune[slot] == 0)
+        return true;
+    while (cart_sound(&b->cart, sound) != c->tune[slot])
+        sound++;
+    out->name = cart_sound_name(&b->cart, sound);
+    out->began = c->born[slot];
+    out->first = c->track[slot] == 0;
+    return true;
+}
+
+const char *board_music(const struct board *b)
+{
+    return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
+}
+
 /* ---- a box ---- */
 
 static size_t aligned(size_t n)
@@ -542,6 +610,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
         return false;
     rom_lump(b->cart.rom, (music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
     const struct tune t = tune_of(l.data);
+    const size_t bytes = l.size + cart_wave_size(&b->cart, music ? i : -1);
     *out = (struct board_tune){ music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
                                 tune_title(&t),
                                 music,
@@ -551,6 +620,7 @@ bool board_box_tune(const struct board *b, int n, struct board_tune *out)
                                 t.priority,
                                 t.limit,
                                 t.marks,
-                                l.size };
+                                bytes,
+                                l.data };
     return true;
 }

@@ -187,7 +187,9 @@ static enum result check_all(struct check *c)
     check_manifest(c);
     check_scripts(c);
     check_lua(c);
+    check_sounds(c);
     check_art(c);
+    check_recordings(c);
     check_langs(c);
     check_unused(c);
     if (!c->broken)

@@ -46,8 +46,8 @@ struct check {
     struct name_set changed; /* what scripts have put into places */
     bool any_global;         /* scripts may have made new ones */
     int demos;               /* that were played */
-    int samples;             /* frames of them whose bullets' contrast was looked at */
     int sections;            /* stages and phases that were */
+    int samples;             /* frames of all of them whose bullets' contrast was looked at */
     size_t lua_most;         /* bytes of Lua RAM, at most at one time in any run */
 };
 
@@ -67,12 +67,25 @@ bool check_mentioned(const struct check *c, const char *name);
 void check_scripts(struct check *c);
 void check_lua(struct check *c);
 void check_art(struct check *c);
+void check_recordings(struct check *c);
 void check_langs(struct check *c);
 void check_unused(struct check *c);
+void check_sounds(struct check *c);
 void check_run(struct check *c);
 
 /* Characters without a glyph; cart: the game, packed. Part of check_run. */
 struct cart;
 void check_text(struct check *c, const struct cart *cart);
+
+/* Capacities that no script can use. Part of check_run. */
+void check_rooms(struct check *c, const struct cart *cart);
+
+/* What is heard of a run: the mix of each frame, and sounds that others take the voice of. */
+struct board;
+struct check_heard;
+struct check_heard *check_heard_open(void); /* NULL: out of memory */
+void check_heard_frame(struct check_heard *h, const struct board *b);
+void check_heard_judge(struct check *c, struct check_heard *h, const char *what); /* and begins anew */
+void check_heard_close(struct check_heard *h);
 
 #endif

@@ -25,21 +25,22 @@ enum {
     SECTION_FRAMES = 18000, /* of a stage or a phase: five minutes */
     SWEEP = 40,             /* frames a ship flies one way meanwhile */
     MOST_LUA = 75,          /* percent of board.lua_kib */
-    SAMPLE_EVERY = 120,     /* frames of a demo, of which contrast looks at one */
-    SAMPLES = 150,          /* in a demo */
+    SAMPLE_EVERY = 120,     /* frames of a run, of which contrast looks at one */
+    SAMPLES = 150,          /* in a run */
     LOOKS = 128,            /* kinds and banks it tells apart */
     FEW_BULLETS = 40        /* of which it says nothing */
 };
 
-/* Bullets of a kind in a bank, in the sampled frames of a demo. */
+/* Bullets of a kind in a bank, in the sampled frames of a run. */
 struct look {
     char kind[64];
     int bank, seen, faint;
     uint32_t frame; /* of the first faint one, and where */
     int x, y;
+    bool told; /* in this run or one before */
 };
 
-/* What contrast needs while a demo is played. */
+/* What contrast needs while a demo, a stage or a phase is played. */
 struct contrast {
     struct fb fb;
     void *pixels, *scratch;
@@ -62,8 +63,9 @@ struct run {
     size_t most;             /* bytes of Lua RAM, of all runs so far */
     char most_in[TREE_PATH]; /* the run that had so many */
     bool memory_fault;
-    struct contrast contrast; /* of the demo */
-    bool measured;            /* the kinds' shapes were compared with their pictures */
+    struct contrast contrast;  /* of this run */
+    struct check_heard *heard; /* of what is listened to; NULL: nothing */
+    bool measured;             /* the kinds' shapes were compared with their pictures */
 };
 
 /* ---- hit shapes and pictures ---- */
@@ -189,6 +191,8 @@ static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
     const struct board_out *out = guard_tick(&r->guard, pads);
 
     note_full(r, out);
+    if (r->heard != NULL)
+        check_heard_frame(r->heard, r->guard.board);
     return out;
 }
 
@@ -222,6 +226,23 @@ static void finish(struct run *r)
     guard_close(&r->guard);
 }
 
+/* Sections are not listened to: it takes longer than to play them. */
+static void listen_to(struct run *r)
+{
+    if (!board_has_sound(r->guard.board))
+        return;
+    r->heard = check_heard_open();
+    r->c->found.failed = r->c->found.failed || r->heard == NULL;
+}
+
+static void judge_heard(struct run *r)
+{
+    if (r->heard != NULL)
+        check_heard_judge(r->c, r->heard, r->what);
+    check_heard_close(r->heard);
+    r->heard = NULL;
+}
+
 static struct board_start plain_start(const struct run *r)
 {
     struct board_start start = { .difficulty = -1 };
@@ -239,69 +260,25 @@ static void run_idle(struct run *r)
     r->what = "600 frames of nobody playing";
     if (!power(r, &start))
         return;
+    listen_to(r);
     for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
         tick(r, nothing);
+    judge_heard(r);
     finish(r);
-}
-
-/* ---- sections ---- */
-
-/* Is the stage cleared, or the phase won or lost? */
-static bool section_over(const struct board_out *out)
-{
-    for (int i = 0; i < out->markers; i++) {
-        enum board_marker_kind kind = out->marker[i].kind;
-        if (kind == MARKER_CLEAR || kind == MARKER_WON || kind == MARKER_LOST)
-            return true;
-    }
-    return false;
-}
-
-/* A stage or a phase, by a ship that fires, sweeps from side to side, and that nothing hits. A stage's bosses are
- * sections too: what a stage's phase ends does not end the stage. */
-static void run_section(struct run *r, const struct section *section)
-{
-    static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
-    struct board_start start = plain_start(r);
-    bool over = false;
-
-    r->what = section->id;
-    snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
-    start.practice.invincible = true;
-    if (!power(r, &start))
-        return;
-    for (int f = 0; f < SECTION_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
-        const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
-        over = section->kind == SECTION_PHASE && section_over(out);
-        for (int i = 0; i < out->markers; i++)
-            over = over || out->marker[i].kind == MARKER_CLEAR;
-    }
-    finish(r);
-    r->c->sections++;
-}
-
-static void run_sections(struct run *r)
-{
-    struct board_start start = plain_start(r);
-    struct sections *list = calloc(1, sizeof *list);
-
-    r->c->found.failed = r->c->found.failed || list == NULL;
-    if (list == NULL)
-        return;
-    sections_list(list, &r->image.rom, &start, false);
-    for (int i = 0; i < list->n; i++)
-        if (list->section[i].kind == SECTION_STAGE || list->section[i].kind == SECTION_PHASE)
-            run_section(r, &list->section[i]);
-    free(list);
 }
 
 /* ---- contrast ---- */
 
+/* What was told stays. */
 static bool contrast_open(struct contrast *k, const struct board *b)
 {
-    int w, h;
+    int w, h, n = 0;
 
-    memset(k, 0, sizeof *k);
+    for (int i = 0; i < k->n; i++)
+        if (k->look[i].told)
+            k->look[n++] = k->look[i];
+    k->n = n;
+    k->samples = 0;
     board_screen(b, &w, &h);
     k->pixels = malloc(fb_size(w, h));
     k->scratch = malloc(board_scratch(b));
@@ -364,19 +341,86 @@ static void contrast_look(struct run *r, uint32_t frame)
     contrast_sample(r->guard.board, &k->fb, k->scratch, note_bullet, k);
 }
 
-/* Of which most are hardly seen. */
+/* Of which most are hardly seen, and which was not told before. */
 static void judge_contrast(struct run *r)
 {
-    const struct contrast *k = &r->contrast;
+    struct contrast *k = &r->contrast;
 
     for (int i = 0; i < k->n; i++) {
-        const struct look *l = &k->look[i];
-        if (l->seen >= FEW_BULLETS && 2 * l->faint > l->seen)
-            diagnostics_add(&r->c->found, r->what, 0,
-                            "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; "
-                            "the first at %d, %d in frame %" PRIu32,
-                            l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
+        struct look *l = &k->look[i];
+        if (l->told || l->seen < FEW_BULLETS || 2 * l->faint <= l->seen)
+            continue;
+        l->told = true;
+        diagnostics_add(&r->c->found, r->what, 0,
+                        "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; "
+                        "the first at %d, %d in frame %" PRIu32,
+                        l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
     }
+}
+
+/* ---- sections ---- */
+
+/* Is the stage cleared, or the phase won or lost? */
+static bool section_over(const struct board_out *out)
+{
+    for (int i = 0; i < out->markers; i++) {
+        enum board_marker_kind kind = out->marker[i].kind;
+        if (kind == MARKER_CLEAR || kind == MARKER_WON || kind == MARKER_LOST)
+            return true;
+    }
+    return false;
+}
+
+/* By a ship that fires and sweeps from side to side. A stage's bosses are sections too: what a stage's phase ends does
+ * not end the stage. */
+static void play_section(struct run *r, const struct section *section)
+{
+    static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
+    bool over = false;
+
+    for (uint32_t f = 0; f < SECTION_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+        contrast_look(r, f);
+        const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
+        over = section->kind == SECTION_PHASE && section_over(out);
+        for (int i = 0; i < out->markers; i++)
+            over = over || out->marker[i].kind == MARKER_CLEAR;
+    }
+}
+
+/* A stage or a phase; nothing hits the ship. */
+static void run_section(struct run *r, const struct section *section)
+{
+    struct board_start start = plain_start(r);
+
+    r->what = section->id;
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
+    start.practice.invincible = true;
+    if (!power(r, &start))
+        return;
+    if (contrast_open(&r->contrast, r->guard.board)) {
+        play_section(r, section);
+        judge_contrast(r);
+    } else {
+        r->c->found.failed = true;
+    }
+    contrast_close(&r->contrast);
+    finish(r);
+    r->c->sections++;
+}
+
+static void run_sections(struct run *r)
+{
+    struct board_start start = plain_start(r);
+    struct sections *list = calloc(1, sizeof *list);
+
+    r->c->found.failed = r->c->found.failed || list == NULL;
+    if (list == NULL)
+        return;
+    sections_list(list, &r->image.rom, &start, false);
+    for (int i = 0; i < list->n; i++)
+        if (list->section[i].kind == SECTION_STAGE || list->section[i].kind == SECTION_PHASE)
+            run_section(r, &list->section[i]);
+    free(list);
 }
 
 /* ---- a demo ---- */
@@ -433,7 +477,9 @@ static void run_loaded(struct run *r)
         guard_close(&r->guard);
         return;
     }
+    listen_to(r);
     uint32_t wrong = play(r);
+    judge_heard(r);
     judge_contrast(r);
     contrast_close(&r->contrast);
     free(r->hash_cache);
@@ -498,6 +544,13 @@ static void run_all(struct run *r)
     judge_memory(r);
 }
 
+static void found_in_music(void *context, const char *sentence)
+{
+    struct check *c = context;
+
+    check_rom_sentence(c, sentence);
+}
+
 /* Colours are looked at elsewhere; here the nearest will do. */
 void check_run(struct check *c)
 {
@@ -509,7 +562,7 @@ void check_run(struct check *c)
         return;
     }
     r->c = c;
-    if (!pack_folder(c->dir, true, &r->image.bytes, &r->image.size, err, sizeof err)) {
+    if (!pack_folder_told(c->dir, true, found_in_music, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
         r->image.bytes = NULL;
         check_rom_sentence(c, err);
         c->broken = true;
@@ -519,6 +572,7 @@ void check_run(struct check *c)
         c->broken = true;
     } else {
         check_text(c, &r->cart);
+        check_rooms(c, &r->cart);
         run_all(r);
     }
     rom_image_free(&r->image);

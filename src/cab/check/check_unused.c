@@ -6,6 +6,7 @@
  * leads to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
  */
 #include "check_parts.h"
+#include "../../board/rom/cart.h"
 #include "../pack/pack.h"
 
 #include <stdio.h>
@@ -235,10 +236,8 @@ static bool in_music(struct check *c, const char *name)
 /* Do scripts, or an instrument of a tune, name it? Some play by themselves. */
 static bool sound_used(struct check *c, const char *name)
 {
-    static const char *const own[] = { "shot", "hit", "graze", "kill", "item", "bomb", "warning", "menu" };
-
-    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-        if (strcmp(name, own[i]) == 0)
+    for (int i = 0; i < CART_CUES; i++)
+        if (strcmp(name, cart_cues[i]) == 0)
             return true;
     return check_mentioned(c, name) || in_music(c, name);
 }
@@ -288,7 +287,7 @@ static void unused_files(struct check *c, bool texts)
         const char *path = c->files.name[i];
         if (ends_with(path, ".png") && !picture_used(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
-        if ((ends_with(path, ".wav") || ends_with(path, ".mml")) && !sound_file(c, path))
+        if ((art_is_recording(path) || ends_with(path, ".mml")) && !sound_file(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
         if (texts && ends_with(path, ".txt") && !pack_is_lang(path) && !in_scripts(c, path))
             diagnostics_add(&c->found, path, 0, "no script reads it, and it is packed all the same");

@@ -3,9 +3,9 @@
  * floor: cab
  *
  * Two clocks of one machine differ by some hundredths of a percent, and now and then by three tenths. What waits shows
- * the difference, added up. The rate answers to how far that is off (what is wrong is halved in three quarters of a second)
- * and to the sum of it, so that a lasting difference of clocks is met by a lasting rate and nothing stays off. It is
- * never more than DRIFT_MOST, a seventh of a semitone, and moves slowly.
+ * the difference, added up. The rate answers to how far that is off (what is wrong is halved in three quarters of a
+ * second) and to the sum of it, so that a lasting difference of clocks is met by a lasting rate and nothing stays off.
+ * It is never more than DRIFT_MOST, a seventh of a semitone, and moves slowly.
  */
 #ifndef CAB_DRIFT_H
 #define CAB_DRIFT_H

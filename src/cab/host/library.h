@@ -1,6 +1,6 @@
 /*
- * library.h - a shared library that is opened when it is needed: reading some files is all it is for, and a program that
- * does not read them runs without it.
+ * library.h - a shared library that is opened when it is needed: it is there to read some kinds of files, and a program
+ * that reads none of them runs without it.
  * floor: cab
  */
 #ifndef CAB_LIBRARY_H

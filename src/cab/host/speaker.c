@@ -213,8 +213,8 @@ static double rate(struct speaker *s, const struct speaker_time *t)
         measure(s, ahead);
     if (s->exact)
         return 1;
-    if (s->slowed) /* its frames come late, several at once: half of what should wait does there */
-        return slowed_rate(s, s->slowed > SLOWED / 2 ? s->waiting - SPEAKER_AHEAD / 2 : ahead - SPEAKER_AHEAD);
+    if (s->slowed) /* its frames come late, several at once: so much waits all the time */
+        return slowed_rate(s, (s->slowed > SLOWED / 2 ? s->waiting : ahead) - SPEAKER_AHEAD);
     if (s->waiting > 0 && t->late < LATE_MOST)
         drift_step(&s->drift, ahead - SPEAKER_AHEAD);
     return 1 + s->drift.rate;

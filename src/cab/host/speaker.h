@@ -21,7 +21,7 @@
 enum {
     SPEAKER_RATE = 48000,
     SPEAKER_BLOCK = SPEAKER_RATE / 60, /* stereo frames a tick makes */
-    SPEAKER_AHEAD = 2112, /* that wait when a frame is on time, before its own come, the card's own included: 44 ms */
+    SPEAKER_AHEAD = 1920, /* that wait when a frame is on time, before its own come, the card's own included: 40 ms */
     SPEAKER_LATENCY = SPEAKER_AHEAD + RESAMPLE_AFTER,
     SPEAKER_MOST = 2 * SPEAKER_AHEAD + SPEAKER_BLOCK, /* with more, what comes is not played */
     SPEAKER_JOIN = 384                                /* 8 ms */

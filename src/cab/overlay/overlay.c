@@ -6,23 +6,25 @@
  */
 #include "overlay.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../../board/inspect.h"
+#include "../../base/int.h"
 
 enum {
     FRAME_USEC = 1000000 / 60,
-    LINE = 72,   /* bytes of a panel's line */
-    LINES = 48,  /* of a panel */
-    BAR = 30,    /* px that a bar of a whole frame is long */
-    PANELS = 8,  /* most on a picture */
-    EDGE = 2,    /* px round a panel's text */
-    GAP = 1,     /* px between panels */
-    MOUSE = 6,   /* px that a thing may be away from the mouse */
-    BESIDE = 10, /* px from the mouse to its panel */
-    TASKS = 64   /* most that are listed */
+    LINE = 72,    /* bytes of a panel's line */
+    LINES = 48,   /* of a panel */
+    BAR = 30,     /* px that a bar of a whole frame is long */
+    LIMITED = 27, /* and of a level of half full scale, where the limiter begins */
+    PANELS = 8,   /* most on a picture */
+    EDGE = 2,     /* px round a panel's text */
+    GAP = 1,      /* px between panels */
+    MOUSE = 6,    /* px that a thing may be away from the mouse */
+    BESIDE = 10,  /* px from the mouse to its panel */
+    TASKS = 64    /* most that are listed */
 };
 
 void overlay_keys(struct overlay *o, uint32_t pressed)
@@ -108,7 +110,8 @@ void overlay_end(struct overlay *o)
 struct panel {
     char text[LINES][LINE];
     enum canvas_colour colour[LINES];
-    int bar[LINES]; /* microseconds, -1: none */
+    int bar[LINES]; /* microseconds, -1: none; of a level, its share of a whole frame's */
+    bool level[LINES];
     int lines, columns;
     bool bars;
 };
@@ -128,6 +131,7 @@ add(struct panel *s, enum canvas_colour c, const char *format, ...)
     int columns = canvas_width(s->text[s->lines]) / CANVAS_CELL_W;
     s->columns = columns > s->columns ? columns : s->columns;
     s->bar[s->lines] = -1;
+    s->level[s->lines] = false;
     s->colour[s->lines++] = c;
 }
 
@@ -147,14 +151,11 @@ static int panel_h(int lines)
     return lines * CANVAS_CELL_H - 1 + 2 * EDGE;
 }
 
-static void draw_bar(const struct canvas *canvas, int x, int y, int usec)
+static void draw_bar(const struct canvas *canvas, int x, int y, int usec, bool level)
 {
-    int w = usec >= FRAME_USEC ? BAR : usec * BAR / FRAME_USEC;
+    int w = usec >= FRAME_USEC ? BAR : usec * BAR / FRAME_USEC, high = level ? LIMITED : BAR / 2;
     canvas_rect(canvas, x, y + 4, BAR, 1, CANVAS_GREY);
-    canvas_rect(canvas, x, y, usec && !w ? 1 : w, 5,
-                w >= BAR      ? CANVAS_RED
-                : w > BAR / 2 ? CANVAS_YELLOW
-                              : CANVAS_GREEN);
+    canvas_rect(canvas, x, y, usec && !w ? 1 : w, 5, w >= BAR ? CANVAS_RED : w > high ? CANVAS_YELLOW : CANVAS_GREEN);
 }
 
 static void draw_panel(const struct canvas *canvas, const struct panel *s, int x, int y, int lines)
@@ -165,7 +166,7 @@ static void draw_panel(const struct canvas *canvas, const struct panel *s, int x
         bool cut = i == lines - 1 && lines < s->lines;
         canvas_text(canvas, x + EDGE, at, cut ? CANVAS_GREY : s->colour[i], cut ? "..." : s->text[i]);
         if (s->bar[i] >= 0 && !cut)
-            draw_bar(canvas, x + panel_w(s) - EDGE - BAR, at, s->bar[i]);
+            draw_bar(canvas, x + panel_w(s) - EDGE - BAR, at, s->bar[i], s->level[i]);
     }
 }
 
@@ -394,6 +395,105 @@ static void place_tasks(struct layout *l, const struct canvas *canvas, const str
     place(l, canvas, &s);
 }
 
+/* ---- the mixer ---- */
+
+static int fallen(int was, int is)
+{
+    return int_max(is, was * 7 / 8);
+}
+
+void overlay_listen(struct overlay *o, const struct board *b, const struct speaker *speaker)
+{
+    struct mixer *m = &o->mixer;
+
+    m->speaker = speaker;
+    if (!o->on[OVERLAY_MIXER] || !speaker->memory)
+        return;
+    for (int i = 0; i < VOICES; i++)
+        m->voice[i] = fallen(m->voice[i], inspect_voice_peak(b, i, speaker->memory));
+    for (int c = 0; c < 2; c++)
+        m->out[c] = fallen(m->out[c], speaker->peak[c]);
+}
+
+static double decibels(int level)
+{
+    return level > 0 ? 20 * log10(level / 32768.0) : -99.9;
+}
+
+/* A bar of 60 decibels. */
+static void add_level(struct panel *s, int level)
+{
+    const double full = 1 + decibels(level) / 60;
+
+    add_bar(s, full <= 0 ? 0 : (uint32_t)(full * FRAME_USEC));
+    s->level[s->lines - 1] = true;
+}
+
+static void add_place_of_music(struct panel *s, const struct board *b)
+{
+    struct inspect_music m;
+
+    inspect_music(b, &m);
+    if (!m.name[0]) {
+        add(s, CANVAS_GREY, "no music");
+        return;
+    }
+    add(s, CANVAS_WHITE, "%.20s%s%.14s", m.name, m.next[0] ? ", then " : "", m.next);
+    add(s, CANVAS_WHITE, "bar %u  beat %d of %d  tempo %u.%02u  gain %d%%%s", (unsigned)m.bar, m.beat, m.beats,
+        (unsigned)m.tempo / 100, (unsigned)m.tempo % 100, m.gain, m.held ? "  held" : "");
+    if (m.mark[0])
+        add(s, CANVAS_WHITE, "marker \"%.31s\"", m.mark);
+}
+
+static void add_speaker(struct panel *s, const struct speaker *p)
+{
+    if (p->muted)
+        add(s, CANVAS_YELLOW, "muted");
+    else if (p->state == SPEAKER_GONE)
+        add(s, CANVAS_RED, "no speaker");
+    else if (p->state == SPEAKER_OFF || !p->seen.looks)
+        add(s, CANVAS_GREY, "nothing heard yet");
+    else
+        add(s, p->seen.dry ? CANVAS_YELLOW : CANVAS_WHITE, "volume %d%%  %.1f ms to the air  gaps %u", p->volume,
+            (double)p->seen.sum / (double)p->seen.looks * 1000 / SPEAKER_RATE, (unsigned)p->seen.dry);
+}
+
+static void add_voice(struct panel *s, int i, const struct board *b, int level)
+{
+    static const char *const notes[] = { "c", "c+", "d", "d+", "e", "f", "f+", "g", "g+", "a", "a+", "b" };
+    struct inspect_voice v;
+
+    inspect_voice(b, i, &v);
+    const int semitone = (v.pitch + 32768) >> 16;
+    if (v.busy)
+        add(s, v.ends ? CANVAS_GREY : CANVAS_WHITE, "%c%-2d  %-16.16s %-6s o%d%-2s  %4d", v.music ? 'm' : 's',
+            v.music ? i + 1 : i + 1 - VOICES_MUSIC, v.of, v.wave, semitone / 12 - 1, notes[semitone % 12], v.pan);
+    else
+        add(s, CANVAS_GREY, "%c%d", v.music ? 'm' : 's', v.music ? i + 1 : i + 1 - VOICES_MUSIC);
+    add_level(s, level);
+}
+
+static void place_mixer(struct layout *l, const struct canvas *canvas, const struct mixer *m, const struct board *b)
+{
+    struct panel s = { .lines = 0 };
+
+    if (!board_has_sound(b)) {
+        add(&s, CANVAS_GREY, "this game has no sound");
+        place(l, canvas, &s);
+        return;
+    }
+    add_place_of_music(&s, b);
+    add_speaker(&s, m->speaker);
+    for (int c = 0; c < 2; c++) {
+        add(&s, CANVAS_CYAN, "%s %6.1f dB", c ? "right" : "left ", decibels(m->out[c]));
+        add_level(&s, m->out[c]);
+    }
+    add(&s, CANVAS_CYAN, "%-3s  %-16s %-6s %-4s  %4s", "", "of", "wave", "note", "pan");
+    for (int i = 0; i < VOICES; i++)
+        add_voice(&s, i, b, m->voice[i]);
+    place(l, canvas, &s);
+}
+
 /* ---- what is under the mouse ---- */
 
 static void add_place(struct panel *s, const struct inspect_thing *t)
@@ -502,6 +602,8 @@ void overlay_draw(const struct overlay *o, const struct canvas *canvas, int y0, 
         place_split(&l, canvas, &o->split);
     if (o->on[OVERLAY_TASKS])
         place_tasks(&l, canvas, b);
+    if (o->on[OVERLAY_MIXER])
+        place_mixer(&l, canvas, &o->mixer, b);
     if (overlay_on(o))
         place_thing(&l, canvas, b, mouse_x, mouse_y);
 }

@@ -7,9 +7,11 @@
 #define CAB_OVERLAY_H
 
 #include "../../board/board.h"
+#include "../../board/inspect.h"
 #include "../run/guard.h"
 #include "canvas.h"
 #include "../host/keys.h"
+#include "../host/speaker.h"
 
 /* In the order of the cabinet keys from CAB_SHAPES on. */
 enum overlay_panel { OVERLAY_SHAPES, OVERLAY_GAUGES, OVERLAY_SPLIT, OVERLAY_TASKS, OVERLAY_MIXER, OVERLAYS };
@@ -34,9 +36,16 @@ struct split {
     uint32_t mean[SPLITS], peak[SPLITS], all, worst; /* of the window before; all, worst: whole frames */
 };
 
+/* The mixer: levels as they fall, of 32768. */
+struct mixer {
+    int voice[VOICES], out[2];
+    const struct speaker *speaker;
+};
+
 struct overlay {
     bool on[OVERLAYS];
     struct split split;
+    struct mixer mixer;
 };
 
 /* Toggles what was pressed. */
@@ -50,6 +59,9 @@ void overlay_begin(struct overlay *o, struct guard *g);
 
 /* Adds the time since the last call to `part`. */
 void overlay_lap(struct overlay *o, int part);
+
+/* Looks at what the board's frame sounds like, while the mixer is shown. */
+void overlay_listen(struct overlay *o, const struct board *b, const struct speaker *speaker);
 
 /* Ends the frame. */
 void overlay_end(struct overlay *o);

@@ -72,9 +72,11 @@ struct packer {
     struct manifest m;
     struct art art;
     uint8_t palette[CART_PALETTE];
-    struct faces_set shown; /* characters of the game's texts */
-    char *rom_text;         /* of rom.lua, malloc, with a 0 behind it */
-    uint64_t std;           /* modules that the scripts so far name (std.h) */
+    struct faces_set shown;                            /* characters of the game's texts */
+    char *rom_text;                                    /* of rom.lua, malloc, with a 0 behind it */
+    uint64_t std;                                      /* modules that the scripts so far name (std.h) */
+    void (*warn)(void *context, const char *sentence); /* NULL: nobody is told */
+    void *context;
     char *err;
     size_t err_size;
 };
@@ -512,7 +514,13 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
 
 static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
 {
-    const struct mml_about about = { s->volume, s->priority, s->limit, s->title };
+    const struct mml_about about = { .volume = s->volume,
+                                     .priority = s->priority,
+                                     .limit = s->limit,
+                                     .title = s->title,
+                                     .duck = s->duck,
+                                     .warn = p->warn,
+                                     .context = p->context };
     uint8_t *tune;
     size_t size;
 
@@ -783,12 +791,20 @@ static bool gather(struct packer *p)
 
 bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size)
 {
+    return pack_folder_told(dir, nearest, NULL, NULL, image, size, err, err_size);
+}
+
+bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context, const char *sentence), void *context,
+                      uint8_t **image, size_t *size, char *err, size_t err_size)
+{
     struct packer *p = calloc(1, sizeof *p);
 
     if (p == NULL)
         return err_set(err, err_size, "out of memory");
     p->dir = dir;
     p->nearest = nearest;
+    p->warn = warn;
+    p->context = context;
     p->err = err;
     p->err_size = err_size;
     bool good = gather(p) && write_image(p, image, size);

@@ -42,6 +42,10 @@ struct rom_image {
  * not in bank 3"). */
 bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size);
 
+/* The same; music that is allowed and not meant is told, a sentence each: "music/tide.mml:12:7: ..." */
+bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context, const char *sentence), void *context,
+                      uint8_t **image, size_t *size, char *err, size_t err_size);
+
 /* Loads a .rom file, or packs a folder. The sentence about a file starts with its path. */
 bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size);
 void rom_image_free(struct rom_image *image);

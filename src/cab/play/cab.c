@@ -77,6 +77,8 @@ static void frame_sounds(struct speaker_time *time)
     time->slow = cab.slow;
     time->late = plat_usec() - time->late;
     speaker_frame(&cab.speaker, time);
+    cab.speaker.meter = cab.overlay.on[OVERLAY_MIXER];
+    overlay_listen(&cab.overlay, cab.attracting ? cab.attract_guard.board : cab_live(), &cab.speaker);
 }
 
 static void turbo(uint64_t now)

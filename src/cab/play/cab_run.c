@@ -333,6 +333,8 @@ static void finish_reload(void)
     if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0)
         cab.quit = !cab_open_window() || cab.quit;
     cab_say("curtain: %s: reloaded", cab_game());
+    if (cab.session.gone[0])
+        cab_say("curtain: %s: the music \"%s\", which played, is gone", cab_game(), cab.session.gone);
     cab_notice(CAB_NOTICE_FRAMES / 3, "reloaded");
 }
 

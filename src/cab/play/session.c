@@ -333,6 +333,8 @@ static bool finish_reload(struct session *s)
     s->next = NULL;
     s->state = SESSION_PLAYING;
     s->differs = 0;
+    const char *song = board_music(old->guard.board);
+    snprintf(s->gone, sizeof s->gone, "%s", song[0] && cart_find_tune(s->now->cart, song) < 0 ? song : "");
     run_free(old);
     demo_flag(&s->now->writer, flags);
     return !s->record || check_written(s, demo_keep(&s->now->writer, s->record));

@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 
-enum { WAYS = 8, TRIED = 3 /* codes of each way */, CODES = ADPCM_SAMPLES - 1 };
+enum { WAYS = 4, TRIED = 3 /* codes of each way */, CODES = ADPCM_SAMPLES - 1 };
 
 struct way {
     struct adpcm at;
@@ -20,7 +20,7 @@ struct search {
     uint8_t from[CODES][WAYS], code[CODES][WAYS];
 };
 
-/* Keeps a way that is better than another one to the same place, or than the worst of WAYS; in order of their errors. */
+/* Keeps a way that is better than another one to the same place, or than the worst of WAYS. They are in order. */
 static void offer(struct search *s, const struct way *w, int i, int from, int code)
 {
     int last = s->nexts;
@@ -99,7 +99,7 @@ static void write_block(struct search *s, uint8_t *out, const int16_t *in, uint3
         out[4 + i / 2] |= (uint8_t)(i & 1 ? codes[i] << 4 : codes[i]);
 }
 
-void sample_write(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, uint32_t loop, enum sample_coding coding)
+void encode_sample(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, uint32_t loop, enum sample_coding coding)
 {
     struct search s;
 

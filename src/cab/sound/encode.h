@@ -8,6 +8,7 @@
 #include "../../snd/adpcm.h"
 
 /* Writes n samples with their header, sample_size bytes. */
-void sample_write(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, uint32_t loop, enum sample_coding coding);
+void encode_sample(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, uint32_t loop,
+                   enum sample_coding coding);
 
 #endif

@@ -13,20 +13,27 @@
 #include "../../snd/adpcm.h"
 #include "../../snd/pitch.h"
 
-void mml_bad(struct mml *m, uint32_t at, const char *format, ...)
+/* The file's name, the line and the column of a place in it. */
+static void write_place(const struct mml *m, uint32_t at, char *out, size_t size)
 {
     int line = 1, column = 1;
-    va_list args;
 
     for (uint32_t i = 0; i < at && i < m->n; i++, column++)
         if (m->text[i] == '\n') {
             line++;
             column = 0;
         }
-    int n = snprintf(m->err, m->err_size, "%s:%d:%d: ", m->file, line, column);
+    snprintf(out, size, "%s:%d:%d: ", m->file, line, column);
+}
+
+void mml_bad(struct mml *m, uint32_t at, const char *format, ...)
+{
+    va_list args;
+
+    write_place(m, at, m->err, m->err_size);
+    const size_t n = strlen(m->err);
     va_start(args, format);
-    if (n > 0 && (size_t)n < m->err_size)
-        vsnprintf(m->err + n, m->err_size - (size_t)n, format, args);
+    vsnprintf(m->err + n, m->err_size - n, format, args);
     va_end(args);
     longjmp(m->out, 1);
 }
@@ -37,13 +44,13 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
         const uint32_t room = t->room ? 2 * t->room : 256;
         struct mml_event *bigger = realloc(t->events, room * sizeof *bigger);
         if (bigger == NULL)
-            mml_bad(m, 0, "out of memory");
+            mml_bad(m, m->now, "out of memory");
         t->events = bigger;
         t->room = room;
     }
     if (++m->events > MML_EVENTS)
-        mml_bad(m, 0, "more than %d notes and settings, loops written out", (int)MML_EVENTS);
-    t->events[t->n] = (struct mml_event){ tick, t->n, (uint8_t)event, (uint16_t)value, (uint16_t)more };
+        mml_bad(m, m->now, "more than %d notes and settings, loops written out", (int)MML_EVENTS);
+    t->events[t->n] = (struct mml_event){ tick, t->n, m->now, (uint8_t)event, (uint16_t)value, (uint16_t)more };
     t->n++;
 }
 
@@ -147,7 +154,20 @@ static void read_title(struct mml *m, uint32_t at, uint32_t end)
     memcpy(m->title, m->text + at, end - at);
 }
 
-/* #echo B=A,8,-3 is done when the tracks are there. */
+/* #swing 16,60: of each two sixteenths the first has 60 percent. */
+static void read_swing(struct mml *m, uint32_t at, uint32_t p, uint32_t end)
+{
+    p = skip_blanks(m, p, end);
+    const int64_t n = mml_decimal(m, &p, end, "a length", 2000, 64000) / 1000;
+    if (p == end || m->text[p] != ',' || 4 * TUNE_QUARTER % n != 0)
+        mml_bad(m, p < end ? p : at, "expected #swing 16,60: of each two 16ths the first has 60 percent");
+    p++;
+    m->swing = (uint32_t)(4 * TUNE_QUARTER / n);
+    m->swing_percent = (uint32_t)(mml_decimal(m, &p, end, "percent", 50000, 80000) / 1000);
+    m->swing_from = at;
+}
+
+/* #echo B=A,8,-3 and #mark are done when the tracks are there. */
 static void read_directive(struct mml *m, uint32_t at, uint32_t end)
 {
     uint32_t p = at + 1;
@@ -157,8 +177,10 @@ static void read_directive(struct mml *m, uint32_t at, uint32_t end)
     } else if (is_word(m, p, end, "bar")) {
         p = skip_blanks(m, p + 3, end);
         m->bar = (int)(mml_decimal(m, &p, end, "beats a bar", 1000, 16000) / 1000);
-    } else if (!is_word(m, p, end, "echo")) {
-        mml_bad(m, at, "expected #title, #bar or #echo");
+    } else if (is_word(m, p, end, "swing")) {
+        read_swing(m, at, p + 5, end);
+    } else if (!is_word(m, p, end, "echo") && !is_word(m, p, end, "mark")) {
+        mml_bad(m, at, "expected #title, #bar, #echo, #swing or #mark");
     }
 }
 
@@ -321,6 +343,126 @@ static void read_echoes(struct mml *m)
     }
 }
 
+/* ---- marks, swing, warnings ---- */
+
+/* The first place of the line with that word behind #; the line's end, from `at` on. False: there is none. */
+static bool find_directive(const struct mml *m, const char *word, uint32_t *at, uint32_t *end)
+{
+    for (; *at < m->n; *at = next_line(m, *at)) {
+        *end = line_end(m, *at);
+        const uint32_t p = skip_blanks(m, *at, *end);
+        if (p < *end && m->text[p] == '#' && is_word(m, p + 1, *end, word)) {
+            *at = p;
+            return true;
+        }
+    }
+    return false;
+}
+
+static uint32_t last_tick(const struct mml *m)
+{
+    uint32_t end = 0;
+
+    for (int i = 0; i < TUNE_TRACKS; i++)
+        if (m->tracks[i].used && m->tracks[i].end > end)
+            end = m->tracks[i].end;
+    return end;
+}
+
+/* #mark drop 17,3: the third beat of bar 17. */
+static void read_marks(struct mml *m)
+{
+    for (uint32_t at = 0, end = 0; find_directive(m, "mark", &at, &end); at = next_line(m, at)) {
+        uint32_t p = skip_blanks(m, at + 5, end);
+        char name[TUNE_NAME];
+        int64_t beat = 1;
+        read_name(m, &p, end, name, "a marker's name, as #mark drop 17");
+        p = skip_blanks(m, p, end);
+        const int64_t bar = mml_decimal(m, &p, end, "a bar", 1000, 4096000) / 1000;
+        if (p < end && m->text[p] == ',') {
+            p++;
+            beat = mml_decimal(m, &p, end, "a beat of the bar", 1000, m->bar * 1000) / 1000;
+        }
+        const uint32_t tick = (uint32_t)((bar - 1) * m->bar + beat - 1) * TUNE_QUARTER;
+        const int mark = mml_mark(m, name);
+        if (mark < 0)
+            mml_bad(m, at, "more than %d markers", (int)TUNE_MARKS);
+        if (tick >= last_tick(m))
+            mml_bad(m, at, "bar %d is behind the end", (int)bar);
+        m->now = at;
+        mml_add(m, &m->conductor, tick, TUNE_MARK, mark, 0);
+    }
+}
+
+/* Where a tick is with swing. */
+static uint32_t swung(const struct mml *m, uint32_t tick)
+{
+    const uint32_t half = m->swing, pair = tick / (2 * half) * (2 * half), k = tick - pair;
+    const uint32_t first = 2 * half * m->swing_percent / 100;
+
+    return pair + (k < half ? k * first / half : first + (k - half) * (2 * half - first) / half);
+}
+
+static void swing_track(const struct mml *m, struct mml_track *t)
+{
+    for (uint32_t i = 0; i < t->n; i++) {
+        struct mml_event *e = &t->events[i];
+        if (e->event == TUNE_GLIDE)
+            e->more = (uint16_t)(swung(m, e->tick + e->more) - swung(m, e->tick));
+        e->tick = swung(m, e->tick);
+    }
+    t->end = swung(m, t->end);
+    if (t->loop >= 0)
+        t->loop = swung(m, (uint32_t)t->loop);
+}
+
+void mml_swing(struct mml *m)
+{
+    if (m->swing == 0)
+        return;
+    for (int i = 0; i < TUNE_TRACKS; i++) {
+        struct mml_track *t = &m->tracks[i];
+        if (t->loop >= 0 && (t->end - t->loop) % (2 * m->swing) != 0)
+            mml_bad(m, t->loop_from, "with #swing what L repeats is whole pairs of %d ticks, got %u ticks",
+                    (int)(2 * m->swing), (unsigned)(t->end - t->loop));
+        swing_track(m, t);
+    }
+    swing_track(m, &m->conductor);
+}
+
+static void warn_near(const struct mml *m, const struct mml_about *about, uint32_t from)
+{
+    char sentence[256];
+
+    write_place(m, from, sentence, sizeof sentence);
+    const size_t n = strlen(sentence);
+    snprintf(sentence + n, sizeof sentence - n,
+             "within a frame (1/60 s) of the note before in this track: what sounded before them is cut off");
+    about->warn(about->context, sentence);
+}
+
+/* The note before the two fades in the slot that the first of them needs. Each place is named once. */
+void mml_look_at_notes(struct mml *m, const struct mml_about *about)
+{
+    for (int i = 0; about->warn && i < TUNE_TRACKS; i++) {
+        struct mml_track *t = &m->tracks[i];
+        uint32_t last = 0, notes = 0, told = UINT32_MAX;
+        mml_sort(t);
+        for (uint32_t k = 0; k < t->n; k++) {
+            const struct mml_event *e = &t->events[k];
+            if (e->event != TUNE_NOTE)
+                continue;
+            if (notes++ >= 2 && e->from != told &&
+                (uint64_t)(e->tick - last) * TUNE_TICK <
+                    (uint64_t)SND_FRAME * (uint64_t)mml_tempo_at(&m->conductor, last)) {
+                told = e->from;
+                warn_near(m, about, told);
+            }
+            last = e->tick;
+        }
+    }
+}
+
 /* ---- all ---- */
 
 static bool any_track(const struct mml *m)
@@ -339,8 +481,11 @@ static void compile(struct mml *m, const struct mml_about *about, uint8_t **out,
     read_lines(m);
     read_tracks(m);
     read_echoes(m);
+    read_marks(m);
+    mml_swing(m);
     if (!any_track(m))
         mml_bad(m, 0, "it has no track (a line that begins with A and a blank)");
+    mml_look_at_notes(m, about);
     mml_make(m, about, out, size);
 }
 

@@ -15,6 +15,10 @@ enum { MML_FILE = 1 << 20 /* bytes */ };
 struct mml_about {
     int volume, priority, limit; /* of 255 */
     const char *title;           /* "": what the text says */
+    int duck;                    /* of 255 */
+    /* Is told what is allowed and not meant, "music/tide.mml:12:7: ..."; NULL: nobody is. */
+    void (*warn)(void *context, const char *sentence);
+    void *context;
 };
 
 /* Compiles the n bytes; file is their name for messages. *out (free it) is a tune that tune_open takes. False and one

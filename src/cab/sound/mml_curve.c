@@ -1,7 +1,7 @@
 /*
- * mml_curve.c - curves and waves of MML instruments. A wave is the sum of its harmonics, in versions with fewer and fewer
- * of them (inst.h); points are a turn's values, and what is heard is the smoothest line through them. All of it is whole
- * numbers, so that a piece is packed to the same bytes everywhere.
+ * mml_curve.c - curves and waves of MML instruments. A wave is the sum of its harmonics, in versions with fewer and
+ * fewer of them (inst.h); points are a turn's values, and what is heard is the smoothest line through them. All of it
+ * is whole numbers, so that a piece is packed to the same bytes everywhere.
  */
 #include "mml_parts.h"
 
@@ -87,9 +87,9 @@ uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind)
             break;
     } while (true);
     curve[0] = n;
-    uint8_t *bytes = room(m, from, curve_size(curve));
-    memcpy(bytes, curve, curve_size(curve));
-    return keep_piece(m, from, bytes, (uint32_t)curve_size(curve));
+    uint8_t *bytes = room(m, from, inst_curve_size(curve));
+    memcpy(bytes, curve, inst_curve_size(curve));
+    return keep_piece(m, from, bytes, (uint32_t)inst_curve_size(curve));
 }
 
 void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end)
@@ -114,6 +114,14 @@ void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end)
     p = mml_skip(m, p, end);
     if (p < end)
         mml_bad(m, p, "expected the end of the line behind the curve");
+}
+
+uint32_t mml_find_curve(const struct mml *m, char kind, const char *name)
+{
+    for (int i = 0; i < m->n_curves; i++)
+        if (m->curves[i].kind == kind && strcmp(m->curves[i].name, name) == 0)
+            return m->curves[i].piece;
+    return 0;
 }
 
 /* ---- waves ---- */
@@ -157,17 +165,17 @@ static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *
         const int64_t v = value_at(h, h->n, i, 12);
         most = v > most ? v : -v > most ? -v : most;
     }
-    uint8_t *bytes = room(m, from, wave_size(versions));
+    uint8_t *bytes = room(m, from, inst_wave_size(versions));
     bytes[0] = (uint8_t)versions;
     for (int v = 0; v < versions; v++) {
-        uint8_t *p = bytes + wave_at_version(v);
-        const uint32_t n = 1u << wave_bits(v);
+        uint8_t *p = bytes + inst_wave_at(v);
+        const uint32_t n = 1u << inst_wave_bits(v);
         for (uint32_t i = 0; i <= n; i++) {
-            const int64_t x = value_at(h, reaches(v), i % n, wave_bits(v)) * LOUDEST / most;
+            const int64_t x = value_at(h, reaches(v), i % n, inst_wave_bits(v)) * LOUDEST / most;
             bytes_put16(p + 2 * i, (uint16_t)(x < -32767 ? -32767 : x > 32767 ? 32767 : x));
         }
     }
-    return keep_piece(m, from, bytes, (uint32_t)wave_size(versions));
+    return keep_piece(m, from, bytes, (uint32_t)inst_wave_size(versions));
 }
 
 uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)

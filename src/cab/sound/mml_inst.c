@@ -99,9 +99,9 @@ static void balance(struct mml_inst *i)
     uint32_t loud = 0;
 
     for (int k = 0; k < n; k++)
-        loud += fm_heard(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
+        loud += inst_heard(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
     for (int k = 0; k < n && loud > 32767; k++)
-        if (fm_heard(n, i->inst.algorithm) >> k & 1)
+        if (inst_heard(n, i->inst.algorithm) >> k & 1)
             i->ops[k].level = (uint16_t)((uint32_t)i->ops[k].level * 32767 / loud);
 }
 
@@ -112,6 +112,7 @@ int mml_use_inst(struct mml *m, const struct mml_inst *inst)
     int i = 0;
 
     balance(&balanced);
+    balanced.inst.arpeggio = balanced.arpeggio;
     inst_write(bytes, &balanced.inst, balanced.ops, balanced.sample);
     while (i < m->n_insts && memcmp(m->insts[i], bytes, INST_BYTES) != 0)
         i++;
@@ -212,7 +213,7 @@ static void read_op(struct setting *s, int k)
     if (!next(s))
         return;
     o->level =
-        fm_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (an operator that is heard)") : radians(s);
+        inst_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (an operator that is heard)") : radians(s);
     if (!next(s))
         return;
     o->env.attack = time_of(s);
@@ -236,7 +237,7 @@ static void read_algorithm(struct setting *s)
         mml_bad(s->m, s->key_at, "only fm4 has an algorithm");
     s->i->inst.algorithm = (uint8_t)(number(s, "an algorithm", 0, 7000) / 1000);
     for (int k = 0; k < FM_OPS; k++) {
-        const bool heard = fm_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
+        const bool heard = inst_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
             mml_bad(s->m, from, "expected the algorithm before the operators, for it says which ones are heard");
@@ -249,14 +250,13 @@ static void read_arpeggio(struct setting *s)
     struct inst *i = &s->i->inst;
 
     i->arpeggio_n = 0;
-    memset(i->arpeggio, 0, sizeof i->arpeggio);
     i->arpeggio_frames = (uint16_t)(number(s, "frames a note", 1000, 3600000) / 1000);
     if (s->at == s->end || s->m->text[s->at++] != ':')
         mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as arpeggio=2:0,4,7");
     do {
         if (i->arpeggio_n == ARPEGGIO_MOST)
             mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MOST);
-        i->arpeggio[i->arpeggio_n++] = (int8_t)(number(s, "semitones", -48000, 48000) / 1000);
+        s->i->arpeggio[i->arpeggio_n++] = (uint8_t)(number(s, "semitones", -48000, 48000) / 1000);
     } while (next(s));
 }
 

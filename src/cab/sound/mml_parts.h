@@ -23,6 +23,7 @@ enum {
 struct mml_event {
     uint32_t tick;
     uint32_t order; /* in which it was written */
+    uint32_t from;  /* place in the file */
     uint8_t event;
     uint16_t value, more;
 };
@@ -38,6 +39,7 @@ struct mml_line {
 struct mml_inst {
     struct inst inst;
     struct op ops[FM_OPS];
+    uint8_t arpeggio[ARPEGGIO_MOST];
     char sample[INST_NAME];
 };
 
@@ -84,6 +86,8 @@ struct mml {
     int n_marks;
     char title[TUNE_TITLE];
     int bar;
+    uint32_t swing, swing_percent, swing_from; /* half of a pair in ticks; of the pair; 0: none */
+    uint32_t now;                              /* the place in the file of what is read */
     struct mml_line line;
     struct mml_track tracks[TUNE_TRACKS], conductor;
     uint32_t events;
@@ -131,6 +135,24 @@ uint32_t mml_hertz(int64_t thousandths);
 
 /* Adds an event. */
 void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event event, int value, int more);
+
+/* The number of the marker of that name; -1: there are too many. */
+int mml_mark(struct mml *m, const char name[TUNE_NAME]);
+
+/* The piece of that curve, E, M or P; 0: there is none. */
+uint32_t mml_find_curve(const struct mml *m, char kind, const char *name);
+
+/* Moves everything to where #swing says. */
+void mml_swing(struct mml *m);
+
+/* Tells of notes of a voice that are so near that the sound before them is cut. */
+void mml_look_at_notes(struct mml *m, const struct mml_about *about);
+
+/* Sorts a track's events by time. */
+void mml_sort(struct mml_track *t);
+
+/* The tempo in force at a tick. */
+int mml_tempo_at(const struct mml_track *conductor, uint32_t tick);
 
 /* Reads m->line into a track. */
 void mml_read_track(struct mml *m, struct mml_track *t);

@@ -8,7 +8,7 @@
 #include "../../base/edit.h"
 #include "../../snd/pitch.h"
 
-enum { WHOLE = 4 * TUNE_QUARTER, KEYS = 7 };
+enum { WHOLE = 4 * TUNE_QUARTER, KEYS = 7, GRACES = 4, GRACE = WHOLE / 32 /* ticks, unless it says another length */ };
 
 struct loop {
     uint32_t begin, end, exit; /* end: behind ]n, 0: not known yet */
@@ -23,13 +23,20 @@ struct reader {
     struct mml_inst inst; /* that was chosen */
     int inst_now;         /* that the track plays, -1: none yet */
     int octave, transpose, volume, pan;
-    int detune; /* 256ths of a semitone */
+    int detune; /* cents */
     int accidental[KEYS];
     uint32_t length;
-    int gate;     /* eighths */
-    uint32_t cut; /* ticks */
-    int last;     /* pitch, -1: no note yet */
-    bool slurred; /* the note before goes on */
+    int gate;                  /* eighths */
+    uint32_t cut;              /* ticks */
+    int last;                  /* pitch, -1: no note yet */
+    bool slurred;              /* the note before goes on */
+    uint32_t glide;            /* ticks in which a note slides from the one before; 0: it does not */
+    int from_below;            /* semitones from which a note slides up ... */
+    uint32_t from_below_ticks; /* ... in so many; 0: it does not */
+    uint32_t strike;           /* ticks from one stroke of a note to the next; 0: there is one */
+    int strike_louder;         /* steps of 8 of 127 */
+    int graces, grace[GRACES]; /* their pitches */
+    uint32_t grace_ticks[GRACES];
     struct loop loops[MML_DEPTH];
     int depth;
     uint32_t group_total, group_n, group_k; /* of {{ }}; n 0: none */
@@ -60,6 +67,11 @@ static void skip(struct reader *r)
 {
     while (peek(r) == ' ' || peek(r) == '\t' || peek(r) == '\r' || peek(r) == '|')
         r->p++;
+}
+
+static bool is_note(char c)
+{
+    return c >= 'a' && c <= 'g';
 }
 
 static bool digit(char c)
@@ -198,7 +210,7 @@ static int pitch(struct reader *r)
         else
             break;
     }
-    v = (12 * (r->octave + 1) + v + r->transpose) * 256 + r->detune;
+    v = (12 * (r->octave + 1) + v + r->transpose) * 256 + r->detune * 256 / 100;
     if (v < 0 || v > PITCH_MOST / 256)
         BAD(r, from, "the note is too %s", v < 0 ? "low" : "high");
     return v;
@@ -222,20 +234,87 @@ static uint32_t gated(const struct reader *r, uint32_t ticks)
     return n < ticks ? n : ticks;
 }
 
+/* The grace notes before a note; what is left of its ticks. */
+static uint32_t play_graces(struct reader *r, uint32_t ticks, uint32_t from)
+{
+    if (r->graces && r->slurred)
+        BAD(r, from, "a grace note within a slur");
+    for (int i = 0; i < r->graces; i++) {
+        if (r->grace_ticks[i] >= ticks)
+            BAD(r, from, "its grace notes are as long as the note");
+        event(r, r->tick, TUNE_NOTE, r->grace[i], 0);
+        r->tick += r->grace_ticks[i];
+        event(r, r->tick, TUNE_OFF, 0, 0);
+        ticks -= r->grace_ticks[i];
+    }
+    r->graces = 0;
+    return ticks;
+}
+
+/* The note begins; with S and G elsewhere, from where it slides to its pitch. */
+static void begin_note(struct reader *r, int v, uint32_t ticks)
+{
+    uint32_t over = r->from_below_ticks ? r->from_below_ticks : r->glide;
+    int first = r->from_below_ticks ? v - 256 * r->from_below : r->glide && r->last >= 0 ? r->last : v;
+
+    first = first < 0 ? 0 : first > PITCH_MOST / 256 ? PITCH_MOST / 256 : first;
+    over = over < ticks ? over : ticks;
+    event(r, r->tick, TUNE_NOTE, first, 0);
+    if (first != v)
+        event(r, r->tick, TUNE_GLIDE, v, (int)over);
+}
+
+/* W: the note is struck again and again until it is let go after so many ticks, each time softer. */
+static void strike_again(struct reader *r, int v, uint32_t until, uint32_t ticks)
+{
+    int volume = r->volume;
+    uint32_t t = r->strike;
+
+    for (; t < until && volume > 0; t += r->strike) {
+        volume += 8 * r->strike_louder;
+        volume = volume < 0 ? 0 : volume > TUNE_LOUD ? TUNE_LOUD : volume;
+        event(r, r->tick + t, TUNE_VOLUME, volume, 0);
+        event(r, r->tick + t, TUNE_NOTE, v, 0);
+    }
+    if (volume != r->volume)
+        event(r, r->tick + ticks, TUNE_VOLUME, r->volume, 0);
+}
+
 /* A note of that pitch; to: where it slides after `delay` ticks, or -1. */
 static void play(struct reader *r, int v, uint32_t ticks, int to, uint32_t delay, uint32_t from)
 {
-    const bool slur = r->slurred;
-
     use_inst(r, from);
-    event(r, r->tick, slur ? TUNE_SLUR : TUNE_NOTE, v, 0);
+    ticks = play_graces(r, ticks, from);
+    if (delay >= ticks)
+        BAD(r, from, "it slides when the note is over");
+    if (r->slurred)
+        event(r, r->tick, TUNE_SLUR, v, 0);
+    else if (to >= 0)
+        event(r, r->tick, TUNE_NOTE, v, 0);
+    else
+        begin_note(r, v, ticks);
     if (to >= 0)
         event(r, r->tick + delay, TUNE_GLIDE, to, (int)(ticks - delay > 65535 ? 65535 : ticks - delay));
     r->slurred = slurs_on(r);
+    if (r->strike && !r->slurred && to < 0)
+        strike_again(r, v, gated(r, ticks), ticks);
     if (!r->slurred)
         event(r, r->tick + gated(r, ticks), TUNE_OFF, 0, 0);
     r->last = v;
     advance(r, ticks, from);
+}
+
+/* ~c16: a note before the next one, which is that much shorter. */
+static void grace(struct reader *r)
+{
+    const uint32_t from = r->p++;
+
+    if (!is_note(peek(r)))
+        BAD(r, from, "expected a note behind ~, as ~c16 d4");
+    if (r->graces == GRACES)
+        BAD(r, from, "more than %d grace notes before a note", (int)GRACES);
+    r->grace[r->graces] = pitch(r);
+    r->grace_ticks[r->graces++] = digit(peek(r)) || peek(r) == '%' ? length(r) : GRACE;
 }
 
 static void note(struct reader *r)
@@ -259,6 +338,8 @@ static void rest(struct reader *r)
 {
     const uint32_t from = r->p++, ticks = lasting(r, from);
 
+    if (r->graces)
+        BAD(r, from, "a grace note before a rest");
     if (r->slurred)
         event(r, r->tick, TUNE_OFF, 0, 0);
     r->slurred = false;
@@ -270,11 +351,6 @@ static void step_octave(struct reader *r, int by)
     r->octave += by;
     if (r->octave < -1 || r->octave > 9)
         BAD(r, r->p, "the octave is too %s", by < 0 ? "low" : "high");
-}
-
-static bool is_note(char c)
-{
-    return c >= 'a' && c <= 'g';
 }
 
 /* {c>g}4,8: c slides to g within a quarter, after an eighth. */
@@ -301,8 +377,6 @@ static void slide(struct reader *r)
     if (peek(r) == ',') {
         r->p++;
         delay = one_length(r);
-        if (delay >= ticks)
-            BAD(r, from, "it slides when the note is over");
     }
     play(r, v[0], ticks, v[1], delay, from);
     r->last = v[1];
@@ -317,7 +391,7 @@ static void group(struct reader *r)
     if (r->group_n)
         BAD(r, from, "{{ within {{");
     for (r->p += 2; peek(r) && !(peek(r) == '}' && peek_at(r, 1) == '}'); r->p++) {
-        if (peek(r) == '[' || peek(r) == '{' || peek(r) == '"' || peek(r) == '@')
+        if (peek(r) == '[' || peek(r) == '{' || peek(r) == '"' || peek(r) == '@' || peek(r) == '~')
             BAD(r, r->p, "{{ }} has notes, rests and octaves alone");
         n += is_note(peek(r)) || peek(r) == 'r' || peek(r) == 'x';
     }
@@ -455,36 +529,158 @@ static void comma(struct reader *r, const char *expected)
     r->p++;
 }
 
+/* A curve by its name, or - for none: Eswell, Mdrop, Paround. False: it is something else. */
+static bool set_curve(struct reader *r, char kind, uint32_t *piece)
+{
+    const uint32_t from = r->p;
+    const char c = peek_at(r, 1);
+    char name[MML_NAME] = "";
+    int n = 0;
+
+    if (c != '-' && (c < 'a' || c > 'z'))
+        return false;
+    r->p++;
+    *piece = 0;
+    if (c == '-') {
+        r->p++;
+        return true;
+    }
+    for (; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
+        name[n++] = peek(r);
+    *piece = mml_find_curve(r->m, kind, name);
+    if (*piece == 0)
+        BAD(r, from, "there is no curve \"%s\": expected a line @%c %s FRAMES:VALUE,VALUE...", name, kind, name);
+    return true;
+}
+
 /* Eattack,decay,sustain,release: milliseconds, milliseconds, percent, milliseconds. */
 static void set_envelope(struct reader *r)
 {
     static const char form[] = "E attack,decay,sustain,release: milliseconds, and percent for sustain";
+    struct env *e = &r->inst.inst.env;
 
+    if (set_curve(r, 'E', &r->inst.inst.volume_curve))
+        return;
     r->p++;
-    r->inst.inst.env.attack = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    e->attack = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
     comma(r, form);
-    r->inst.inst.env.decay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    e->decay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
     comma(r, form);
-    r->inst.inst.env.sustain = (uint16_t)(number(r, form, 0, 100) * 32767 / 100);
+    e->sustain = (uint16_t)(number(r, form, 0, 100) * 32767 / 100);
     comma(r, form);
-    r->inst.inst.env.release = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+    e->release = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
 }
 
-/* Mcents,hertz,milliseconds; M0: none. */
-static void set_vibrato(struct reader *r)
+/* What stands behind the depth of M and MA: ,hertz,milliseconds. */
+static void read_lfo(struct reader *r, struct lfo *l, const char *form)
 {
-    static const char form[] = "M cents,hertz,milliseconds of delay";
-
-    struct lfo *l = &r->inst.inst.vibrato;
-
-    r->p++;
-    *l = (struct lfo){ .depth = (uint16_t)(number(r, form, 0, 2400) * 256 / 100) };
-    if (l->depth == 0)
-        return;
     comma(r, form);
     l->step = mml_hertz(10 * (int64_t)hundredths(r, form, 1, 2500));
     comma(r, form);
     l->delay = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
+}
+
+/* Mcents,hertz,milliseconds, MP the same, MApercent,hertz,milliseconds; M0, MA0: none. */
+static void set_slow_wave(struct reader *r)
+{
+    static const char vibrato[] = "M cents,hertz,milliseconds of delay",
+                      tremolo[] = "MA percent,hertz,milliseconds of delay";
+    struct inst *i = &r->inst.inst;
+
+    if (set_curve(r, 'M', &i->pitch_curve))
+        return;
+    r->p++;
+    if (peek(r) == 'A') {
+        r->p++;
+        i->tremolo = (struct lfo){ .depth = (uint16_t)(number(r, tremolo, 0, 100) * 32767 / 100) };
+        if (i->tremolo.depth)
+            read_lfo(r, &i->tremolo, tremolo);
+        return;
+    }
+    r->p += peek(r) == 'P';
+    i->vibrato = (struct lfo){ .depth = (uint16_t)(number(r, vibrato, 0, 2400) * 256 / 100) };
+    if (i->vibrato.depth)
+        read_lfo(r, &i->vibrato, vibrato);
+}
+
+static void set_place_curve(struct reader *r)
+{
+    if (!set_curve(r, 'P', &r->inst.inst.pan_curve))
+        BAD(r, r->p, "expected a curve's name behind P, or P- for none (p64 is a place)");
+}
+
+/* A length, or 0 for none. */
+static uint32_t length_or_none(struct reader *r, const char *form)
+{
+    if (peek(r) == '0' && !digit(peek_at(r, 1))) {
+        r->p++;
+        return 0;
+    }
+    if (!digit(peek(r)) && peek(r) != '%')
+        BAD(r, r->p, "expected %s", form);
+    return length(r);
+}
+
+/* G16: notes slide from the one before within a 16th. */
+static void set_glide(struct reader *r)
+{
+    r->p++;
+    r->glide = length_or_none(r, "G and a length in which notes slide from the one before, or G0");
+    if (r->glide > 65535)
+        BAD(r, r->p, "notes slide within 65535 ticks");
+}
+
+/* S2,16: notes come from 2 semitones below within a 16th. */
+static void set_from_below(struct reader *r)
+{
+    static const char form[] = "S semitones,length, or S0";
+
+    r->p++;
+    r->from_below = number(r, form, -48, 48);
+    r->from_below_ticks = 0;
+    if (r->from_below == 0)
+        return;
+    comma(r, form);
+    const uint32_t from = r->p;
+    r->from_below_ticks = length_or_none(r, form);
+    if (r->from_below_ticks == 0 || r->from_below_ticks > 65535)
+        BAD(r, from, "expected %s", form);
+}
+
+/* W8,-2: notes are struck again each 8th, 2 of 16 softer. */
+static void set_strike(struct reader *r)
+{
+    static const char form[] = "W length,louder, or W0";
+
+    r->p++;
+    r->strike = length_or_none(r, form);
+    r->strike_louder = 0;
+    if (r->strike == 0)
+        return;
+    comma(r, form);
+    r->strike_louder = number(r, "how much louder, of 16,", -15, 15);
+}
+
+/* D20: 20 cents higher; DD5: 5 more than that. */
+static void set_detune(struct reader *r)
+{
+    const bool more = peek_at(r, 1) == 'D';
+
+    r->p += more ? 2 : 1;
+    r->detune = number(r, "cents", -1200, 1200) + (more ? r->detune : 0);
+    if (r->detune < -1200 || r->detune > 1200)
+        BAD(r, r->p, "detuned by %d cents; expected -1200 to 1200", r->detune);
+}
+
+/* K-12, _-12: 12 semitones lower; __2: 2 higher than that. */
+static void set_transpose(struct reader *r)
+{
+    const bool more = peek(r) == '_' && peek_at(r, 1) == '_';
+
+    r->p += more ? 2 : 1;
+    r->transpose = number(r, "semitones", -48, 48) + (more ? r->transpose : 0);
+    if (r->transpose < -48 || r->transpose > 48)
+        BAD(r, r->p, "transposed by %d semitones; expected -48 to 48", r->transpose);
 }
 
 /* _{+fc}: from now on f and c are sharp; _{=}: as written. */
@@ -493,8 +689,6 @@ static void set_key(struct reader *r)
     const uint32_t from = r->p;
     int by = 0;
 
-    if (peek_at(r, 1) != '{')
-        BAD(r, from, "expected _{+fc}, a key's sharps, or _{-be}, its flats");
     for (r->p += 2; peek(r) != '}'; r->p++) {
         const char c = peek(r);
         if (c == '+' || c == '-')
@@ -507,6 +701,19 @@ static void set_key(struct reader *r)
             BAD(r, from, "expected _{+fc}, a key's sharps, or _{-be}, its flats");
     }
     r->p++;
+}
+
+int mml_mark(struct mml *m, const char name[TUNE_NAME])
+{
+    int i = 0;
+
+    while (i < m->n_marks && strcmp(m->marks[i], name) != 0)
+        i++;
+    if (i == TUNE_MARKS)
+        return -1;
+    if (i == m->n_marks)
+        memcpy(m->marks[m->n_marks++], name, TUNE_NAME);
+    return i;
 }
 
 static void set_mark(struct reader *r)
@@ -524,12 +731,9 @@ static void set_mark(struct reader *r)
     if (!peek(r) || n == 0)
         BAD(r, from, n ? "\" without an end" : "a marker without a name");
     r->p++;
-    while (i < m->n_marks && strcmp(m->marks[i], name) != 0)
-        i++;
-    if (i == TUNE_MARKS)
+    i = mml_mark(m, name);
+    if (i < 0)
         BAD(r, from, "more than %d markers", (int)TUNE_MARKS);
-    if (i == m->n_marks)
-        memcpy(m->marks[m->n_marks++], name, TUNE_NAME);
     mml_add(m, &m->conductor, r->tick, TUNE_MARK, i, 0);
 }
 
@@ -548,9 +752,17 @@ static bool read_number(struct reader *r)
     case 'q':
         return r->p++, r->cut = (uint32_t)number(r, "ticks off a note's end", 0, WHOLE), true;
     case 'D':
-        return r->p++, r->detune = number(r, "cents", -1200, 1200) * 256 / 100, true;
+        return set_detune(r), true;
     case 'K':
-        return r->p++, r->transpose = number(r, "semitones", -48, 48), true;
+        return set_transpose(r), true;
+    case 'G':
+        return set_glide(r), true;
+    case 'S':
+        return set_from_below(r), true;
+    case 'W':
+        return set_strike(r), true;
+    case 'P':
+        return set_place_curve(r), true;
     case 'l':
         return r->p++, r->length = one_length(r), true;
     case 'p':
@@ -560,7 +772,7 @@ static bool read_number(struct reader *r)
     case 'E':
         return set_envelope(r), true;
     case 'M':
-        return set_vibrato(r), true;
+        return set_slow_wave(r), true;
     default:
         return false;
     }
@@ -611,7 +823,10 @@ static void command(struct reader *r)
         set_inst(r);
         break;
     case '_':
-        set_key(r);
+        peek_at(r, 1) == '{' ? set_key(r) : set_transpose(r);
+        break;
+    case '~':
+        grace(r);
         break;
     case '"':
         set_mark(r);
@@ -635,8 +850,12 @@ void mml_read_track(struct mml *m, struct mml_track *t)
 
     mml_find_inst(m, "pulse", &r.inst);
     event(&r, 0, TUNE_VOLUME, r.volume, 0);
-    for (skip(&r); r.p < m->line.n; skip(&r))
+    for (skip(&r); r.p < m->line.n; skip(&r)) {
+        m->now = place(&r, r.p);
         command(&r);
+    }
+    if (r.graces)
+        BAD(&r, r.p, "a grace note before nothing");
     if (r.depth > 0)
         BAD(&r, r.loops[r.depth - 1].begin - 1, "[ without ]");
     if (r.group_n)

@@ -56,6 +56,12 @@ static int by_tick(const void *a, const void *b)
     return x->order < y->order ? -1 : x->order > y->order;
 }
 
+void mml_sort(struct mml_track *t)
+{
+    if (t->n > 0)
+        qsort(t->events, t->n, sizeof *t->events, by_tick);
+}
+
 static void add_event(struct bytes *b, const struct mml_event *e)
 {
     const uint8_t value[4] = { (uint8_t)e->value, (uint8_t)(e->value >> 8), (uint8_t)e->more, (uint8_t)(e->more >> 8) };
@@ -67,8 +73,7 @@ static void add_event(struct bytes *b, const struct mml_event *e)
     add_bytes(b, value, (size_t)n);
 }
 
-/* The tempo in force at a tick. */
-static int tempo_at(const struct mml_track *c, uint32_t tick)
+int mml_tempo_at(const struct mml_track *c, uint32_t tick)
 {
     int tempo = 12000;
 
@@ -94,7 +99,7 @@ static uint32_t begin_loop(struct bytes *b, const struct mml_track *t, uint32_t 
 {
     const uint32_t tick = (uint32_t)t->loop;
     const struct mml_event off = { .event = TUNE_OFF },
-                           tempo = { .event = TUNE_TEMPO, .value = (uint16_t)tempo_at(&b->m->conductor, tick) };
+                           tempo = { .event = TUNE_TEMPO, .value = (uint16_t)mml_tempo_at(&b->m->conductor, tick) };
 
     add_ticks(b, tick - now);
     add_event(b, t == &b->m->conductor ? &tempo : &off);
@@ -107,8 +112,7 @@ static uint32_t add_track(struct bytes *b, struct mml_track *t)
     const uint32_t first = loop_order(t);
     uint32_t now = 0, loop = 0;
 
-    if (t->n > 0)
-        qsort(t->events, t->n, sizeof *t->events, by_tick);
+    mml_sort(t);
     for (uint32_t i = 0; i < t->n && t->events[i].tick <= t->end; i++) {
         const struct mml_event *e = &t->events[i];
         const bool inside =
@@ -157,14 +161,13 @@ static void prepare_conductor(struct mml *m)
 {
     struct mml_track *c = &m->conductor;
 
-    if (c->n > 0)
-        qsort(c->events, c->n, sizeof *c->events, by_tick);
+    mml_sort(c);
     for (uint32_t i = 0; i < c->n; i++)
         c->events[i].order = i;
     if (c->loop >= 0)
-        mml_add(m, c, (uint32_t)c->loop, TUNE_TEMPO, tempo_at(c, (uint32_t)c->loop), 0);
+        mml_add(m, c, (uint32_t)c->loop, TUNE_TEMPO, mml_tempo_at(c, (uint32_t)c->loop), 0);
     else if (c->n == 0)
-        mml_add(m, c, 0, TUNE_TEMPO, tempo_at(c, 0), 0);
+        mml_add(m, c, 0, TUNE_TEMPO, mml_tempo_at(c, 0), 0);
 }
 
 static void put_place(struct bytes *b, int k, size_t at, uint32_t loop)
@@ -204,7 +207,8 @@ static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
                                   (uint8_t)m->n_insts,   (uint8_t)m->n_marks };
     char title[TUNE_TITLE] = "";
 
-    bytes_put32(head + 8, (uint32_t)tempo_at(&m->conductor, 0));
+    head[TUNE_DUCK_AT] = (uint8_t)about->duck;
+    bytes_put32(head + 8, (uint32_t)mml_tempo_at(&m->conductor, 0));
     memcpy(title, about->title && about->title[0] ? about->title : m->title,
            about->title && about->title[0] ? strlen(about->title) : sizeof title);
     add_bytes(b, head, sizeof head);

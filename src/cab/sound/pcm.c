@@ -47,7 +47,8 @@ bool pcm_add(struct pcm *p, const float *frames, size_t n)
     if (!grow(p, n))
         return false;
     for (size_t i = 0; i < n * (size_t)p->channels; i++) {
-        p->clipped += frames[i] > 1 || frames[i] < -1;
+        if ((frames[i] > 1 || frames[i] < -1) && p->clipped++ == 0)
+            p->clipped_at = p->n + (uint32_t)(i / (size_t)p->channels);
         p->frames[p->n * (size_t)p->channels + i] = frames[i] == frames[i] ? rounded((double)frames[i]) : 0;
     }
     p->n += (uint32_t)n;

@@ -76,8 +76,8 @@ static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t
     out->data = malloc(out->n);
     for (int i = 0; side && out->data && i < sides; i++) {
         pcm_side(p, sides == 1 ? -1 : i, side);
-        sample_write(out->data + before + one * (size_t)i, side, p->n, p->rate,
-                     p->loop < 0 ? SAMPLE_ENDS : (uint32_t)p->loop, coding);
+        encode_sample(out->data + before + one * (size_t)i, side, p->n, p->rate,
+                      p->loop < 0 ? SAMPLE_ENDS : (uint32_t)p->loop, coding);
     }
     const bool good = side && out->data;
     free(side);
@@ -88,7 +88,7 @@ static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t
 
 /* ---- a tune ---- */
 
-enum { ROOT = 60, RELEASE = 480 /* samples */, ROOM = 16384 /* bytes of any such tune */, SOUND_TEMPO = 6000 };
+enum { RELEASE = 480 /* samples */, ROOM = 16384 /* bytes of any such tune */, SOUND_TEMPO = 6000 };
 
 struct writer {
     uint8_t bytes[ROOM];
@@ -111,7 +111,7 @@ static void add_ticks(struct writer *w, uint32_t v)
 static void add_event(struct writer *w, uint32_t ticks, enum tune_event event, int v)
 {
     add_ticks(w, ticks);
-    add_byte(w, event);
+    add_byte(w, (int)event);
     if (event == TUNE_NOTE || event == TUNE_TEMPO)
         add_byte(w, v & 255);
     if (event != TUNE_END)
@@ -136,13 +136,14 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
                              (uint8_t)s->bar, (uint8_t)sides,     (uint8_t)sides,       (uint8_t)markers };
     const struct inst inst = { .kind = INST_SAMPLE,
                                .env = { .sustain = 32767, .release = RELEASE },
-                               .root = ROOT * PITCH_ONE };
+                               .root = RECORDING_NOTE * (PITCH_ONE / 256) };
     const struct op none[FM_OPS] = { 0 };
 
     memset(w, 0, sizeof *w);
     memcpy(w->bytes, head, sizeof head);
     bytes_put32(w->bytes + 8, tempo);
     w->bytes[20] = (uint8_t)sides;
+    w->bytes[TUNE_DUCK_AT] = (uint8_t)s->duck;
     snprintf((char *)w->bytes + TUNE_HEADER, TUNE_TITLE, "%s", s->title);
     w->n = TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)sides + 1);
     for (int i = 0; i < sides; i++, w->n += INST_BYTES)
@@ -156,7 +157,7 @@ static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t
     add_event(w, 0, TUNE_INST, i);
     add_event(w, 0, TUNE_PLACE, sides == 1 ? TUNE_PAN : i * 2 * TUNE_PAN);
     add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);
-    add_event(w, 0, TUNE_NOTE, ROOT * 256);
+    add_event(w, 0, TUNE_NOTE, RECORDING_NOTE);
     if (endless) {
         begin_loop(w);
         add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);

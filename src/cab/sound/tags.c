@@ -201,7 +201,7 @@ bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t
     for (size_t at = 0, size; good && at < n; at += size) {
         size = page_size(data, n, at, err, err_size);
         good = size > 0 && add_page(&k, data + at, err, err_size);
-        ended = data[at + 5] & LAST_PAGE;
+        ended = good && data[at + 5] & LAST_PAGE;
     }
     if (good && !ended)
         good = err_set(err, err_size, "it ends before its last page");

@@ -40,6 +40,8 @@ uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age
 {
     uint32_t n = 1;
 
+    if (kind + n == kinds->s.live || kinds->life[kind + n]) /* it has one, as most */
+        return kinds->bank[kind];
     while (kind + n < kinds->s.live && kinds->life[kind + n] == 0)
         n++;
     uint32_t at = age * n / kinds->life[kind];

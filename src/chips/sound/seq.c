@@ -321,14 +321,17 @@ static int priority_of(const struct cues *c, const uint8_t *rom, int i)
     return tune_of(rom + c->tune[i]).priority;
 }
 
-/* A free slot, or the one that has to go; -1: all are more important. */
-static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame)
+/* A free slot, one whose voice is silent first, or the one that has to go; -1: all are more important. ringing: a bit
+ * for each slot whose voice still sounds. */
+static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame, uint32_t ringing)
 {
-    int least = -1;
+    int least = -1, rings = -1;
 
-    for (int i = 0; i < CUES; i++)
-        if (c->tune[i] == 0)
-            return i;
+    for (int i = CUES - 1; i >= 0; i--)
+        if (c->tune[i] == 0 && (rings < 0 || !(ringing >> i & 1) || ringing >> rings & 1))
+            rings = i;
+    if (rings >= 0)
+        return rings;
     for (int i = 0; i < CUES; i++) {
         const int p = priority_of(c, rom, i);
         if (p > priority || (p == priority && c->born[i] == frame))
@@ -357,7 +360,7 @@ static void set_cue(struct cues *c, int i, const struct tune *t, int track, cons
     c->pitch[i] = cue->pitch;
 }
 
-uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame)
+uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame, uint32_t ringing)
 {
     const struct tune t = tune_of(rom + cue->tune);
     uint32_t ended = 0;
@@ -368,7 +371,7 @@ uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, u
     if (n >= t.limit)
         ended = end_sound(c, cue->tune, c->born[oldest]);
     for (int track = 0; track < t.tracks; track++) {
-        const int i = room_for(c, rom, t.priority, frame);
+        const int i = room_for(c, rom, t.priority, frame, ringing);
         if (i < 0)
             break;
         if (c->tune[i])

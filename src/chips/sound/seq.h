@@ -21,7 +21,7 @@ enum {
     SEQ_FULL = 32767, /* of its volume */
     SEQ_HEARD = 1024,
     CUES = 8,
-    CUE_KINDS = 16
+    CUE_KINDS = 32
 };
 
 struct seq {
@@ -110,8 +110,8 @@ struct cue {
 
 /* Begins a sound in this frame. The same one twice in a frame is one, the louder. Where its limit is reached, the
  * oldest of its kind goes; where there is no room, the oldest of the least priority, if that is not above its own.
- * Returns a bit for each slot whose voice has to fade. */
-uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame);
+ * ringing: a bit for each slot whose voice sounds, free or not. Returns a bit for each slot whose voice has to fade. */
+uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame, uint32_t ringing);
 
 /* Ends the sound at that place, 0: all. Returns a bit for each slot. */
 uint32_t cues_stop(struct cues *c, uint32_t tune);

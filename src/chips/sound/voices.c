@@ -10,11 +10,11 @@
 #include "../../snd/fm.h"
 
 static const struct column columns[] = {
-    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1), COLUMN(voices, age),
-    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch), COLUMN(voices, goal),
-    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),  COLUMN(voices, vol0),
-    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),  REGISTER(voices, gain0),
-    REGISTER(voices, gain1), REGISTER(voices, held),
+    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1),    COLUMN(voices, age),
+    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch),    COLUMN(voices, goal),
+    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),     COLUMN(voices, vol0),
+    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),     REGISTER(voices, gain0),
+    REGISTER(voices, gain1), REGISTER(voices, held), REGISTER(voices, ducked),
 };
 
 const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
@@ -26,6 +26,8 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
 {
     const uint64_t most = (uint64_t)4 << 32;
 
+    if (i->kind == INST_NOISE)
+        return pitch_step(pitch) >> 12;
     if (i->kind != INST_SAMPLE)
         return pitch_step(pitch);
     if (wave == 0)
@@ -39,7 +41,7 @@ static int32_t arpeggio(const struct inst *inst, int32_t age)
 {
     const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
 
-    return inst->arpeggio_n ? inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE : 0;
+    return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE;
 }
 
 /* A slow wave at an age, Q30; 0 until it begins. */
@@ -58,7 +60,7 @@ static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
     if (inst->vibrato.depth)
         by = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
     if (inst->pitch_curve)
-        by += curve_at(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
+        by += inst_curve(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
     return by;
 }
 
@@ -67,8 +69,9 @@ static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct
                         int32_t age)
 {
     const uint8_t *bytes = rom + s->inst[i];
+    const int32_t jump = inst->arpeggio_n ? arpeggio(inst, now) : 0;
 
-    return step_of(rom, inst, s->wave[i], s->pitch[i] + arpeggio(inst, now) + bend(inst, bytes, age));
+    return step_of(rom, inst, s->wave[i], s->pitch[i] + jump + bend(inst, bytes, age));
 }
 
 /* ---- what begins and ends ---- */
@@ -153,6 +156,19 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
     s->pan1[voice] = pan;
 }
 
+/* A place beyond the end of a loop goes back by whole loops, but not so far that what is read around it leaves them. */
+void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples)
+{
+    const struct sample sample = sample_of(rom + s->wave[voice]);
+    const uint64_t loop = sample.loop == SAMPLE_ENDS ? 0 : sample.n - sample.loop, step = s->step0[voice];
+    uint64_t whole = samples * (step >> 32) + (samples * (uint32_t)step >> 32);
+
+    if (loop && whole > sample.n + SINC_TAPS)
+        whole = sample.n + SINC_TAPS + (whole - sample.n - SINC_TAPS) % loop;
+    s->phase[voice] += whole << 32 | (uint32_t)(samples * (uint32_t)step);
+    s->vol0[voice] = 0;
+}
+
 /* ---- a frame ---- */
 
 /* The pitch with its slide, a frame on. */
@@ -181,7 +197,15 @@ static bool ended(const struct voices *s, const uint8_t *rom, const struct inst 
     return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
-enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there */ };
+enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there; a place in a loop goes back by whole loops */ };
+
+/* How far a place goes back. Recordings are far shorter than OLDEST. */
+static uint64_t loops_back(const struct sample *s, uint64_t phase)
+{
+    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
+
+    return s->loop == SAMPLE_ENDS || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+}
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
 {
@@ -190,15 +214,18 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
     const int64_t more = (int64_t)(s->step1[i] - step) / SND_FRAME;
 
     s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * more);
+    if (inst.kind == INST_SAMPLE && s->wave[i]) {
+        const struct sample sample = sample_of(rom + s->wave[i]);
+        s->phase[i] -= loops_back(&sample, s->phase[i]);
+    }
     s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
     s->pan0[i] = s->pan1[i];
-    if (arpeggio(&inst, s->age[i]) != arpeggio(&inst, s->age[i] - SND_FRAME))
-        s->step0[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i]);
-    else
-        s->step0[i] = s->step1[i];
-    slide(s, i);
-    s->step1[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i] + SND_FRAME);
+    s->step0[i] = inst.arpeggio_n ? step_at(s, rom, &inst, i, s->age[i], s->age[i]) : s->step1[i];
+    if (s->glide[i] || inst.arpeggio_n || inst.vibrato.depth || inst.pitch_curve) {
+        slide(s, i);
+        s->step1[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i] + SND_FRAME);
+    }
     if (ended(s, rom, &inst, i))
         s->inst[i] = 0;
 }
@@ -282,7 +309,7 @@ static int32_t level_at(const struct note *n, int32_t age)
         level -= (level * tremolo->depth >> 15) * softer >> 15;
     }
     if (n->inst.volume_curve)
-        level = level * curve_at(n->bytes + n->inst.volume_curve, age) / 32767;
+        level = level * inst_curve(n->bytes + n->inst.volume_curve, age) / 32767;
     if (n->kill == NOTE_HELD || age <= n->kill)
         return level;
     return age - n->kill >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->kill)) / VOICE_FADE;
@@ -293,7 +320,7 @@ static bool has_corner(const struct note *n, int32_t from, int32_t to)
     return wave_corner(&n->inst.env, from, to, n->off) ||
            (n->kill != NOTE_HELD &&
             ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE))) ||
-           (n->inst.volume_curve && curve_corner(n->bytes + n->inst.volume_curve, from, to));
+           (n->inst.volume_curve && inst_curve_corner(n->bytes + n->inst.volume_curve, from, to));
 }
 
 /* The levels of a block's samples; false: all are 0. */
@@ -307,13 +334,13 @@ static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
         return true;
     }
     const int32_t l0 = level_at(n, from), l1 = level_at(n, to);
-    for (int k = 0; k < SND_BLOCK; k++)
-        out[k] = (int16_t)(l0 + (l1 - l0) * k / SND_BLOCK);
+    for (int k = 0, level = l0 * SND_BLOCK; k < SND_BLOCK; k++, level += l1 - l0)
+        out[k] = (int16_t)(level >> 5);
     return l0 | l1;
 }
 
-/* Volume, place and the gain of music at the beginning of block b, one side of the two. */
-static int32_t side_at(const struct note *n, int b, bool right)
+/* Volume, place and the gain of music at the beginning of block b. */
+static struct wave_sides sides_at(const struct note *n, int b)
 {
     const struct voices *s = n->s;
     const int i = n->i;
@@ -321,22 +348,21 @@ static int32_t side_at(const struct note *n, int b, bool right)
     int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
 
     if (n->inst.pan_curve) {
-        pan += 2 * curve_at(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
+        pan += 2 * inst_curve(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
         pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
     }
     if (i % VOICES < VOICES_MUSIC)
         vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN;
-    return vol * n->t->pan[right ? pan : 256 - pan] >> 15;
+    return (struct wave_sides){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
 }
 
-static void add_side(const struct note *n, int b, bool right, const int16_t *wave, const int16_t *level, int32_t *mix)
+/* Are the sides the same all the frame long? */
+static bool sides_stay(const struct note *n)
 {
-    const int32_t g0 = side_at(n, b, right), g1 = side_at(n, b + 1, right);
+    const struct voices *s = n->s;
+    const int i = n->i;
 
-    for (int k = 0; k < SND_BLOCK; k++) {
-        const int32_t gain = level[k] * (g0 + (g1 - g0) * k / SND_BLOCK) >> 15;
-        mix[k] += wave[k] * gain >> 8;
-    }
+    return s->pan0[i] == s->pan1[i] && s->vol0[i] == s->vol1[i] && s->gain0 == s->gain1 && !n->inst.pan_curve;
 }
 
 static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME], int32_t right[SND_FRAME])
@@ -359,12 +385,16 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
         read_recording(n, rom);
     if (inst_ops(n->inst.kind))
         fm_begin(&n->fm, &n->inst, n->bytes);
+    const bool stay = sides_stay(n);
+    struct wave_sides from, to = sides_at(n, 0);
     for (int b = 0; b < SND_BLOCKS; b++) {
+        from = to;
+        if (!stay)
+            to = sides_at(n, b + 1);
         if (!make_levels(n, b, level))
             continue;
         make_block(n, b, wave);
-        add_side(n, b, false, wave, level, left + b * SND_BLOCK);
-        add_side(n, b, true, wave, level, right + b * SND_BLOCK);
+        wave_add(wave, level, &from, &to, left + b * SND_BLOCK, right + b * SND_BLOCK);
     }
 }
 

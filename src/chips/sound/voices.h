@@ -27,7 +27,7 @@ enum {
 
 struct voices {
     struct slots s;
-    uint64_t *phase;         /* at the frame's first sample: 2^-56 turns; of a sample its place, Q32 */
+    uint64_t *phase;         /* at the frame's first sample: 2^-56 turns; of noise 2^-44; of a sample its place, Q32 */
     uint64_t *step0, *step1; /* of a sample, at the frame's first one and at its end */
     int32_t *age;            /* samples since the note began, at the first one; negative: it begins within */
     int32_t *off, *kill;     /* the age at which it is let go; from which on it fades in VOICE_FADE; or NOTE_HELD */
@@ -37,6 +37,7 @@ struct voices {
     uint16_t *vol0, *vol1; /* of VOICE_LOUD, at the frame's beginning and end */
     uint8_t *pan0, *pan1;  /* 0 left to 128 right */
     uint16_t gain0, gain1; /* of all music */
+    uint16_t ducked;       /* of VOICE_GAIN: how much softer it is for a sound */
     uint8_t held;          /* music stands: it did not play the last frame, and plays it anew */
 };
 
@@ -59,6 +60,10 @@ void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames);
 void voices_off(struct voices *s, int voice, int at);
 void voices_cut(struct voices *s, int voice, int at);
 void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan);
+
+/* The note that just began is of a recording, which has played so many samples of SND_RATE already; it comes in over the
+ * frame. */
+void voices_seek(struct voices *s, const uint8_t *rom, int voice, uint64_t samples);
 
 /* Moves all by a frame, but for music that is held. */
 void voices_step(struct voices *s, const uint8_t *rom);

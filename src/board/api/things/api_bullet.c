@@ -461,27 +461,35 @@ static int shot_group(lua_State *L, struct board *b, struct api_value *v)
     return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
+enum { VISIT = 4 /* VM instructions that a visit counts for, besides those of the function */ };
+
+/* The handles of those with the tag, in memory that Lua holds on top of the stack. */
+static const int64_t *list_tagged(lua_State *L, const struct board *b, enum handle_kind kind, const struct slots *s,
+                                  const uint16_t *tags, uint32_t tag, uint32_t *n)
+{
+    int64_t *list = lua_newuserdatauv(L, s->live * sizeof *list, 0);
+
+    *n = 0;
+    EACH_LIVE (i, s)
+        if (api_has_tag(tags, i, tag))
+            list[(*n)++] = board_handle(b, kind, (int32_t)i);
+    return list;
+}
+
 int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
              const uint16_t *tags, const struct api_value v[EACH_PARAMS])
 {
     uint32_t tag = v[EACH_TAG].given ? api_tag(L, entry, v[EACH_TAG].at) : 0;
-    int list = lua_gettop(L) + 1;
-    lua_Integer n = 0;
+    uint32_t n;
+    const int64_t *list = list_tagged(L, b, kind, s, tags, tag, &n);
 
-    lua_newtable(L);
-    EACH_LIVE (i, s)
-        if (api_has_tag(tags, i, tag)) {
-            lua_pushinteger(L, board_handle(b, kind, (int32_t)i));
-            lua_rawseti(L, list, ++n);
-        }
-    vm_charge(L, (uint64_t)n);
-    for (lua_Integer k = 1; k <= n; k++) {
+    vm_charge(L, VISIT * (uint64_t)n);
+    for (uint32_t k = 0; k < n; k++) {
+        if (!board_alive(b, list[k]))
+            continue;
         lua_pushvalue(L, v[EACH_F].at);
-        lua_rawgeti(L, list, k);
-        if (board_alive(b, lua_tointeger(L, -1)))
-            lua_call(L, 1, 0);
-        else
-            lua_pop(L, 2);
+        lua_pushinteger(L, list[k]);
+        lua_call(L, 1, 0);
     }
     return 0;
 }

@@ -24,7 +24,8 @@ enum {
     D_PICTURES,
     D_BLINK,
     D_RATE,
-    D_PARTS
+    D_PARTS,
+    D_BLINK_SOFT
 };
 
 static const struct api_param def[] = {
@@ -37,7 +38,7 @@ static const struct api_param def[] = {
     { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "blocks", A_BOOL, OPT, 0, 0, NULL, "false" },    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "blink", A_INT, OPT, 0, 15, "frames", "0" },     { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
-    { "parts", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "parts", A_TABLE, OPT, 0, 0, NULL, NULL },       { "blink_soft", A_BOOL, OPT, 0, 0, NULL, "false" },
 };
 
 static const char *const first_pictures[] = { "hurt", NULL };
@@ -77,9 +78,9 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     k->hp[i] = (int32_t)v[D_HP].i;
     k->score[i] = v[D_SCORE].i;
     k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
-    k->flags[i] =
-        (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) | v[D_BLEND].i * ENEMY_BLEND_ONE |
-                  (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) | (pictures.n ? ENEMY_HURT : 0));
+    k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
+                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) |
+                            (pictures.n ? ENEMY_HURT : 0) | (v[D_BLINK_SOFT].i ? ENEMY_SOFT : 0));
     api_pictures_keep(L, N_ENEMY, i, &pictures);
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     keep_function(L, &v[D_RUN], i, "run");

@@ -194,19 +194,20 @@ static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const
     return true;
 }
 
-/* What sys.volley gives. Upvalues: the pattern's entry, a hash of its name. */
+/* What sys.volley gives, bound to the pattern's entry. */
 static int volley(lua_State *L)
 {
-    const struct api_entry *e = lua_touserdata(L, lua_upvalueindex(1)), *fires;
+    struct api_bound *f = api_bound(L);
+    const struct api_entry *e = f->entry, *fires;
     struct board *b = vm_board(L);
     struct api_value v[MAX_PARAMS];
 
     if (is_for_lua(L))
         return lua_pushboolean(L, false), 1;
     vm_charge(L, WORK_CALL);
-    const int n = api_arguments(L, e, v, &fires);
+    const int n = api_arguments_planned(L, f, v, &fires);
     const struct api_value *skip = v + e->count - OWN_SKIP_BACK;
-    api_fold_call(L, b, (uint64_t)lua_tointeger(L, lua_upvalueindex(2)), v, n);
+    api_fold_call(L, b, f->hash, v, n);
     for (int i = 1; skip->given && i <= 2; i++)
         script_fold(b, (uint64_t)end_of(L, skip, i));
     lua_pushboolean(L, fire(L, b, e, v));
@@ -221,8 +222,6 @@ int api_volley(lua_State *L, struct board *b, struct api_value *v)
     (void)b;
     if (!e || !(e->flags & API_FIRE) || pattern_of(name) == EMIT_ONE)
         return api_error(L, "sys.volley", "no volley \"%s\"", name);
-    lua_pushlightuserdata(L, (void *)(uintptr_t)e);
-    lua_pushinteger(L, (lua_Integer)hash_bytes(HASH_START, e->name, strlen(e->name)));
-    lua_pushcclosure(L, volley, 2);
+    api_push_bound(L, e, volley);
     return 1;
 }

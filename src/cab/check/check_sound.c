@@ -1,0 +1,189 @@
+/*
+ * check_sound.c - sounds and music: names in scripts that rom.lua has not, and what is heard of a run: frames in which
+ * all together are too loud, and sounds that lose their end because others need the voice.
+ */
+#include "check_parts.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/edit.h"
+#include "../../board/board.h"
+
+/* ---- names ---- */
+
+/* What of rom.lua a call's first argument names. */
+static const struct {
+    const char *space, *name;
+    bool music;
+} namers[] = { { "sound", "play", false }, { "sound", "stop", false }, { "music", "play", true } };
+
+static void look_up(struct check *c, const char *path, const struct symbol_call *call, bool music)
+{
+    const struct art_sound *list = music ? c->art.tunes : c->art.sounds;
+    const int n = music ? c->art.n_tunes : c->art.n_sounds;
+    const char *name = call->arg[0], *near = NULL;
+    int best = 1 + (int)strlen(name) / 3;
+
+    for (int i = 0; i < n; i++) {
+        const int far = edit_distance(name, list[i].name);
+        if (far == 0)
+            return;
+        if (far <= best) {
+            best = far - 1;
+            near = list[i].name;
+        }
+    }
+    diagnostics_add(&c->found, path, call->line, "%s.%s: \"%s\" is not in rom.lua's %s%s%s%s", call->space, call->name,
+                    name, music ? "music" : "sounds", near ? " (did you mean \"" : "", near ? near : "",
+                    near ? "\"?)" : "");
+}
+
+void check_sounds(struct check *c)
+{
+    if (!c->manifest || !c->m.sound)
+        return;
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
+            const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
+            for (size_t n = 0; n < sizeof namers / sizeof *namers && call->space && call->arg[0]; n++)
+                if (!strcmp(call->space, namers[n].space) && !strcmp(call->name, namers[n].name))
+                    look_up(c, c->scripts[i].path, call, namers[n].music);
+        }
+}
+
+/* ---- a run ---- */
+
+enum {
+    SLOTS = 32,
+    FULL = 27913, /* what the limiter makes of a mix at full scale (wave.h): above it bends hard */
+    RARELY = 100, /* one frame in so many may be above */
+    FEW = 10,     /* sounds that began, of which nothing is said */
+    TENTH = 10    /* one in so many may lose its end */
+};
+
+struct heard_sound {
+    char name[64];
+    uint32_t began, lost, first;
+};
+
+struct check_heard {
+    void *tables;
+    uint32_t frames, over, first;
+    int n;
+    struct heard_sound sound[256];
+    int slot[SLOTS]; /* whose each voice is, -1: nobody's */
+};
+
+static void begin(struct check_heard *h)
+{
+    void *tables = h->tables;
+
+    memset(h, 0, sizeof *h);
+    h->tables = tables;
+    for (int i = 0; i < SLOTS; i++)
+        h->slot[i] = -1;
+}
+
+struct check_heard *check_heard_open(void)
+{
+    struct check_heard *h = calloc(1, sizeof *h);
+
+    if (h == NULL)
+        return NULL;
+    h->tables = malloc(board_sound_tables());
+    if (h->tables == NULL) {
+        free(h);
+        return NULL;
+    }
+    board_sound_open(h->tables);
+    begin(h);
+    return h;
+}
+
+static int index_of(struct check_heard *h, const char *name)
+{
+    int i = 0;
+
+    while (i < h->n && strcmp(h->sound[i].name, name) != 0)
+        i++;
+    if (i == (int)(sizeof h->sound / sizeof *h->sound) || strlen(name) >= sizeof h->sound[i].name)
+        return -1;
+    if (i == h->n)
+        strcpy(h->sound[h->n++].name, name);
+    return i;
+}
+
+static void lose(struct check_heard *h, int i, uint32_t frame)
+{
+    if (i >= 0 && h->sound[i].lost++ == 0)
+        h->sound[i].first = frame;
+}
+
+/* Did one of that name begin in that frame? */
+static bool anew(const struct check_heard *h, const struct board_cue *cues, int n, int of, uint32_t frame)
+{
+    for (int i = 0; i < n; i++)
+        if (cues[i].name && cues[i].began == frame && strcmp(cues[i].name, h->sound[of].name) == 0)
+            return true;
+    return false;
+}
+
+/* A voice that another sound took before the end; where one of the same name began, its limit did. */
+static void note_slots(struct check_heard *h, const struct board_cue *cues, int n, uint32_t frame)
+{
+    for (int i = 0; i < n; i++) {
+        const int was = h->slot[i];
+        const bool begins = cues[i].name && cues[i].began == frame;
+        h->slot[i] = cues[i].name ? index_of(h, cues[i].name) : -1;
+        if (begins && was >= 0 && !anew(h, cues, n, was, frame))
+            lose(h, was, frame);
+        if (begins && cues[i].first && h->slot[i] >= 0)
+            h->sound[h->slot[i]].began++;
+    }
+}
+
+void check_heard_frame(struct check_heard *h, const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND];
+    struct board_cue cues[SLOTS];
+    bool over = false;
+    int n = 0;
+
+    if (!board_has_sound(b))
+        return;
+    while (n < SLOTS && board_cue(b, n, &cues[n]))
+        n++;
+    note_slots(h, cues, n, board_frame(b) - 1);
+    board_sound(b, h->tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+        over = over || sound[i] > FULL || sound[i] < -FULL;
+    if (over && h->over++ == 0)
+        h->first = board_frame(b) - 1;
+    h->frames++;
+}
+
+void check_heard_judge(struct check *c, struct check_heard *h, const char *what)
+{
+    if (h->over > h->frames / RARELY)
+        diagnostics_add(&c->found, what, 0,
+                        "the mix is above full scale in %" PRIu32 " of %" PRIu32 " frames, the first %" PRIu32
+                        "; volumes in rom.lua make it softer",
+                        h->over, h->frames, h->first);
+    for (int i = 0; i < h->n; i++) {
+        const struct heard_sound *s = &h->sound[i];
+        if (s->began >= FEW && s->lost > s->began / TENTH)
+            diagnostics_add(&c->found, what, 0,
+                            "sound \"%s\" loses its end %" PRIu32 " of %" PRIu32 " times, first in frame %" PRIu32
+                            ": others need its voice; limit, priority in rom.lua",
+                            s->name, s->lost, s->began, s->first);
+    }
+    begin(h);
+}
+
+void check_heard_close(struct check_heard *h)
+{
+    if (h != NULL)
+        free(h->tables);
+    free(h);
+}

@@ -1,0 +1,103 @@
+/*
+ * tune_time.c - see tune_time.h. Events are taken one after the other, as if no time passed between them; the units
+ * that should have are added up.
+ */
+#include "tune_time.h"
+
+#include <math.h>
+#include "../../snd/pitch.h"
+
+enum { MOST_EVENTS = 1 << 21 };
+
+/* A walk along a track, its conductor's the tempos. */
+struct walk {
+    const struct tune *t;
+    int track;
+    struct tune_at at;
+    int64_t units; /* of the event that comes next */
+    int loops;     /* times it came to the end of what it repeats */
+    uint32_t tempo;
+};
+
+static void take(void *context, const struct tune_played *p, int sample)
+{
+    struct walk *w = context;
+
+    (void)sample;
+    if (p->event == TUNE_TEMPO)
+        w->tempo = (uint32_t)p->value;
+}
+
+static struct walk begin(const struct tune *t, int track)
+{
+    struct walk w = { t, track, tune_begin(t, track), 0, 0, t->tempo };
+
+    w.units = w.at.left;
+    return w;
+}
+
+/* The events of that moment; false: it is over. */
+static bool step(struct walk *w)
+{
+    const uint32_t was = w->at.at;
+
+    if (w->at.at == 0)
+        return false;
+    w->at.left = 0;
+    tune_run(w->t, w->track, &w->at, 1, 0, 1, take, w);
+    w->loops += w->at.at <= was;
+    if (w->at.at != 0)
+        w->units += w->at.left + 1;
+    return true;
+}
+
+/* Units at which a track ends, or its loop does for the first time; *loop: how long it is. */
+static int64_t units_of(const struct tune *t, int track, int64_t *loop)
+{
+    struct walk w = begin(t, track);
+    int64_t end = 0, ends[2] = { 0 };
+    int seen = 0;
+
+    *loop = 0;
+    for (int i = 0; i < MOST_EVENTS && seen < 2; i++) {
+        const int before = w.loops;
+        end = w.units;
+        if (!step(&w))
+            return end;
+        if (w.at.at != 0 && w.loops > before)
+            ends[seen++] = end;
+    }
+    *loop = ends[1] - ends[0];
+    return ends[0];
+}
+
+/* The conductor's tempos up to there, as seconds. */
+static double seconds(const struct tune *t, int64_t units)
+{
+    struct walk w = begin(t, -1);
+    int64_t at = 0;
+    double sum = 0;
+
+    for (int i = 0; i < MOST_EVENTS && w.at.at != 0 && w.units < units; i++) {
+        const uint32_t tempo = w.tempo;
+        const int64_t next = w.units;
+        sum += (double)(next - at) / tempo / SND_RATE;
+        at = next;
+        step(&w);
+    }
+    return sum + (double)(units - at) / w.tempo / SND_RATE;
+}
+
+struct tune_time tune_time(const struct tune *t)
+{
+    int64_t end = 0, loop = 0;
+
+    for (int i = 0; i < t->tracks; i++) {
+        int64_t repeats;
+        const int64_t u = units_of(t, i, &repeats);
+        end = u > end ? u : end;
+        loop = repeats > loop ? repeats : loop;
+    }
+    const double all = seconds(t, end);
+    return (struct tune_time){ all, loop ? seconds(t, end + loop) - all : 0 };
+}

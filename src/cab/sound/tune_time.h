@@ -1,0 +1,17 @@
+/*
+ * tune_time.h - how long a tune is, read from it without playing it.
+ * floor: cab
+ */
+#ifndef CAB_TUNE_TIME_H
+#define CAB_TUNE_TIME_H
+
+#include "../../snd/tune.h"
+
+/* Seconds until the last track ends, or has played all it repeats once; and of those that repeat, how long that is, 0:
+ * none does. */
+struct tune_time {
+    double all, loop;
+};
+struct tune_time tune_time(const struct tune *t);
+
+#endif

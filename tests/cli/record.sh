@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# record.sh - games whose sound is recordings: what packs, what curtain sound says of it, that it sounds the same
+# everywhere, what is refused with which place, and a program without the libraries.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+
+seeds=$repo/tests/fuzz/seeds/fuzz_recording
+check "the example packs" "$curtain" pack "$repo/examples/tape" -o tape.rom
+same "the list, with the bytes of a stream's samples" "sound hit: 14 KB, recording, tracks 1, limit 2
+sound kill: 10 KB, recording, tracks 1, limit 3
+music reel: 390 KB, recording, tracks 2, markers 2, endless, The Reel" \
+    "$("$curtain" sound tape.rom | sed 's/\([0-9]*\)[0-9]\{3\} bytes/\1 KB/')"
+
+mkdir -p g/music
+cp "$seeds"/* g/music
+echo 'music.play("a")' >g/main.lua
+rom() { echo "return { title = \"g\", music = { $1 } }" >g/rom.lua; }
+packs() { rom "$1"; "$curtain" pack g -o g.rom && "$curtain" sound g.rom; }
+
+for f in stereo.wav loop.wav loop.ogg loop.flac mono.flac mono.opus tiny.mod tiny.xm tiny.s3m tiny.it; do
+    check "$f packs" packs "a = { file = 'music/$f' }"
+done
+
+# Of FLAC, which is lossless, every machine packs the same bytes.
+wave_of() { # ENTRY
+    rom "a = { file = 'music/loop.flac', tempo = 240$1 }"
+    "$curtain" pack g -o g.rom
+    "$curtain" list g.rom | grep wave/
+}
+same "as ADPCM" "wave/a 2592 9eb7e709" "$(wave_of '')"
+same "as 16 bits" "wave/a 9632 bc89c73c" "$(wave_of ', exact = true')"
+same "of one side" "wave/a 1296 e0011eb8" "$(wave_of ', stereo = false')"
+
+# What a tick can read: the beat, not the samples.
+rom "a = { file = 'music/loop.flac', loop = { start = 0, length = 2400 } }"
+"$curtain" pack g -o one.rom
+rom "a = { file = 'music/loop.ogg', loop = { start = 0, length = 2400 } }"
+"$curtain" pack g -o two.rom
+hash_of() { "$curtain" list "$1" | grep "^game"; }
+check "other samples of the same length are the same game" cmp <(hash_of one.rom) <(hash_of two.rom)
+rom "a = { file = 'music/loop.flac', loop = { start = 0, length = 2400 }, tempo = 100 }"
+"$curtain" pack g -o two.rom
+refuse "another tempo is another" differ cmp <(hash_of one.rom) <(hash_of two.rom)
+
+bad() { # NAME WORDS MUSIC
+    rom "$3"
+    refuse "$1" "$2" "$curtain" pack g -o g.rom
+}
+head -c 2000 "$seeds/loop.ogg" >g/music/cut.ogg
+bad "a file that was cut off" 'music/cut.ogg: the page at byte ' "a = { file = 'music/cut.ogg' }"
+head -c 2000 "$seeds/loop.flac" >g/music/cut.flac
+bad "and one of FLAC" 'music/cut.flac: it ' "a = { file = 'music/cut.flac' }"
+echo hello >g/music/text.xm
+bad "no module" 'music/text.xm: libopenmpt knows no module in it' "a = { file = 'music/text.xm' }"
+bad "a loop that is not in it" "music/loop.flac: its loop, from frame 100 up to 3100, is not within its 2400" \
+    "a = { file = 'music/loop.flac', loop = { start = 100, length = 3000 } }"
+bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, lies behind its end, at beat 0.40' \
+    "a = { file = 'music/loop.flac', tempo = 120, markers = { drop = 4 } }"
+bad "a file of another kind" 'rom.lua: music.a: expected file="music/NAME.mml" (or .ogg, .flac, .wav)' \
+    "a = { file = 'music/a.mp3' }"
+bad "a file that is not there" 'there is no music/b.ogg' "a = { file = 'music/b.ogg' }"
+echo 'return { title = "g", sounds = { d = { file = "music/loop.flac", stereo = true } },
+               music = { a = { file = "m.mml" } } }' >g/rom.lua
+printf '@d sample d\nA @d c4\n' >g/m.mml
+refuse "an instrument of a stereo sound" 'm.mml: sample "d" is stereo, and an instrument has one voice' \
+    "$curtain" pack g -o g.rom
+
+# What check measures: three seconds at 8,000 frames of a sine of 250 Hz, with one thing wrong each.
+wav() { # PYTHON: an expression of t, in seconds; a WAV file of 16 bits
+    python3 -c "
+import math, struct, sys
+x = [max(-32768, min(32767, round(32767 * ($1)))) for i in range(24000) for t in [i / 8000]]
+sys.stdout.buffer.write(b'RIFF' + struct.pack('<I', 36 + 2 * len(x)) + b'WAVEfmt ' +
+                        struct.pack('<IHHIIHH', 16, 1, 1, 8000, 16000, 2, 16) +
+                        b'data' + struct.pack('<I', 2 * len(x)) + struct.pack('<%dh' % len(x), *x))"
+}
+rm g/m.mml
+sine='math.sin(2 * math.pi * 250 * t)'
+finds() { # NAME WORDS WAV ENTRY
+    rm -f g/music/*
+    wav "$3" >g/music/x.wav
+    rom "a = { file = 'music/x.wav'$4 }"
+    refuse "check: $1" "$2" "$curtain" check g
+}
+finds "clipping" 'music/x.wav: 750 samples clip, the first at 1.001 s: it is too loud by itself' \
+    "(1.06 if 1 <= t < 1.5 else 0.5) * $sine" ''
+finds "an offset" 'music/x.wav: its mean is 5.0 % of full scale (DC offset)' "0.05 + 0.5 * $sine" ''
+finds "a click at the loop" \
+    'music/x.wav: its loop clicks: from its end, 3.000 s, to its beginning, 1.001 s, it bends by' \
+    "0.5 * $sine" ', loop = { start = 8008 }'
+finds "a loop that is no whole number of beats" \
+    'music/x.wav: its loop is 2.97 beats long at tempo 89: music.beat parts' \
+    "0.5 * $sine" ', loop = { start = 1, unit = "seconds" }, tempo = 89'
+wav "0.5 * $sine" >g/music/x.wav
+cp "$seeds/mono.flac" g/music/
+rom "a = { file = 'music/x.wav', loop = { start = 8000 }, tempo = 90 }, b = { file = 'music/x.wav' }"
+refuse "check: music that is not used" 'rom.lua:1: music "b": no script names it' "$curtain" check g
+refuse "check: and a file" 'music/mono.flac: rom.lua does not name it' "$curtain" check g
+rm g/music/mono.flac
+rom "a = { file = 'music/x.wav', loop = { start = 8000 }, tempo = 90 }"
+check "check: and nothing of what is right" "$curtain" check g
+echo hello >g/music/x.wav
+refuse "check: a file that is none" 'music/x.wav: expected a WAV file (RIFF, WAVE)' "$curtain" check g
+cp "$seeds"/* g/music
+
+# A build of a machine that has neither library.
+cd "$repo" || exit 2
+# shellcheck disable=SC2046
+${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
+    src/cab/sound/{sndfile,module}.c \
+    $(find "$OUT/src" -name '*.o' ! -name sndfile.o ! -name module.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+    "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread -ldl
+cd "$scratch" || exit 2
+curtain=$scratch/plain
+check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
+bad "OGG is refused" 'music/loop.ogg: this curtain was built without libsndfile' "a = { file = 'music/loop.ogg' }"
+bad "and which package has it" '(Debian: libsndfile1-dev, then build again)' "a = { file = 'music/loop.ogg' }"
+bad "modules too" 'without libopenmpt, which reads tracker modules (Debian: libopenmpt-dev' \
+    "a = { file = 'music/tiny.xm' }"
+check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
+finish

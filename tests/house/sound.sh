@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# sound.sh - docs/sound.md says what the ear measures: every figure and plot is computed again.
+. "$(dirname "$0")/../tap.sh"
+ear=$OUT/ear
+
+same_page() { diff "$1" "$scratch/new/sound.md"; }
+same_plots() { diff -r "$1" "$scratch/new/sound"; }
+
+mkdir "$scratch/new"
+check "every figure of the prototype is reached" "$ear" --out "$scratch/new"
+check "docs/sound.md has the figures the ear finds" same_page docs/sound.md
+check "docs/sound has the plots the ear draws" same_plots docs/sound
+shown() { grep -o '](sound/[a-z0-9_-]*\.svg)' docs/sound.md | sed 's/.*\///; s/)//' | sort | diff - <(ls docs/sound); }
+check "every plot is shown" shown
+well_formed() { python3 -c 'import sys, xml.dom.minidom as x; [x.parse(f) for f in sys.argv[1:]]' docs/sound/*.svg; }
+check "plots are well-formed" well_formed
+
+planted() { # NAME WORDS SED
+    sed "$3" docs/sound.md >"$scratch/planted.md"
+    if cmp -s docs/sound.md "$scratch/planted.md"; then
+        not_ok "planted: $1" "nothing was planted"
+        return
+    fi
+    refuse "planted: $1" "$2" same_page "$scratch/planted.md"
+}
+planted "another alias" "-99.9 dB" '/^| alias of a saw/s/-[0-9.]* dB/-99.9 dB/'
+planted "another click" "167" '/taken by another note/s/168/167/'
+cp -r docs/sound "$scratch/plots"
+sed -i '0,/ [0-9]*\.[0-9],/s// 1.1,/' "$scratch/plots/limiter.svg"
+refuse "planted: another plot" "limiter" same_plots "$scratch/plots"
+
+# An engine without tails: the voice that is taken clicks.
+mkdir -p "$scratch/copy/src"
+ln -s "$PWD/src/base" "$PWD/src/snd" "$scratch/copy/src/"
+cp -r src/chips "$scratch/copy/src/chips"
+sed -i 's/copy(s, VOICES + voice, voice);/copy(s, VOICES + voice, voice), s->inst[VOICES + voice] = 0;/' \
+    "$scratch/copy/src/chips/sound/voices.c"
+without_tails() {
+    ! cmp -s src/chips/sound/voices.c "$scratch/copy/src/chips/sound/voices.c" || return 2
+    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE -c "$scratch/copy/src/chips/sound/voices.c" \
+        -o "$scratch/voices.o" || return 2
+    # shellcheck disable=SC2046
+    ${CC:-cc} -o "$scratch/ear" "$OUT"/tools/sound/*.o "$OUT"/tools/report/*.o "$scratch/voices.o" \
+        $(find "$OUT/src" -name '*.o' ! -name voices.o ! -name main.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread || return 2
+    "$scratch/ear" --out "$scratch/new" clicks
+}
+refuse "planted: voices without tails" "does not hold: a voice that is taken" without_tails
+finish

@@ -1,0 +1,178 @@
+/*
+ * test_course.c - steps in their middle, of many bullets at once, against the same bullets moved one by one: every
+ * column is the same after every frame, whatever the steps' numbers, the targets, and what scripts take away.
+ */
+#include "rig.h"
+
+enum { PROGRAMS = 12, STEPS = 4, FRAMES = 60 };
+
+static struct rig_game g;
+static struct rig at_once, singly;
+static struct rng rng;
+
+static int64_t below(int64_t n)
+{
+    return (int64_t)rng_below(&rng, (uint64_t)n);
+}
+
+/* Usual, or the greatest there may be. */
+static int64_t any_speed(void)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 32;
+
+    switch (below(6)) {
+    case 0:
+        return below(2) ? most : -most;
+    case 1:
+        return below(2 * most + 1) - most;
+    default:
+        return below((int64_t)9 << 32) - ((int64_t)4 << 32);
+    }
+}
+
+static struct motion_step any_step(void)
+{
+    static const uint32_t ops[] = { DOES_TURN, DOES_SPEED, DOES_ACCEL, DOES_HOME, DOES_AIM, DOES_DIR, DOES_BANK };
+    struct motion_step s = { .does = DOES_WAIT,
+                             .over = (uint32_t)(below(5) ? below(20) : below(2)),
+                             .bank = (uint8_t)below(16),
+                             .dir = (ang)rng_next(&rng),
+                             .turn = (int32_t)rng_next(&rng) >> below(20),
+                             .home = (ang)(rng_next(&rng) >> 33 >> below(20)),
+                             .speed = any_speed(),
+                             .accel = any_speed() >> below(12) };
+
+    for (int n = (int)below(4); n > 0; n--)
+        s.does |= ops[below(7)];
+    return s;
+}
+
+/* Programs alike in both games: some begin anew for ever, some end and let fly, some take the bullet away. */
+static void define(bool fine[PROGRAMS + 1])
+{
+    for (int p = 0; p < PROGRAMS; p++) {
+        struct motion_step steps[STEPS + 3];
+        uint32_t n = 0, loop = (uint32_t)below(2);
+        if (loop)
+            steps[n++] = (struct motion_step){ .does = DOES_LOOP, .count = MOTION_FOREVER, .jump = STEPS + 2 };
+        for (int k = 0; k < STEPS; k++)
+            steps[n++] = any_step();
+        if (loop) {
+            steps[n - 1].over += 1; /* a round takes time */
+            steps[n++] = (struct motion_step){ .does = DOES_NEXT, .jump = 1 };
+        } else if (below(3) == 0)
+            steps[n++] = (struct motion_step){ .does = DOES_DIE };
+        fine[p + 1] = below(4) == 0;
+        motion_define(&at_once.b->motions, &at_once.b->steps, steps, n, fine[p + 1]);
+        assert_int_equal(motion_define(&singly.b->motions, &singly.b->steps, steps, n, fine[p + 1]), p);
+    }
+}
+
+/* Rings of a program, so that neighbours run one step, and single bullets. */
+static void fire(const bool fine[PROGRAMS + 1], uint32_t clock)
+{
+    struct bullet_shape s = { .x = (fx)(below(400) << 16), .y = (fx)(below(400) << 16) };
+    const int n = below(3) ? 1 + (int)below(40) : 1;
+
+    s.motion = (uint16_t)below(PROGRAMS + 1);
+    s.fine = s.motion && fine[s.motion];
+    s.speed = (fx)(any_speed() >> 16);
+    s.delay = below(5) ? 0 : (uint32_t)(1 + below(5));
+    for (int k = 0; k < n; k++, s.dir += 0x6789abc) {
+        if (below(9) == 0)
+            s.dir = (ang)below(8) << 29;
+        assert_int_equal(bullets_fire(&at_once.b->bullets, &s, clock), bullets_fire(&singly.b->bullets, &s, clock));
+    }
+}
+
+/* What scripts do between two moves. */
+static void disturb(struct bullets *a, struct bullets *b)
+{
+    EACH_LIVE (i, &a->s) {
+        const uint8_t mute = below(12) ? 0 : (uint8_t)below(4);
+        if (a->mute[i] & STEP_BEGUN)
+            a->mute[i] |= mute, b->mute[i] |= mute;
+        if (below(30) == 0)
+            a->dir[i] = b->dir[i] = (ang)rng_next(&rng);
+    }
+}
+
+static void targets(void)
+{
+    for (int p = 0; p < PADS; p++) {
+        const fx x = (fx)(below(400) << 16), y = (fx)(below(400) << 16);
+        at_once.b->player.in[p] = singly.b->player.in[p] = (uint8_t)(below(4) != 0);
+        at_once.b->player.x[p] = singly.b->player.x[p] = x;
+        at_once.b->player.y[p] = singly.b->player.y[p] = y;
+    }
+}
+
+static void move(uint32_t clock)
+{
+    const fx most = WORLD << 16;
+    const struct box world = { -most, -most, most, most };
+    struct motion_world a = board_world(at_once.b, false), b = board_world(singly.b, false);
+    struct bullets *s = &singly.b->bullets;
+
+    a.clock = b.clock = clock;
+    bullets_move(&at_once.b->bullets, &a, &world, NULL, false);
+    bullets_begin(s);
+    EACH_LIVE (i, &s->s)
+        if (bullets_go_on(s, &b, i) && (s->x[i] < -most || s->x[i] > most || s->y[i] < -most || s->y[i] > most))
+            bullets_drop(s, i);
+}
+
+static void compare(const struct bullets *a, const struct bullets *b, uint32_t clock)
+{
+    assert_int_equal(a->s.live, b->s.live);
+    assert_int_equal(a->ran, b->ran);
+    EACH_LIVE (i, &a->s) {
+        const bool same = a->x[i] == b->x[i] && a->y[i] == b->y[i] && a->vx[i] == b->vx[i] && a->vy[i] == b->vy[i] &&
+                          a->dir[i] == b->dir[i] && a->speed[i] == b->speed[i] && a->bank[i] == b->bank[i] &&
+                          a->motion[i] == b->motion[i] && a->pc[i] == b->pc[i] && a->end[i] == b->end[i] &&
+                          a->from[i] == b->from[i] && a->mute[i] == b->mute[i] && a->pace[i] == b->pace[i] &&
+                          a->way[i] == b->way[i] && a->x_more[i] == b->x_more[i] && a->flags[i] == b->flags[i] &&
+                          a->y_more[i] == b->y_more[i];
+        if (!same)
+            fail_msg("clock %u: bullet %u differs", clock, i);
+        assert_true(a->fastest >= fx_abs(a->vx[i]) && a->fastest >= fx_abs(a->vy[i]));
+    }
+    for (uint32_t block = 0; block < a->s.top / SLOTS_BLOCK; block++)
+        assert_true(a->busy[block] == b->busy[block] && a->idle[block] == b->idle[block]);
+}
+
+static void test_courses(void **state)
+{
+    long moved = 0;
+
+    (void)state;
+    rng_seed(&rng, 31);
+    for (int run = 0; run < 120; run++) {
+        bool fine[PROGRAMS + 1] = { false };
+        rig_script(&g, NULL, "");
+        rig_power(&at_once, &g, NULL);
+        rig_power(&singly, &g, NULL);
+        define(fine);
+        for (uint32_t clock = 100; clock < 100 + FRAMES; clock++) {
+            if (below(3) == 0)
+                fire(fine, clock);
+            targets();
+            disturb(&at_once.b->bullets, &singly.b->bullets);
+            move(clock);
+            compare(&at_once.b->bullets, &singly.b->bullets, clock);
+            moved += at_once.b->bullets.s.live;
+        }
+        rig_free(&at_once);
+        rig_free(&singly);
+        rig_game_free(&g);
+    }
+    print_message("# %ld moves\n", moved);
+    assert_true(moved > 100000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_courses) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

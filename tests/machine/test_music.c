@@ -1,0 +1,712 @@
+/*
+ * test_music.c - which piece plays when: what is put aside and goes on, switches at a bar, bosses, stages, screens,
+ * pauses and ways to a mark; and the sounds that play by themselves. The pieces are those of rig_sounds: "tide" never
+ * ends, "deep" does.
+ */
+#include "rig.h"
+#include "../../src/board/sound.h"
+
+static struct snd_tables tables;
+static struct rig_game game;
+static struct rig rig;
+
+static int make_tables(void **state)
+{
+    (void)state;
+    board_sound_open(&tables);
+    return 0;
+}
+
+static const char ship[] = "player.def('ship', { sprite = 'dot', hit = { circle = 1 }, lives = 1 })\n"
+                           "enemy.def('e', { sprite = 'dot', hit = { box = { 8, 8 } }, touch = false, hp = 5 })\n"
+                           "local sys = string.sys\n"
+                           "local function down(n) return function(e) wait(n) e.hp = 0 end end\n"
+                           "local function phase(id, n, t) local p = { id = id, hp = 9, time = 900, rest = 40,\n"
+                           "  run = down(n) } for k, v in pairs(t or {}) do p[k] = v end return p end\n"
+                           "local function one(t, ...) t.title, t.kind, t.x, t.y = 'B', 'e', 90, 40\n"
+                           "  t.phases = { ... } boss.def('b', t) end\n";
+
+static void power_from(const char *script, const char *section)
+{
+    struct manifest m = rig_manifest();
+    struct board_start start = { .seed = 1, .difficulty = -1 };
+    static char text[1 << 13];
+
+    m.sound = 1;
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
+    snprintf(text, sizeof text, "%s%s", ship, script);
+    rig_with_sys(&game, &m, text);
+    rig_sounds(&game);
+    rig_power(&rig, &game, &start);
+}
+
+static void power(const char *script)
+{
+    power_from(script, "");
+}
+
+static void done(void)
+{
+    rig_free(&rig);
+    rig_game_free(&game);
+}
+
+static uint64_t heard(const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND];
+
+    board_sound(b, &tables, sound);
+    return hash_bytes(HASH_START, sound, sizeof sound);
+}
+
+static int loudest(const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND];
+    int most = 0;
+
+    board_sound(b, &tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+        most = abs(sound[i]) > most ? abs(sound[i]) : most;
+    return most;
+}
+
+/* ---- what plays ---- */
+
+static const char *name_now(void)
+{
+    const uint16_t tune = rig.b->music.tune;
+
+    return tune ? cart_tune_name(&rig.b->cart, tune - 1) : "-";
+}
+
+/* Every change in so many frames: in which frame what plays from then on, and at which hundredth of a beat. Good until
+ * the next call. */
+static const char *changes(int frames)
+{
+    static char said[4096];
+    uint16_t was = 0;
+    uint64_t pos = 0;
+    size_t n = 0;
+
+    said[0] = 0;
+    for (int f = 0; f < frames; f++) {
+        rig_run(&rig, 1);
+        const struct seq *s = &rig.b->music;
+        if (s->tune != was || s->pos < pos)
+            n += (size_t)snprintf(said + n, sizeof said - n, "%s%d %s %d", n ? ", " : "", f, name_now(),
+                                  (int)(s->pos * 100 / ((uint64_t)TUNE_QUARTER * TUNE_TICK)));
+        was = s->tune;
+        pos = s->pos;
+    }
+    return said;
+}
+
+static const struct story {
+    const char *script, *changes;
+    int frames;
+} stories[] = {
+    { "music.play('tide')", "0 tide 3", 99 },
+    { "music.play('tide') music.play('deep')", "0 deep 2", 40 },
+    { "music.play('deep')", "0 deep 2, 161 - 0", 400 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { fade = 10 }) end)",
+      "0 tide 3, 30 deep 2, 191 - 0", 300 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { back = true }) end)",
+      "0 tide 3, 20 deep 2, 181 tide 77", 300 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { back = true }) wait(30) music.play('tide') "
+      "end)",
+      "0 tide 3, 20 deep 2, 50 tide 77", 300 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { back = true }) wait(30)\n"
+      "music.play('tide', { again = true }) end)",
+      "0 tide 3, 20 deep 2, 50 tide 3", 300 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { back = true }) wait(30)\n"
+      "music.stop() end)",
+      "0 tide 3, 20 deep 2, 50 - 0", 300 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { back = true }) wait(30)\n"
+      "music.stop { fade = 20 } end)",
+      "0 tide 3, 20 deep 2, 70 - 0", 300 },
+    /* a fade that is forgotten in its first frame; one that another takes over */
+    { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } music.play('tide') end)", "0 tide 3",
+      200 },
+    { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } wait(1) music.play('tide') end)",
+      "0 tide 3, 21 tide 3", 200 },
+    { "music.play('tide') task.go(function() wait(20) music.stop { fade = 60 } wait(30)\n"
+      "music.play('deep', { fade = 60 }) end)",
+      "0 tide 3, 80 deep 2", 200 },
+    { "music.play('tide') task.go(function() wait(20) music.stop { fade = 600 } wait(30)\n"
+      "music.play('deep', { fade = 6 }) end)",
+      "0 tide 3, 56 deep 2", 200 },
+    /* on the next beat, which comes in frame 27; and the second bar, at 97 from beat 1.5 on */
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { at = 'beat' }) end)", "0 tide 3, 27 deep 2",
+      100 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { at = 'bar' }) end)", "0 tide 3, 133 deep 1",
+      200 },
+    { "music.play('tide') task.go(function() wait(20) music.play('deep', { at = 'bar' }) wait(9) music.play('tide') "
+      "end)",
+      "0 tide 3", 200 },
+    { "music.play('deep', { at = 'bar' })", "0 deep 2", 40 },
+    /* three deep, and one more, which loses what it covers */
+    { "music.play('tide') task.go(function() for _ = 1, 4 do wait(10) music.play('deep', { back = true, again = true "
+      "}) "
+      "end end)",
+      "0 tide 3, 10 deep 2, 20 deep 2, 30 deep 2, 40 deep 2, 201 deep 27, 352 deep 27, 503 tide 40", 600 },
+    /* a boss's, and a phase's over it: the ways in and out are 60 frames */
+    { "music.play('tide') one({ music = 'deep' }, phase('a', 20)) task.go(function() wait(20) boss.fight('b') end)",
+      "0 tide 3, 50 deep 2, 161 tide 178", 400 },
+    { "music.play('tide') one({ music = 'deep', warning = 50 }, phase('a', 20))\n"
+      "task.go(function() wait(20) boss.fight('b') end)",
+      "0 tide 3, 70 deep 2, 211 tide 232", 400 },
+    { "music.play('tide') one({ music = 'tide' }, phase('a', 20)) task.go(function() wait(20) boss.fight('b') end)",
+      "0 tide 3", 300 },
+    { "music.play('tide') one({}, phase('a', 80, { music = 'deep' }), phase('b', 80, { music = 'deep' }), phase('c', "
+      "9))\n"
+      "task.go(function() wait(20) boss.fight('b') end)",
+      "0 tide 3, 110 deep 2", 260 },
+    { "music.play('tide') one({}, phase('a', 80, { music = 'deep' }), phase('c', 99))\n"
+      "task.go(function() wait(20) boss.fight('b') end)",
+      "0 tide 3, 110 deep 2, 221 tide 339", 400 },
+    { "music.play('deep') one({ music = 'tide' }, phase('a', 40, { music = 'deep' }), phase('c', 99))\n"
+      "task.go(function() wait(20) boss.fight('b') end)",
+      "0 deep 2, 50 tide 3, 110 deep 2, 181 tide 205, 321 deep 127, 432 - 0", 500 },
+    /* the fight is cut short, in a phase with music */
+    { "music.play('tide') one({ music = 'deep' }, phase('a', 400, { music = 'deep' }))\n"
+      "local t = task.go(function() wait(20) boss.fight('b') end) task.go(function() wait(150) task.stop(t) end)",
+      "0 tide 3, 50 deep 2, 211 tide 178", 400 },
+};
+
+static int tell(const struct story *list, size_t n)
+{
+    int failed = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        power(list[i].script);
+        const char *said = changes(list[i].frames);
+        if (strcmp(said, list[i].changes) != 0) {
+            print_error("%s\n     got %s\nexpected %s\n", list[i].script, said, list[i].changes);
+            failed++;
+        }
+        done();
+    }
+    return failed;
+}
+
+static void test_stories(void **state)
+{
+    (void)state;
+    assert_int_equal(tell(stories, sizeof stories / sizeof *stories), 0);
+}
+
+/* With RAM spoilt after each frame, and put back twice from ten frames before, it sounds the same. */
+static void test_restored(void **state)
+{
+    static uint64_t straight[300], hashes[300];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof stories / sizeof *stories; i += 3) {
+        power(stories[i].script);
+        for (int f = 0; f < 300; f++) {
+            rig_run(&rig, 1);
+            straight[f] = heard(rig.b);
+            hashes[f] = board_hash(rig.b);
+        }
+        done();
+        power(stories[i].script);
+        for (int k = 0; k < 300; k += 10) {
+            rig_spoil(&rig);
+            for (int f = k; f < k + 20; f++) {
+                if (f == k + 10)
+                    rig_restore(&rig);
+                rig_run(&rig, 1);
+                const int at = f < k + 10 ? f : f - 10;
+                if (heard(rig.b) != straight[at] || board_hash(rig.b) != hashes[at])
+                    fail_msg("%s: frame %d is another", stories[i].script, at);
+            }
+        }
+        done();
+    }
+}
+
+/* ---- screens ---- */
+
+#define GAME                                                                                                           \
+    "stage.def('s', function() wait(200) end, { music = 'deep' })\n"                                                   \
+    "local function stands(n, ...) local t = { ... } return function() wait(n) return table.unpack(t) end end\n"       \
+    "local function run(music, t) t.title = t.title or stands(30, 'start', 1) t.results = stands(150)\n"               \
+    "  t.ending, t.staff, t.name, t.scores = stands(50), stands(50), stands(50, { 'A' }), stands(50)\n"                \
+    "  boot.run { stages = { 's' }, players = { 'ship' }, music = music, screens = t, staff = {} } end\n"
+
+static const struct story screens[] = {
+    { GAME "run(nil, {})", "30 deep 2, 191 - 0, 691 deep 2", 750 },
+    /* the title's goes on until the game begins */
+    { GAME "run({ title = 'tide' }, {})", "0 tide 3, 30 deep 2, 191 - 0, 661 tide 3, 691 deep 2", 750 },
+    /* results end when the last words begin, and both have the same */
+    { GAME "run({ title = 'tide', results = 'tide', over = 'deep', clear = 'tide' }, {})",
+      "0 tide 3, 30 deep 2, 191 - 0, 231 tide 3, 621 - 0, 661 tide 3", 690 },
+    { GAME "run({ ending = 'deep', staff = 'deep' }, {})", "30 deep 2, 191 - 0, 561 deep 2", 690 },
+    { GAME "run({ ending = 'deep', staff = 'tide' }, { ending = stands(50) })",
+      "30 deep 2, 191 - 0, 561 deep 2, 641 tide 3", 690 },
+    /* the last life goes in frame 130 */
+    { GAME "bullet.def('o', { sprite = 'dot', hit = { circle = 3 } })\n"
+           "on.stage(function() task.go(function() wait(99) local p = player.get(1) p.safe = 0\n"
+           "  bullet.fire { kind = 'o', from = p, speed = 0 } score.add(9) end) end)\n"
+           "run({ over = 'tide', name = 'deep' }, {})",
+      "30 deep 2, 161 tide 3, 341 deep 2, 391 - 0", 420 },
+};
+
+static void test_screens(void **state)
+{
+    (void)state;
+    assert_int_equal(tell(screens, sizeof screens / sizeof *screens), 0);
+}
+
+/* ---- ways to a mark ---- */
+
+/* Runs until the game prints something; false: it does not in so many frames. */
+static bool until_told(int frames)
+{
+    const uint16_t none[PADS] = { 0 };
+
+    for (int f = 0; f < frames; f++) {
+        rig_tick(&rig, none);
+        if (board_last(rig.b)->log_size > 0)
+            return true;
+    }
+    return false;
+}
+
+enum { AFTER = 240 };
+
+/* From a mark of the stage: what plays, where, and each frame's samples. */
+static void run_from(const char *script, const char *section, uint64_t out[AFTER])
+{
+    static char text[4096];
+
+    snprintf(text, sizeof text, "%s boot.run { stages = { 's' }, players = { 'ship' } }", script);
+    power_from(text, section);
+    assert_true(until_told(4000));
+    for (int f = 0; f < AFTER; f++) {
+        const struct seq *s = &rig.b->music;
+        out[f] = hash_fold(hash_fold(heard(rig.b), s->pos), s->tune + 100u * s->mark + 10000u * s->aside);
+        rig_run(&rig, 1);
+    }
+    done();
+}
+
+/* A stage that waits and whose clock is waited for, in a practice start of the stage and of its mark. */
+static void test_marks(void **state)
+{
+    static const char *const ways[] = {
+        "music.play('tide') stage.at(200)",
+        "wait(30) music.play('tide') wait(25) stage.at(100) wait(7)",
+        "music.play('tide') stage.at(150) music.play('deep', { fade = 40 }) stage.at(170)",
+        "music.play('tide') stage.at(150) music.play('deep', { fade = 40 }) wait(39) music.stop { fade = 20 } wait(10)",
+        "music.play('tide') wait(31) music.play('deep', { back = true }) stage.at(350)",
+        "music.play('tide') stage.at(20) music.play('deep', { at = 'bar' }) stage.at(140)",
+        "music.play('tide') music.wait(5) stage.at(190) music.wait('drop')",
+        "music.play('tide') music.volume(0.25, 90) stage.at(60)",
+        "music.wait(3) music.play('tide') stage.at(100)",
+        "music.play('tide') stage.at(90) boss.fight('b') stage.at(151)",
+        "music.play('tide') stage.at(90) boss.fight('b') stage.at(190)",
+        "music.play('tide') stage.at(90) boss.fight('c') wait(70)",
+        "stage.at(90) music.play('deep') boss.fight('d') music.play('tide', { fade = 60 }) stage.at(160)",
+    };
+    static uint64_t whole[AFTER], part[AFTER];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char text[2048];
+        snprintf(text, sizeof text,
+                 "one({ music = 'deep' }, phase('a', 60))\n"
+                 "local function more(name, t, ...) t.title, t.kind, t.x, t.y, t.phases = 'B', 'e', 9, 9, { ... }\n"
+                 "  boss.def(name, t) end\n"
+                 "more('c', { music = 'deep', warning = 80 }, phase('a', 60)) more('d', {}, phase('a', 60))\n"
+                 "stage.def('s', function() %s stage.mark('here') print('here') wait(forever) end)\n",
+                 ways[i]);
+        run_from(text, "s", whole);
+        run_from(text, "s:here", part);
+        for (int f = 0; f < AFTER; f++)
+            if (whole[f] != part[f])
+                fail_msg("%s: differs %d frames behind the mark", ways[i], f);
+    }
+}
+
+/* ---- pause and stop ---- */
+
+/* After a pause every frame sounds as without it, but for the first, in which the music comes back. */
+static void test_pause(void **state)
+{
+    static uint64_t straight[200], paused[200];
+    static const char held[] = "music.play('tide') local scope = task.scope()\n"
+                               "task.own(scope, function() wait(50) sys.freeze(scope) wait(%d) sys.freeze() end)\n";
+
+    (void)state;
+    power("music.play('tide')");
+    for (int f = 0; f < 200; f++) {
+        rig_run(&rig, 1);
+        straight[f] = heard(rig.b);
+    }
+    done();
+    for (int n = 1; n < 40; n += 19) {
+        char text[256];
+        snprintf(text, sizeof text, held, n);
+        power(text);
+        for (int f = 0; f < 200; f++) {
+            rig_run(&rig, 1);
+            paused[f] = heard(rig.b);
+            if (f > 50 && f < 50 + n)
+                assert_int_equal(loudest(rig.b), 0);
+        }
+        for (int f = 0; f < 200 - n; f++)
+            if (straight[f] != paused[f < 50 ? f : f + n] && f != 50)
+                fail_msg("a pause of %d frames: frame %d sounds otherwise", n, f);
+        done();
+    }
+}
+
+/* In a pause what is asked for waits, and cues sound. */
+static void test_cue_in_pause(void **state)
+{
+    (void)state;
+    power(
+        "music.play('tide') local scope = task.scope() task.own(scope, function() wait(9) sys.freeze(scope) wait(20)\n"
+        "sound.play('hit') music.play('deep') wait(20) sys.freeze() end)");
+    rig_run(&rig, 29);
+    assert_int_equal(loudest(rig.b), 0);
+    rig_run(&rig, 1);
+    assert_true(loudest(rig.b) > 300);
+    assert_string_equal(name_now(), "deep");
+    assert_true(rig.b->music.pos == 0);
+    rig_run(&rig, 20);
+    assert_true(rig.b->music.pos > 0);
+    done();
+}
+
+/* Through a hit-stop it runs on. */
+static void test_stop(void **state)
+{
+    static uint64_t straight[100];
+
+    (void)state;
+    power("music.play('tide')");
+    for (int f = 0; f < 100; f++) {
+        rig_run(&rig, 1);
+        straight[f] = heard(rig.b);
+    }
+    done();
+    power("music.play('tide') task.go(function() wait(20) board.stop(30) end)");
+    for (int f = 0; f < 100; f++) {
+        rig_run(&rig, 1);
+        assert_true(heard(rig.b) == straight[f]);
+    }
+    done();
+}
+
+/* ---- the music room ---- */
+
+static void press(uint16_t button)
+{
+    const uint16_t down[PADS] = { button, 0 };
+
+    rig_tick(&rig, down);
+    rig_run(&rig, 3);
+}
+
+/* From the title: play, hear another, leave. "deep" needs what is not earned yet. */
+static void test_room(void **state)
+{
+    (void)state;
+    power("stage.def('s', function() end)\n"
+          "boot.run { stages = { 's' }, players = { 'ship' }, music = { title = 'tide', room = true } }");
+    rig_run(&rig, 5);
+    press(PAD_START);
+    press(PAD_DOWN);
+    press(PAD_DOWN); /* past "2 PLAYERS" */
+    press(PAD_FIRE);
+    rig_run(&rig, 20);
+    press(PAD_FIRE); /* "deep" comes first, as in rom.lua */
+    assert_string_equal(name_now(), "deep");
+    assert_int_equal(rig.b->music.aside, 1);
+    press(PAD_DOWN);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "tide");
+    assert_int_equal(rig.b->music.aside, 0);
+    press(PAD_UP);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "deep");
+    press(PAD_BOMB);
+    rig_run(&rig, 40);
+    assert_string_equal(name_now(), "tide");
+    assert_int_equal(rig.b->music.aside, 0);
+    done();
+    power("stage.def('s', function() end) unlock.def('tired', { when = { heard = 'tide' } })\n"
+          "boot.run { stages = { 's' }, players = { 'ship' }, music = { { name = 'tide', text = 'First' },\n"
+          "  { name = 'deep', title = 'Down', needs = 'tired' } } }");
+    rig_run(&rig, 5);
+    press(PAD_START);
+    press(PAD_DOWN);
+    press(PAD_DOWN); /* past "2 PLAYERS" */
+    press(PAD_FIRE);
+    rig_run(&rig, 20);
+    press(PAD_DOWN);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "-");
+    press(PAD_UP);
+    press(PAD_FIRE);
+    assert_string_equal(name_now(), "tide");
+    done();
+}
+
+/* ---- sounds that play by themselves ---- */
+
+static const char scene[] = "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+                            "shot.def('dart', { sprite = 'dot', hit = { circle = 4 }, damage = 5 })\n"
+                            "item.def('coin', { sprite = 'dot', radius = 4, gives = { score = 10 } })\n"
+                            "bomb.def('wave', { over = 20, run = function() end })\n"
+                            "player.def('pilot', { sprite = 'dot', hit = { circle = 2 }, bomb = 'wave', lives = 9, "
+                            "registers = { bombs = 3 } })\n"
+                            "sys.join(1, 'pilot')\n"
+                            "local p = player.get(1)\n"
+                            "local function at(n, f) task.go(function() wait(n) p.safe = 0 f() end) end\n"
+                            "local e = enemy.spawn { kind = 'e', x = 100, y = 50 }\n"
+                            "one({ warning = 20 }, phase('a', 30, { spell = 'Spell', time = 300, bonus = 9 }))\n";
+
+#define BOOTED                                                                                                         \
+    "sys.leave(1) stage.def('s', function() wait(forever) end)\n"                                                      \
+    "boot.run { stages = { 's' }, players = { 'pilot' }, screens = { title = function() return 'start', 1 end } }"
+
+static const struct {
+    const char *name, *script;
+} deeds[CART_CUES] = {
+    { "shot", "at(5, function() shot.fire { kind = 'dart', from = p, dy = -8, speed = 4 } end)" },
+    { "hit", "at(5, function() bullet.fire { kind = 'orb', from = p, speed = 0 } end)" },
+    { "graze", "at(5, function() bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } end)" },
+    { "kill", "at(5, function() shot.fire { kind = 'dart', x = 100, y = 50, speed = 0 } end)" },
+    { "item", "at(5, function() item.drop { kind = 'coin', from = p } end)" },
+    { "bomb", "at(5, function() p:bomb() end)" },
+    { "warning", "at(5, function() boss.fight('b') end)" },
+    { "menu", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
+    { "extend", "at(5, function() score.add(900, p) end)" },
+    { "spell", "at(5, function() boss.fight('b') end)" },
+    { "bonus", "at(5, function() boss.fight('b') end)" },
+    { "time", "hud.start(task.scope(), 1) at(5, function() boss.fight('b') end)" },
+    { "select", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
+    { "back", "task.go(function() while true do menu.choose { items = { 'A' }, row = 3, back = 1 } end end)" },
+    { "wrong", "task.go(function() sys.read('menu/page').list { items = { 'A' }, row = 3, closed = { true } } end)" },
+    { "pause", BOOTED },
+    { "continue", "sys.leave(1) player.def('solo', { sprite = 'dot', hit = { circle = 2 }, lives = 1 })\n"
+                  "stage.def('s', function() while true do player.each(function(q) q.safe = 0\n"
+                  "  bullet.fire { kind = 'orb', from = q, speed = 0 } end) wait(5) end end)\n"
+                  "boot.run { stages = { 's' }, players = { 'solo' }, continues = 3, screens = {\n"
+                  "  title = function() return 'start', 1 end, continue = function() return true end } }" },
+};
+
+/* A game with one sound, of that name. */
+static void power_sound(const char *name, const char *script)
+{
+    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
+    struct manifest m = rig_manifest();
+    static char text[1 << 13], lump[64];
+    struct lump lumps[128];
+    struct rig_game had;
+    uint8_t *made;
+    size_t size;
+    int n;
+
+    m.sound = 1;
+    m.items = 8;
+    m.extends[0] = 500;
+    m.n_extends = 1;
+    snprintf(text, sizeof text, "%s%s%s", ship, scene, script);
+    rig_with_sys(&game, &m, text);
+    had = game;
+    n = (int)had.image.rom.count;
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    assert_true(mml_compile("t200 @noise o6 c8", 17, name, &about, &made, &size, text, sizeof text));
+    snprintf(lump, sizeof lump, "sound/%s", name);
+    lumps[n++] = (struct lump){ lump, made, (uint32_t)size };
+    rig_write(&game, lumps, n);
+    free(made);
+    free(had.image.bytes);
+    rig_power(&rig, &game, NULL);
+}
+
+/* How often a sound began in so many frames, in which first DOWN is pressed, then FIRE, BOMB and START. */
+static int begun(int frames, bool presses_any)
+{
+    int n = 0;
+
+    for (int f = 0; f < frames; f++) {
+        static const uint16_t presses[] = { PAD_DOWN, PAD_FIRE, PAD_BOMB, PAD_START };
+        const uint16_t pads[PADS] = { f % 2 && presses_any ? presses[f / 4 % 4] : 0, 0 };
+        rig_tick(&rig, pads);
+        for (int i = 0; i < CUES; i++)
+            n += rig.b->cues.tune[i] && rig.b->cues.born[i] + 1 == rig.b->core.frame;
+    }
+    return n;
+}
+
+/* Each plays in a game that names it, alone; in a game of another sound none does. */
+static void test_cues(void **state)
+{
+    (void)state;
+    for (int i = 0; i < CART_CUES; i++) {
+        assert_string_equal(deeds[i].name, cart_cues[i]);
+        power_sound(deeds[i].name, deeds[i].script);
+        for (int k = 0; k < CART_CUES; k++)
+            assert_true((rig.b->cart.cue[k] != 0) == (k == i));
+        const int n = begun(200, true);
+        if (n == 0)
+            fail_msg("no sound of \"%s\"", deeds[i].name);
+        done();
+        power_sound("other", deeds[i].script);
+        if (begun(200, true) != 0)
+            fail_msg("a sound that is not \"%s\"", deeds[i].name);
+        done();
+    }
+}
+
+/* Grazes in every frame are heard in every fourth. */
+static void test_apart(void **state)
+{
+    (void)state;
+    power_sound("graze", "task.go(function() while true do p.safe = 0\n"
+                         "bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } wait(1) end end)");
+    assert_int_equal(begun(41, false), 11);
+    assert_true(rig.b->player.grazes[0] > 30);
+    done();
+}
+
+/* ---- mistakes ---- */
+
+static void refuses(const char *script, const char *message)
+{
+    struct manifest m = rig_manifest();
+
+    m.sound = 1;
+    rig_script(&game, &m, script);
+    rig_sounds(&game);
+    assert_string_equal(rig_said(&game, 60, true), message);
+    rig_game_free(&game);
+}
+
+static void test_mistakes(void **state)
+{
+    (void)state;
+    refuses("music.play('tied', { back = true })",
+            "main.lua:1: music.play: \"tied\" is not in rom.lua's music (did you mean \"tide\"?)");
+    refuses("music.play('boom')", "main.lua:1: music.play: \"boom\" is not in rom.lua's music: it is in its sounds");
+    refuses("music.play('tide', { at = 'bear' })",
+            "main.lua:1: music.play: at: expected \"beat\" or \"bar\", got \"bear\"");
+    refuses("music.play('tide', { at = 'bar', fade = 9 })", "main.lua:1: music.play: expected at or fade, not both");
+    refuses("music.play('tide', { fade = 3601 })",
+            "main.lua:1: music.play: fade: expected a whole number from 0 to 3600 frames, got 3601");
+    refuses("music.play('tide', { fede = 3 })",
+            "main.lua:1: music.play: unknown argument \"fede\" (did you mean \"fade\"?)");
+    refuses("music.volume(-0.1)", "main.lua:1: music.volume: share: expected a number from 0 to 1, got -0.1");
+    refuses("music.volume(0.5, 0.5)",
+            "main.lua:1: music.volume: over: expected a whole number from 0 to 3600 frames, got 0.5");
+    refuses("music.frames(-1)", "main.lua:1: music.frames: beats: expected a number from 0 to 65536, got -1");
+    refuses("music.frames(0/0)", "main.lua:1: music.frames: beats: expected a number from 0 to 65536, got nan");
+    refuses("task.go(function() music.wait(1 << 40) end)",
+            "main.lua:1: music.wait: n: expected a whole number from 1 to 65536 beats, got 1099511627776");
+    refuses("task.go(function() music.wait({}) end)",
+            "main.lua:1: music.wait: n: expected a whole number from 1 to 65536 beats, got a table");
+    refuses("sound.play('boom', { pitch = 1e9 })",
+            "main.lua:1: sound.play: pitch: expected a number from -48 to 48 semitones, got 1000000000.0");
+    refuses("sound.play('boom', { volume = -1 })",
+            "main.lua:1: sound.play: volume: expected a number from 0 to 1, got -1");
+    refuses("sound.stop('tide')", "main.lua:1: sound.stop: \"tide\" is not in rom.lua's sounds: it is in its music");
+    refuses("stage.def('s', print, { music = 'dep' })",
+            "main.lua:1: stage.def: \"dep\" is not in rom.lua's music (did you mean \"deep\"?)");
+    refuses("boss.def('b', { title = 'B', music = 3, phases = {} })",
+            "main.lua:1: boss.def: music: expected the name of a piece of music, got 3");
+    refuses("talk.def('iri', { name = 'IRI', voice = 'hut' })",
+            "main.lua:1: talk.def: \"hut\" is not in rom.lua's sounds (did you mean \"hit\"?)");
+    refuses("task.go(function() say(nil, 'A', { voice = 'bel' }) end)",
+            "main.lua:1: say: \"bel\" is not in rom.lua's sounds (did you mean \"bell\"?)");
+    refuses("unlock.def('u', { when = { heard = 'tides' } })",
+            "main.lua:1: unlock.def when: \"tides\" is not in rom.lua's music (did you mean \"tide\"?)");
+}
+
+#define BOOT                                                                                                           \
+    "stage.def('s', print) player.def('p', { sprite = 'dot', hit = { circle = 1 } })\n"                                \
+    "boot.run { stages = { 's' }, players = { 'p' }, music = "
+
+static void test_room_mistakes(void **state)
+{
+    (void)state;
+    refuses(BOOT "{ titel = 'tide' } }",
+            "main.lua:2: boot.run: unknown screen of music: \"titel\" (did you mean \"title\"?)");
+    refuses(BOOT "{ title = 'tidy' } }",
+            "main.lua:2: boot.run music: \"tidy\" is not in rom.lua's music (did you mean \"tide\"?)");
+    refuses(BOOT "{ 'tide' } }",
+            "main.lua:2: boot.run: music 1: expected a table, as { name = \"tide\" }, got a string");
+    refuses(BOOT "{ { name = 'deap' } } }",
+            "main.lua:2: boot.run music: \"deap\" is not in rom.lua's music (did you mean \"deep\"?)");
+    refuses(BOOT "{ { nam = 'deep' } } }",
+            "main.lua:2: boot.run music: unknown argument \"nam\" (did you mean \"name\"?)");
+    refuses(BOOT "{ { name = 'deep' }, room = true } }",
+            "main.lua:2: boot.run: music: expected room = true or a list of pieces, got both");
+    refuses(BOOT "{ { name = 'deep', needs = 'all' } } }",
+            "main.lua:2: boot.run: unlock \"all\" is not declared (there is none)");
+    refuses("unlock.def('one', { when = { clear = true } })\n" BOOT "{ { name = 'deep', needs = 'ane' } } }",
+            "main.lua:3: boot.run: unlock \"ane\" is not declared (did you mean \"one\"?)");
+}
+
+/* At the bounds nothing breaks; in an event, while scripts load, in a task that ends at once. */
+static void test_extremes(void **state)
+{
+    (void)state;
+    refuses(
+        "assert(music.volume(0, 3600) == 1 and music.volume(1) == 1 and music.frames(65536) == 1966080)\n"
+        "for i = 1, 2000 do sound.play('boom', { pitch = i % 97 - 48, pan = i % 3 - 1, volume = i % 2 }) end\n"
+        "for i = 1, 500 do music.play(i % 2 == 0 and 'tide' or 'deep', { back = i % 3 == 0, again = i % 5 == 0,\n"
+        "  fade = i % 7 }) end\n"
+        "music.stop { fade = 3600 } music.stop() music.stop() sound.stop() sound.stop('bell')\n"
+        "on.start(function() music.play('tide', { at = 'bar' }) end)\n"
+        "task.go(function() wait(1) music.play('tide') print(music.wait(), music.name(), music.marker(), music.bar())\n"
+        "  music.volume(0.5) print(music.volume(0) - 0.5 < 0.001) end)",
+        "1\ttide\tnil\t0\ntrue\n");
+}
+
+/* ---- voices of a talk ---- */
+
+static int voices_of(const char *line, int frames)
+{
+    char text[512];
+    int n;
+
+    snprintf(text, sizeof text,
+             "talk.def('iri', { name = 'IRI', voice = 'hit' }) talk.def('sen', { name = 'SEN', side = 'right' })\n"
+             "task.go(function() wait(2) %s end)",
+             line);
+    power(text);
+    n = begun(frames, false);
+    done();
+    return n;
+}
+
+static void test_voices(void **state)
+{
+    (void)state;
+    assert_int_equal(voices_of("say('sen', 'ABCDEFGH')", 60), 0);
+    assert_int_equal(voices_of("say(nil, 'ABCDEFGH')", 60), 0);
+    assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { letter = 4 })", 60), 8);
+    assert_int_equal(voices_of("say('iri', 'ABCD EFGH')", 60), 4);
+    assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { letter = 0 })", 60), 1);
+    assert_int_equal(voices_of("say('sen', 'ABCDEFGH', { voice = 'bell' })", 60), 1);
+    assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { voice = 'bell' })", 60), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stories),  cmocka_unit_test(test_restored), cmocka_unit_test(test_screens),
+        cmocka_unit_test(test_marks),    cmocka_unit_test(test_pause),    cmocka_unit_test(test_cue_in_pause),
+        cmocka_unit_test(test_stop),     cmocka_unit_test(test_room),     cmocka_unit_test(test_cues),
+        cmocka_unit_test(test_apart),    cmocka_unit_test(test_mistakes), cmocka_unit_test(test_room_mistakes),
+        cmocka_unit_test(test_extremes), cmocka_unit_test(test_voices),
+    };
+
+    return cmocka_run_group_tests(tests, make_tables, NULL);
+}

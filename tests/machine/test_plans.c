@@ -1,0 +1,403 @@
+/*
+ * test_plans.c - arguments that are read by a plan (api_plan.c) are those that are read without one: the same results,
+ * messages, digests and states, whatever stands in the table, and whatever stands among the guesses.
+ */
+#include "rig.h"
+#include "../../src/board/api/eval.h"
+
+static const char scene[] = "value.def('curl')\n"
+                            "value.def('fade', { start = 2 })\n"
+                            "bullet.def('dot', { sprite = 'dot', hit = { circle = 2 } })\n"
+                            "bullet.def('arrow', { sprite = 'arrow', hit = { circle = 2 }, turns = true })\n"
+                            "shot.def('bolt', { sprite = 'dot', hit = { circle = 2 } })\n"
+                            "enemy.def('fly', { sprite = 'dot', hp = 5, hit = { circle = 8 } })\n"
+                            "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+                            "spark.def('ember', { sprite = 'dot', life = 9 })\n"
+                            "item.def('coin', { sprite = 'dot', radius = 4 })\n"
+                            "string.way = motion.def { name = 'way', { turn = 1, over = 60 } }\n"
+                            "task.go(function()\n"
+                            "  string.sys.join(1, 'ship')\n"
+                            "  string.foe = enemy.spawn { kind = 'fly', x = 100, y = 50, tag = 'flies' }\n"
+                            "  string.gone = bullet.fire { kind = 'dot', x = 1, y = 9, speed = 1 }\n"
+                            "  string.gone:remove()\n"
+                            "end)\n";
+
+struct bed {
+    struct rig_game g;
+    struct rig r;
+    uint8_t *image;
+    struct rng rng;
+    char line[2][1 << 14];
+    size_t n;
+};
+
+static int bed_open(void **state)
+{
+    struct bed *t = calloc(1, sizeof *t);
+    struct manifest m = rig_manifest();
+
+    m.bullet_values = 2;
+    m.around = true;
+    m.items = 32;
+    m.lasers = 16;
+    m.curve_points = 256;
+    rig_with_sys(&t->g, &m, scene);
+    rig_power(&t->r, &t->g, NULL);
+    rig_run(&t->r, 5);
+    rng_seed(&t->rng, 18);
+    *state = t;
+    return 0;
+}
+
+static int bed_close(void **state)
+{
+    struct bed *t = *state;
+
+    free(t->image);
+    rig_free(&t->r);
+    rig_game_free(&t->g);
+    free(t);
+    return 0;
+}
+
+static void keep(struct bed *t)
+{
+    t->image = realloc(t->image, board_snapshot_size(t->r.b));
+    board_save(t->r.b, t->image);
+}
+
+/* ---- random lines ---- */
+
+static uint32_t below(struct bed *t, uint32_t n)
+{
+    return (uint32_t)(rng_next(&t->rng) % n);
+}
+
+static void put(struct bed *t, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    t->n += (size_t)vsnprintf(t->line[0] + t->n, sizeof t->line[0] - t->n, format, args);
+    va_end(args);
+    assert_true(t->n < sizeof t->line[0]);
+}
+
+#define PICK(t, list) (list)[below((t), sizeof(list) / sizeof *(list))]
+
+static void put_junk(struct bed *t)
+{
+    static const char *const junk[] = { "nil",
+                                        "0/0",
+                                        "1/0",
+                                        "-1/0",
+                                        "1e300",
+                                        "-0.0",
+                                        "2^53",
+                                        "math.mininteger",
+                                        "math.maxinteger",
+                                        "0.5",
+                                        "true",
+                                        "false",
+                                        "'dot'",
+                                        "''",
+                                        "'a\\0b'",
+                                        "{}",
+                                        "{1,2}",
+                                        "print",
+                                        "string.foe",
+                                        "string.gone",
+                                        "'12'",
+                                        "-1",
+                                        "70000",
+                                        "32768",
+                                        "string.way",
+                                        "forever",
+                                        "'fly'",
+                                        "player.get(1)",
+                                        "function() end",
+                                        "-32768.00001" };
+
+    put(t, "%s", PICK(t, junk));
+}
+
+/* One that p may take, or nearly. */
+static void put_value(struct bed *t, const struct api_param *p)
+{
+    static const char *const things[] = { "string.foe", "string.gone", "player.get(1)" };
+    static const char *const words[] = { "'dot'", "'arrow'", "'ember'", "'fly'", "'flies'", "'bullet'", "'shot'" };
+    const double span = p->hi - p->lo;
+
+    if (below(t, 50) == 0) {
+        put_junk(t);
+        return;
+    }
+    switch ((int)p->type) {
+    case A_INT:
+    case A_COUNT:
+        put(t, "%.0f", p->lo + (span < 40 ? below(t, (uint32_t)span + 1) : below(t, 40)));
+        break;
+    case A_NUM:
+    case A_FX:
+        if (below(t, 4) == 0)
+            put(t, "%.17g", below(t, 2) ? p->lo : p->hi);
+        else
+            put(t, below(t, 2) ? "%.3f" : "%.0f", p->lo < 0 ? (double)below(t, 200) - 50 : p->lo + below(t, 9) / 4.0);
+        break;
+    case A_DIR:
+        put(t, below(t, 2) ? "%d" : "%d.25", (int)below(t, 1000) - 500);
+        break;
+    case A_BOOL:
+        put(t, "%s", below(t, 2) ? "true" : "false");
+        break;
+    case A_THING:
+        put(t, "%s", PICK(t, things));
+        break;
+    case A_MOTION:
+        put(t, "%s", below(t, 2) ? "string.way" : "'way'");
+        break;
+    case A_BULLET_KIND:
+    case A_SPRITE:
+        put(t, "%s", below(t, 2) ? "'dot'" : "'arrow'");
+        break;
+    case A_SHOT_KIND:
+        put(t, "'bolt'");
+        break;
+    case A_ENEMY_KIND:
+        put(t, "'fly'");
+        break;
+    case A_SPARK_KIND:
+        put(t, "'ember'");
+        break;
+    case A_ITEM_KIND:
+        put(t, "'coin'");
+        break;
+    case A_FUNC:
+        put(t, "function() end");
+        break;
+    case A_SPAN:
+        put(t, "{ 1, %d }", (int)below(t, 9));
+        break;
+    default:
+        put(t, "%s", PICK(t, words));
+    }
+}
+
+/* What a table may have besides. */
+static void put_odd(struct bed *t, const char *name)
+{
+    switch (below(t, 9)) {
+    case 0:
+        put(t, "t[%d] = 1 ", (int)below(t, 3));
+        break;
+    case 1:
+        put(t, "t.%.*ss = 1 ", (int)strlen(name), name);
+        break;
+    case 2:
+        put(t, "t[%s] = 1 ", below(t, 2) ? "1.5" : "{}");
+        break;
+    case 3:
+        put(t, "setmetatable(t, { __index = function() return 7 end, __len = function() return 3 end }) ");
+        break;
+    case 4:
+        put(t, "t[true] = 1 ");
+        break;
+    case 5:
+        put(t, "t.curl, t.fade = 0.5, %s ", below(t, 8) ? "1" : "'x'");
+        break;
+    case 6:
+        put(t, "t[('%s'):rep(9)] = 1 ", name);
+        break;
+    default:
+        put(t, "t[('%.1s') .. '%s'] = t.%s t.more = 1 t.more = nil ", name, name + 1, name);
+    }
+}
+
+/* Does the function take arguments by name, and can it be called whenever it is? */
+static bool fits(const struct api_entry *e)
+{
+    const unsigned never = API_LOAD | API_METHOD | API_SYS | API_MORE;
+    const bool lua = e->flags & API_LUA && !(e->flags & API_FIRE); /* volleys are patterns' */
+
+    return e->count > e->plain && !(e->flags & never) && !lua && !api_off(&(struct manifest){ 0 }, e->name);
+}
+
+/* A parameter of what e fires has the number it has behind e's own. */
+static const struct api_param *param(const struct api_entry *e, const struct api_entry *fire, int i)
+{
+    return i < e->count ? &e->params[i] : &fire->params[i - e->count];
+}
+
+static const struct api_entry *entry_named(const char *name)
+{
+    for (int i = 0; i < api_count(); i++)
+        if (!strcmp(api_entry(i)->name, name))
+            return api_entry(i);
+    return NULL;
+}
+
+/* A place is x and y, or from a thing. */
+static bool often(const struct api_param *p)
+{
+    return !p->optional || !strcmp(p->name, "x") || !strcmp(p->name, "y");
+}
+
+static bool seldom(const struct api_param *p)
+{
+    return !strcmp(p->name, "from") || !strncmp(p->name, "to_", 3) || !strcmp(p->name, "around");
+}
+
+/* `local t = { .. } .. print(f(t))`; good: nothing of it is wrong on purpose. */
+static void put_call(struct bed *t, const struct api_entry *e, bool good)
+{
+    const struct api_entry *fire = e->flags & API_FIRE ? entry_named("bullet.fire") : NULL;
+    const int n = e->count + (fire ? fire->count : 0), from = (int)below(t, (uint32_t)n);
+
+    put(t, "do local t = { ");
+    for (int k = 0; k < n; k++) {
+        const struct api_param *p = param(e, fire, (from + k) % n);
+        if ((from + k) % n < e->plain || (often(p) ? !good && below(t, 24) == 0 : below(t, seldom(p) ? 24 : 4) > 0))
+            continue;
+        put(t, "%s = ", p->name);
+        put_value(t, p);
+        put(t, ", ");
+    }
+    put(t, "} ");
+    if (!good && below(t, 4) == 0)
+        put_odd(t, e->params[e->plain + (int)below(t, (uint32_t)(e->count - e->plain))].name);
+    if (!good && below(t, 8) == 0)
+        put(t, "t.%s = nil ", e->params[e->plain + (int)below(t, (uint32_t)(e->count - e->plain))].name);
+    put(t, "print(%s(", e->name);
+    for (int i = 0; i < e->plain; i++) {
+        put_value(t, &e->params[i]);
+        put(t, ", ");
+    }
+    put(t, below(t, 40) ? "t)) end " : "t, t)) end ");
+}
+
+/* ---- both ways ---- */
+
+struct end {
+    bool fine;
+    char out[EVAL_TEXT];
+    uint64_t hash, digest, calls;
+};
+
+static struct end *run(struct bed *t, bool plain, bool rubbish, struct end *end)
+{
+    struct board *b = t->r.b;
+
+    board_restore(b, t->image);
+    b->vm.plain = plain;
+    for (size_t i = 0; rubbish && i < sizeof b->vm.guesses; i++)
+        ((uint8_t *)&b->vm.guesses)[i] = (uint8_t)rng_next(&t->rng);
+    memset(end->out, 0, sizeof end->out);
+    end->fine = board_eval(b, t->line[0], end->out, sizeof end->out);
+    if (end->fine)
+        rig_run(&t->r, 1);
+    end->hash = board_hash(b);
+    end->digest = b->script.digest;
+    end->calls = b->script.calls;
+    return end;
+}
+
+static void expect_equal(struct bed *t, const struct end *a, const struct end *b)
+{
+    if (a->fine != b->fine || strcmp(a->out, b->out))
+        fail_msg("by a plan: %s; without: %s; %s", a->out, b->out, t->line[0]);
+    if (a->fine && (a->hash != b->hash || a->digest != b->digest || a->calls != b->calls))
+        fail_msg("by a plan the state is another: %s", t->line[0]);
+}
+
+/* Calls each entry so often that it has a plan. Those that end in an error have none: their tables were wrong. */
+static void warm(struct bed *t, const struct api_entry *e)
+{
+    static struct end end;
+
+    for (int k = 0, fine = 0; k < 200 && fine < 24; k++) {
+        keep(t);
+        t->n = 0;
+        put_call(t, e, true);
+        if (run(t, false, false, &end)->fine)
+            fine++;
+        else
+            board_restore(t->r.b, t->image);
+    }
+    keep(t);
+}
+
+/* Every function that takes named arguments, with tables of all sorts. */
+static void test_random(void **state)
+{
+    static struct end planned, plain;
+    struct bed *t = *state;
+    const int lines = rig_long() ? 5000 : 250;
+    int fine = 0, wrong = 0;
+    uint32_t used = 0;
+
+    for (int i = 0; i < api_count(); i++)
+        if (fits(api_entry(i)))
+            warm(t, api_entry(i));
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        for (int k = 0; fits(e) && k < lines; k++) {
+            t->n = 0;
+            for (uint32_t calls = 1 + below(t, 3); calls > 0; calls--)
+                put_call(t, e, below(t, 3) == 0);
+            const uint32_t before = t->r.b->vm.planned;
+            run(t, false, below(t, 4) == 0, &planned);
+            used += t->r.b->vm.planned != before;
+            expect_equal(t, &planned, run(t, true, below(t, 4) == 0, &plain));
+            fine += plain.fine;
+            wrong += !plain.fine;
+        }
+    }
+    if (getenv("TEST_SAYS"))
+        printf("# %d lines ran, %d were refused, %u used a plan\n", fine, wrong, used);
+    assert_true(fine > 5 * lines && wrong > 5 * lines && used > 5 * (uint32_t)lines);
+}
+
+/* A table that is changed between calls: in its values, by keys that come, by keys that go. */
+static void test_changed(void **state)
+{
+    static struct end planned, plain;
+    struct bed *t = *state;
+
+    warm(t, entry_named("bullet.fire"));
+    t->n = 0;
+    put(t, "local t = { kind = 'dot', x = 1, y = 2, speed = 1 } for i = 1, 40 do t.x, t.curl = i, i %% 3 == 0 and i or "
+           "nil "
+           "t.tag, t.dir = i %% 5 == 0 and 'a' .. i or nil, i > 20 and i * 1.5 or nil print(bullet.fire(t)) end "
+           "t[1] = 2 pcall(bullet.fire, t)");
+    run(t, false, false, &planned);
+    expect_equal(t, &planned, run(t, true, false, &plain));
+    assert_false(planned.fine);
+    assert_non_null(strstr(planned.out, "expected named arguments ({ name = value }), got one at 1"));
+}
+
+/* A plan is used once there are calls enough, and is none of a state: neither hash nor digest has anything of it. */
+static void test_used(void **state)
+{
+    struct bed *t = *state;
+    char out[EVAL_TEXT];
+    struct board *b = t->r.b;
+    const char *line = "for i = 1, 40 do bullet.fire { kind = 'dot', x = i, y = 2, speed = 1 } end";
+
+    b->vm.planned = 0;
+    assert_true(board_eval(b, line, out, sizeof out));
+    assert_int_equal(b->vm.planned, 40 + 1 - 15); /* the scene fired one */
+    b->vm.plain = true;
+    assert_true(board_eval(b, line, out, sizeof out));
+    assert_int_equal(b->vm.planned, 40 + 1 - 15);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_used, bed_open, bed_close),
+        cmocka_unit_test_setup_teardown(test_changed, bed_open, bed_close),
+        cmocka_unit_test_setup_teardown(test_random, bed_open, bed_close),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,155 @@
+#!/usr/bin/env bash
+# window_sound.sh - sound in a real (virtual) window, SDL's disk driver in place of a card: what was played is what
+# `render --wav` makes of the recorded run; under load, with a card whose clock is another, there is no gap and nothing
+# comes twice; no speaker is touched by a game that is silent or muted; and none of it is seen in a demo.
+. "$(dirname "$0")/../xserver.sh"
+${CC:-cc} -std=c11 -O1 -shared -fPIC -o slow_clock.so "$repo/tests/machine/slow_clock.c" || exit 2
+export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=$scratch/played.raw
+busy=
+trap 'for p in $busy $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
+
+game g <<'LUA'
+music.play("tide")
+task.go(function()
+  while true do
+    music.wait()
+    sound.play("hit", { pan = music.beat() % 3 - 1 })
+  end
+end)
+LUA
+game steady <<'LUA'
+music.play("tide")
+local work = 0
+task.go(function()
+  for i = 1, forever do
+    for _ = 1, i % 40 < 2 and 400000 or 0 do work = work + 1 end
+    wait(1)
+  end
+end)
+LUA
+cat >steady/music/tide.mml <<'MML'
+@s sine attack=20 decay=0 sustain=100
+A t60 @s o5 V70 L a1^1^1^1^1^1^1^1^1^1^1^1^1^1^1^1
+MML
+game silent <<'LUA'
+task.go(function() wait(forever) end)
+LUA
+mkdir -p data/curtain
+
+settings() { printf '%s\n' "$@" >data/curtain/curtain.conf; }
+played() { [ -f played.raw ] && [ "$(wc -c <played.raw)" -ge "$1" ]; } # BYTES: as many at least
+last() { "$curtain" hash "$1" --demo "$2" | tail -1 | cut -d' ' -f1; } # GAME DEMO
+rendered() { # GAME DEMO OUT
+    "$curtain" render "$1" --demo "$2" --frames "$(last "$1" "$2")" --wav "$3"
+}
+same_frames() { python3 "$repo/tests/machine/played.py" same "$@"; }
+unbroken() { python3 "$repo/tests/machine/played.py" sine "$@"; }
+
+# ---- to the bit: the card leads, four times as slow as a real one, so a busy machine keeps up ----
+settings "resample = no"
+exactly() { # GAME TITLE BYTES [KEY...]
+    local game=$1 title=$2 bytes=$3 key
+    shift 3
+    rm -f played.raw
+    SDL_DISKAUDIODELAY=20 start "$title" "$OUT/curtain" play "$game" --seed 3 --scale 1 --record run.demo || return
+    for key; do
+        xdotool keydown "$key"
+        rounds 3
+        xdotool keyup "$key"
+        rounds 3
+    done
+    check "$title sounds" soon played "$bytes"
+    stop
+    check "$title: the demo holds" "$curtain" verify "$game" run.demo
+    rendered "$game" run.demo want.wav
+    check "$title: what was played is what is rendered" same_frames played.raw want.wav
+}
+exactly g Probe 400000
+exactly "$repo/roms/glasstide" "Glass Tide" 400000 Return z z z Left
+python3 - <<'PY'
+data = bytearray(open("played.raw", "rb").read())
+at = len(data) // 8 * 4
+data[at] ^= 1
+open("one.raw", "wb").write(data)
+open("cut.raw", "wb").write(data[:at - 400] + data[at:])
+open("twice.raw", "wb").write(data[:at - 4] + data[at - 3204:])
+open("padded.raw", "wb").write(data[:at - 4] + bytes(3200) + bytes([data[at - 4]]) + data[at - 3:at] +
+                               bytes([data[at] ^ 1]) + data[at + 1:])
+PY
+refuse "planted: a bit" "expected frame" same_frames one.raw want.wav
+refuse "planted: a cut" "expected frame" same_frames cut.raw want.wav
+refuse "planted: a repeat" "expected frame" same_frames twice.raw want.wav
+check "silence that pads is no fault" same_frames padded.raw want.wav
+
+# ---- under load, at a rate that is adjusted: twelve times as slow, and the card's clock is another by 0.4 % ----
+settings "resample = yes"
+for _ in 1 2 3; do
+    while :; do :; done &
+    busy="$busy $!"
+done
+for ppm in 4000 -4000; do
+    rm -f played.raw
+    SDL_DISKAUDIODELAY=5 start Probe env SLOWER=12 CARD_PPM=$ppm LD_PRELOAD="$scratch/slow_clock.so" \
+        "$OUT/curtain" play steady --seed 0 --scale 1 --verbose || continue
+    check "a tone under load" soon played 330000
+    stop
+    check "no gap and no repeat, the card $ppm ppm faster" unbroken played.raw 880
+    check "which is what it says" grep -q "gaps 0, blocks left out 0" err
+done
+kill -KILL $busy
+wait $busy 2>/dev/null
+busy=
+python3 - <<'PY'
+data = open("played.raw", "rb").read()
+at = len(data) // 8 * 4
+open("gap.raw", "wb").write(data[:at] + bytes(400) + data[at + 400:])
+open("twice.raw", "wb").write(data[:at] + data[at - 3200:])
+open("cut.raw", "wb").write(data[:at] + data[at + 64:])
+PY
+for fault in gap twice cut; do refuse "planted: $fault" "it breaks" unbroken $fault.raw 880; done
+
+# ---- what touches no speaker ----
+export SDL_DISKAUDIODELAY=20
+quiet() { # TITLE ARGUMENT...: plays, and writes no file
+    rm -f played.raw
+    start Probe "$OUT/curtain" play "$@" --scale 1 || return
+    rounds 20
+    check "no speaker: $*" test ! -e played.raw
+}
+quiet silent && stop
+quiet g --mute && {
+    xdotool key --delay 150 m
+    check "until M opens one" soon played 20000
+    stop
+}
+settings "mute = yes"
+quiet g && stop
+settings "volume = 100"
+export SDL_AUDIODRIVER=alsa AUDIODEV=none
+if start Probe "$OUT/curtain" play g --scale 1 --verbose; then
+    rounds 20
+    stop
+    check "without a card the game plays, and says so in a line" grep -q "^no sound: " err
+    same "and no other" 2 "$(wc -l <err)"
+fi
+
+# ---- none of it is seen in a demo ----
+export SDL_AUDIODRIVER=disk AUDIODEV=
+again() { # OUT OPTION...: plays run.demo, recorded anew
+    local out=$1
+    shift
+    start Probe "$OUT/curtain" play g --demo run.demo --record "$out" --scale 1 "$@" || return
+    check "a playback ends: $out" soon gone
+    leave
+}
+if start Probe "$OUT/curtain" play g --seed 3 --scale 1 --record run.demo; then
+    rounds 40
+    stop
+fi
+again on.demo
+again muted.demo --mute
+"$curtain" hash g --demo run.demo --record off.demo --parts >off.hashes
+"$curtain" render g --demo run.demo --frames "$(last g run.demo)" --wav x.wav --record wav.demo
+for way in muted off wav; do check "the same run: $way" cmp on.demo $way.demo; done
+check "and it holds" "$curtain" verify g on.demo muted.demo
+finish
