@@ -286,7 +286,7 @@ class Piece:
         return sum(first.setdefault(b, k) != k for k, b in enumerate(bars)) / len(bars)
 
     def repeats(self):
-        """The share of bars that are equal to an earlier one, of all parts or of the melody alone; sections that differ."""
+        """The share of bars that are equal to an earlier one, of all parts or of the melody alone; sections."""
         bars = self.prints(ROLES[:4])
         return max(self.again(ROLES[:4]), self.again(ROLES[:1])), len({tuple(bars[a:b]) for _, a, b in self.sections})
 
@@ -306,8 +306,8 @@ class Piece:
         self.at_least("the melody's strong beats on the chords", strong, STRONG_FITS)
         self.at_least("the melody's moves in steps", steps, STEPS)
         if clashes > CLASHES:
-            self.fault(f"the melody rubs against the chord in {100 * clashes:.1f} % of its time, {100 * CLASHES:g} % at "
-                       "most")
+            self.fault(f"the melody rubs against the chord in {100 * clashes:.1f} % of its time, {100 * CLASHES:g} % "
+                       "at most")
         rest, sings = self.sings()
         if rest > RESTS:
             self.fault(f"the melody rests for {rest:.1f} bars, {RESTS:g} at most")
@@ -317,7 +317,8 @@ class Piece:
             self.fault(f"{100 * again:.0f} % of the bars are as an earlier one, {100 * REPEATED:.0f} % at most")
         if sections < SECTIONS:
             self.fault(f"expected {SECTIONS} sections that differ, got {sections}")
-        self.row = [("key", d.key), ("tempo", f"{d.tempo:g}"), ("bars", str(self.n_bars)), ("seconds", f"{seconds:.1f}"),
+        self.row = [("key", d.key), ("tempo", f"{d.tempo:g}"), ("bars", str(self.n_bars)),
+                    ("seconds", f"{seconds:.1f}"),
                     ("in the scale", percent(scale)), ("bass on chords", percent(bass)), ("on roots", percent(roots)),
                     ("harmony", percent(harmony)), ("melody", percent(strong)), ("rubs", percent(clashes)),
                     ("steps", percent(steps)), ("leap", str(leap)), ("range", str(wide)), ("rests", f"{rest:.1f}"),
@@ -379,7 +380,7 @@ def undrummed(curtain, game, name, drums, folder):
         lines = [x for x in f if not re.match(rf"[{''.join(drums)}] ", x)]
     os.mkdir(os.path.join(folder, "music"))
     for path, text in (("music/" + name + ".mml", "".join(lines)), ("main.lua", ""),
-                       ("rom.lua", f'return {{ title = "-", music = {{ {name} = {{ file = "music/{name}.mml" }} }} }}')):
+                       ("rom.lua", f'return {{ title = "-", music = {{ {name} = {{ file = "music/{name}.mml" }}}}}}')):
         with open(os.path.join(folder, path), "w", encoding="utf-8") as f:
             f.write(text)
     return render(curtain, folder, name, folder)[1]
@@ -452,7 +453,8 @@ def check_levels(curtain, game, names):
         flat, bad = flaws(name, samples)
         looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
         lufs = "-" if loud[name] is None else f"{loud[name]:.1f}"
-        rows[name] = [("LUFS", lufs), ("power, dB", f"{own[name]:.1f}")] + flat + (looped or [("bend at the loop", "-")])
+        rows[name] = [("LUFS", lufs), ("power, dB", f"{own[name]:.1f}")] + flat
+        rows[name] += looped or [("bend at the loop", "-")]
         faults += bad + clicks
     return rows, faults + spread(loud, SPREAD, "LU") + spread(own, OWN_SPREAD, "dB")
 
@@ -480,7 +482,8 @@ def check_sounds(curtain, game, names):
         (peak, dc, curve), long = measure(samples), heard(samples) / 48000
         level = decibels(loudest(samples))
         dc *= min(1, len(samples) / 96000)
-        rows[name] = [("seconds", f"{long:.2f}"), ("peak, dB", f"{decibels(peak):.1f}"), ("loudest, dB", f"{level:.1f}")]
+        rows[name] = [("seconds", f"{long:.2f}"), ("peak, dB", f"{decibels(peak):.1f}"),
+                      ("loudest, dB", f"{level:.1f}")]
         for what, got, (low, high) in (("peak", decibels(peak), SOUND_PEAK), ("loudest twentieth of a second", level,
                                                                              SOUND_LEVEL)):
             if not low <= got <= high:
@@ -496,7 +499,7 @@ def check_sounds(curtain, game, names):
 
 PAGE = """# The music of Glass Tide
 
-Made by `tools/music.py --page roms/glasstide >docs/music.md`; [music.sh](../tests/cli/music.sh) sees that it is current.
+Made by `tools/music.py --page roms/glasstide >docs/music.md`; [music.sh](../tests/cli/music.sh) checks it.
 
 Six pieces and {sounds} sounds, all of them MML: [music](../{game}/music) and
 [sfx](../{game}/sfx). One motif goes through all pieces, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
@@ -555,14 +558,17 @@ Of each, up to where it stays below -60 dB; the loudest is the root mean square 
 """
 
 RULES = (
-    ("notes of melody, second part, harmony and bass in the scale", IN_SCALE), ("bass on tones of the chord", BASS_FITS),
+    ("notes of melody, second part, harmony and bass in the scale", IN_SCALE),
+    ("bass on tones of the chord", BASS_FITS),
     ("chords that the bass begins with their root, or the note behind `/`", ROOTS),
-    ("harmony on tones of the chord", HARMONY_FITS), ("melody's notes on strong beats that are the chord's", STRONG_FITS),
+    ("harmony on tones of the chord", HARMONY_FITS),
+    ("melody's notes on strong beats that are the chord's", STRONG_FITS),
     ("moves of the melody by a tone at most", STEPS), ("bars in which the melody sounds", SINGS),
 )
 LIMITS = (
     ("long notes of the melody a semitone above the chord", percent(CLASHES)),
-    ("bars that are as an earlier one, in all parts or in the melody", percent(REPEATED)), ("the melody's longest rest", f"{RESTS:g} bars"),
+    ("bars that are as an earlier one, in all parts or in the melody", percent(REPEATED)),
+    ("the melody's longest rest", f"{RESTS:g} bars"),
 )
 
 
@@ -592,7 +598,7 @@ def page(curtain, game):
     seconds = {name: dict(row).get("seconds", "-") for name, row in notes.items()}
     rules = [f"| {what} | {percent(least)} at least |" for what, least in RULES]
     rules += [f"| {what} | {most} at most |" for what, most in LIMITS]
-    sizes = dict(re.findall(r"^\w+ (\w+): (\d+) bytes", run(curtain, "sound", game), re.M))
+    sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", run(curtain, "sound", game), re.M))
     print(PAGE.format(
         sounds=len(sounds), game=game, notes=table(notes), levels=table(levels), heard=table(heard_rows), long=LONG,
         short=SHORT, spread=SPREAD, own=OWN_SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
