@@ -170,6 +170,10 @@ return function(now, b, phases, args)
     now.task, now.status, now.before, now.tune, now.song = nil, nil, nil, nil, nil
   end)
   if b.music then now.tune = sys.music_on(b.music, args and b.warning) and b.music end
+  for i = 2, args and 0 or #b.phases do -- practised: what the phase before plays too
+    local song = b.phases[i] == phases[1] and b.phases[i].music
+    if song and song == b.phases[i - 1].music then now.song = sys.music_on(song) and song end
+  end
   if b.warning > 0 and args then sys.read("boss/warning")(b) end
   sys.mark("boss", b.name, "", b.title)
   for i, m in ipairs(b.cast) do team[i] = spawn(m) end

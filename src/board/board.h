@@ -178,6 +178,7 @@ struct board_cue {
     const char *name; /* NULL: nothing */
     uint32_t began;   /* the frame in which it did */
     bool first;       /* of its tracks */
+    bool ends;        /* in the next frame */
 };
 bool board_cue(const struct board *b, int slot, struct board_cue *out);
 

@@ -242,6 +242,7 @@ task.go(function()
 end)
 task.go(function()
   music.play("tide", { fade = 20 })
+  board.note(music.volume(0.5, 10))
   while music.wait("drop") < 40 do
     sound.play("hit", { volume = 0.5, pan = -0.5, pitch = 3 })
     board.note(music.bar() + music.beat() + music.frames(2) + #(music.marker() or "") + #(music.name() or ""))

@@ -333,6 +333,9 @@ static void test_marks(void **state)
         "music.play('tide') music.wait(5) stage.at(190) music.wait('drop')",
         "music.play('tide') music.volume(0.25, 90) stage.at(60)",
         "music.wait(3) music.play('tide') stage.at(100)",
+        "music.play('tide') stage.at(20) stage.clear() stage.at(150)",
+        "music.play('tide') stage.wave { kind = 'e', n = 1, every = 9, path = way } stage.clear(60) stage.at(150)",
+        "music.play('tide') wait_until(function() return false end, 50) stage.at(190)",
         "music.play('tide') stage.at(90) boss.fight('b') stage.at(151)",
         "music.play('tide') stage.at(90) boss.fight('b') stage.at(190)",
         "music.play('tide') stage.at(90) boss.fight('c') wait(70)",
@@ -344,7 +347,8 @@ static void test_marks(void **state)
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         char text[2048];
         snprintf(text, sizeof text,
-                 "one({ music = 'deep' }, phase('a', 60))\n"
+                 "local way = path.def { { x = 9, y = 9 }, { x = 90, y = 40, over = 40 } } one({ music = 'deep' }, "
+                 "phase('a', 60))\n"
                  "local function more(name, t, ...) t.title, t.kind, t.x, t.y, t.phases = 'B', 'e', 9, 9, { ... }\n"
                  "  boss.def(name, t) end\n"
                  "more('c', { music = 'deep', warning = 80 }, phase('a', 60)) more('d', {}, phase('a', 60))\n"
@@ -358,7 +362,8 @@ static void test_marks(void **state)
     }
 }
 
-/* A phase that is practised has its own music, or the boss's, from its first frame on. */
+/* A phase that is practised has its own music, or the boss's, from its first frame on; what the phase before had too
+ * plays while the boss flies in. */
 static void test_phases(void **state)
 {
     static const struct {
@@ -366,6 +371,10 @@ static void test_phases(void **state)
     } tries[] = {
         { "one({ music = 'tide' }, phase('a', 90))", "b/a", "0 tide 3" },
         { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }))", "b/a", "0 tide 3, 60 deep 2" },
+        { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }), phase('c', 90, { music = 'deep' }))", "b/c",
+          "0 deep 2" },
+        { "one({ music = 'tide' }, phase('a', 90), phase('c', 90, { music = 'deep' }))", "b/c", "0 tide 3, 60 deep 2" },
+        { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }), phase('c', 90))", "b/c", "0 tide 3" },
         { "one({}, phase('a', 90))", "b/a", "" },
         { "one({ music = 'deep' }, phase('a', 90))", "s", "0 tide 3" },
     };
@@ -630,6 +639,50 @@ static void test_apart(void **state)
     done();
 }
 
+/* One in the very first frames is heard, though none was before. */
+static void test_first(void **state)
+{
+    (void)state;
+    power_sound("graze", "");
+    rig.b->core.frame = 2;
+    sound_cue(rig.b, CUE_GRAZE, 0);
+    assert_true(rig.b->cues.tune[0] != 0);
+    done();
+}
+
+/* A slot tells what plays in it, which frame is its last, and nothing of what is no sound. */
+static void test_slots(void **state)
+{
+    struct board_cue cue = { 0 };
+    int lasts = 0, frames = 0;
+
+    (void)state;
+    power("sound.play('hit')");
+    for (; rig_run(&rig, 1), board_cue(rig.b, 0, &cue) && cue.name; frames++) {
+        assert_string_equal(cue.name, "hit");
+        assert_int_equal(lasts, 0);
+        lasts += cue.ends;
+    }
+    assert_true(frames > 1 && lasts == 1);
+    rig.b->cues.tune[0] = 1; /* no sound begins there */
+    assert_true(board_cue(rig.b, 0, &cue) && cue.name == NULL);
+    done();
+}
+
+/* Of two fades, both as long as a warning may be, the second goes on from where the first was. */
+static void test_long_fades(void **state)
+{
+    (void)state;
+    power("music.play('tide')");
+    rig_run(&rig, 2);
+    sound_music_stop(rig.b, 65535);
+    rig.b->music.fade = 50000;
+    sound_music(rig.b, cart_find_tune(&rig.b->cart, "deep"), &(struct music_how){ .fade = 40000 });
+    assert_int_equal(rig.b->music.fade, 40000);
+    assert_int_equal(rig.b->music.fade_over, 52428);
+    done();
+}
+
 /* ---- mistakes ---- */
 
 static void refuses(const char *script, const char *message)
@@ -755,12 +808,13 @@ static void test_voices(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),  cmocka_unit_test(test_restored),      cmocka_unit_test(test_goes_on),
-        cmocka_unit_test(test_screens),  cmocka_unit_test(test_marks),         cmocka_unit_test(test_phases),
-        cmocka_unit_test(test_pause),    cmocka_unit_test(test_cue_in_pause),  cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_room),     cmocka_unit_test(test_cues),          cmocka_unit_test(test_apart),
-        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_room_mistakes), cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_voices),
+        cmocka_unit_test(test_stories),    cmocka_unit_test(test_restored),      cmocka_unit_test(test_goes_on),
+        cmocka_unit_test(test_screens),    cmocka_unit_test(test_marks),         cmocka_unit_test(test_phases),
+        cmocka_unit_test(test_pause),      cmocka_unit_test(test_cue_in_pause),  cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_room),       cmocka_unit_test(test_cues),          cmocka_unit_test(test_apart),
+        cmocka_unit_test(test_mistakes),   cmocka_unit_test(test_room_mistakes), cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_voices),     cmocka_unit_test(test_first),         cmocka_unit_test(test_slots),
+        cmocka_unit_test(test_long_fades),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);

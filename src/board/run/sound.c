@@ -301,11 +301,11 @@ static const uint8_t apart[CART_CUES] = { [CUE_GRAZE] = 4, [CUE_ITEM] = 3 };
 
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
 {
-    const uint32_t since = b->core.frame - b->cues.last[cue];
+    const uint32_t next = b->core.frame + 1, since = next - b->cues.last[cue];
 
-    if (since > 0 && since < apart[cue])
+    if (b->cues.last[cue] && since > 0 && since < apart[cue])
         return;
-    b->cues.last[cue] = b->core.frame;
+    b->cues.last[cue] = next;
     sound_play(b, &(struct cue){ b->cart.cue[cue], 256, sound_place(b, x), 0 });
 }
 
@@ -318,7 +318,7 @@ static void begin_fade(struct board *b, int32_t fade)
 
     if (s->fade_over && s->fade <= fade)
         return;
-    const int32_t over = s->fade_over ? (int32_t)s->fade_over * fade / s->fade : fade;
+    const int64_t over = s->fade_over ? (int64_t)s->fade_over * fade / s->fade : fade;
     s->fade_over = (uint16_t)(over > fade ? over : fade);
     s->fade = (uint16_t)fade;
 }
@@ -511,6 +511,22 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
 }
 
+static void play_none(void *context, const struct tune_played *p, int sample)
+{
+    (void)context, (void)p, (void)sample;
+}
+
+/* Has it less than a frame to play? */
+static bool ends_next(const struct board *b, int slot)
+{
+    const struct cues *c = &b->cues;
+    const struct tune t = tune_of(rom(b) + c->tune[slot]);
+    struct tune_at at = { c->at[slot], c->left[slot] };
+
+    tune_run(&t, c->track[slot], &at, t.tempo, 0, SND_FRAME, play_none, NULL);
+    return at.at == 0;
+}
+
 bool board_cue(const struct board *b, int slot, struct board_cue *out)
 {
     const struct cues *c = &b->cues;
@@ -519,13 +535,14 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out)
     if (!board_has_sound(b) || slot >= CUES)
         return false;
     *out = (struct board_cue){ 0 };
-    if (c->tune[slot] == 0)
-        return true;
-    while (cart_sound(&b->cart, sound) != c->tune[slot])
+    while (sound < b->cart.sounds && cart_sound(&b->cart, sound) != c->tune[slot])
         sound++;
+    if (c->tune[slot] == 0 || sound == b->cart.sounds)
+        return true;
     out->name = cart_sound_name(&b->cart, sound);
     out->began = c->born[slot];
     out->first = c->track[slot] == 0;
+    out->ends = ends_next(b, slot);
     return true;
 }
 

@@ -135,11 +135,12 @@ static void note_slots(struct check_heard *h, const struct board_cue *cues, int 
     for (int i = 0; i < n; i++) {
         const int was = h->slot[i];
         const bool begins = cues[i].name && cues[i].began == frame;
-        h->slot[i] = cues[i].name ? index_of(h, cues[i].name) : -1;
+        const int is = cues[i].name ? index_of(h, cues[i].name) : -1;
+        h->slot[i] = cues[i].ends ? -1 : is; /* its last frame is no loss */
         if (begins && was >= 0 && !anew(h, cues, n, was, frame))
             lose(h, was, frame);
-        if (begins && cues[i].first && h->slot[i] >= 0)
-            h->sound[h->slot[i]].began++;
+        if (begins && cues[i].first && is >= 0)
+            h->sound[is].began++;
     }
 }
 
