@@ -2,7 +2,7 @@
 """music.py - checks the music of a game against what is declared beside it, and how loud all of it is.
 
     tools/music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/music.md)
-    tools/music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness (with ffmpeg: in LUFS too), peaks, loops
+    tools/music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness, peaks, loops
     tools/music.py [--curtain PROGRAM] --sounds GAME [NAME...]  the sounds: length, peak, level
     tools/music.py [--curtain PROGRAM] --page GAME              docs/music.md
 
@@ -10,14 +10,14 @@ Prints a line of figures for each piece, and a sentence for each fault; exit cod
 `curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
 only the lines that begin with `;=`.
 """
-import array, math, os, re, shutil, subprocess, sys, tempfile, wave
+import array, functools, itertools, math, operator, os, re, subprocess, sys, tempfile, wave
 
 # What is asked for. Shares are of 1.
 IN_SCALE, BASS_FITS, ROOTS, HARMONY_FITS = 0.85, 0.85, 0.75, 0.85
 STRONG_FITS, CLASHES, STEPS = 0.60, 0.04, 0.35
 REPEATED, SECTIONS, SINGS, RESTS = 0.5, 3, 0.45, 2.0
 LONG, SHORT = 60.0, (8.0, 20.0)
-SPREAD, OWN_SPREAD, PEAK, ROUND, DC = 2.0, 3.0, -1.0, 0.01, 1e-3
+SPREAD, PEAK, ROUND, DC = 2.0, -1.0, 0.01, 1e-3
 SOUND_PEAK, SOUND_LEVEL, SOUND_LONG = (-34.0, -3.0), (-40.0, -9.0), 6.0
 
 STEP = {"C": 0, "D": 2, "E": 4, "F": 5, "G": 7, "A": 9, "B": 11}
@@ -256,6 +256,17 @@ class Piece:
                 bad += b - a
         return share(bad, every)
 
+    def rub(self):
+        """Where melody, second part and harmony stand a semitone apart, in one octave, for a beat."""
+        parts = [self.of(role) for role in ROLES[:3]]
+        for i, j in ((0, 1), (0, 2), (1, 2)):
+            for a, b, p in parts[i]:
+                for c, d, q in parts[j]:
+                    if abs(p - q) == 1 and 10 * (min(b, d) - max(a, c)) >= 9 * self.t.quarter:
+                        at = max(a, c) / self.bar + 1
+                        self.fault(f"{ROLES[i]} and {ROLES[j]} are a semitone apart for a beat in bar {int(at)}")
+                        return
+
     def line(self):
         """Of the melody: the share of steps up to a whole tone among moves, the widest leap, its range."""
         p = [n[2] for n in self.of("melody")]
@@ -308,6 +319,7 @@ class Piece:
         if clashes > CLASHES:
             self.fault(f"the melody rubs against the chord in {100 * clashes:.1f} % of its time, {100 * CLASHES:g} % "
                        "at most")
+        self.rub()
         rest, sings = self.sings()
         if rest > RESTS:
             self.fault(f"the melody rests for {rest:.1f} bars, {RESTS:g} at most")
@@ -349,29 +361,14 @@ def decibels(x):
 
 
 def render(curtain, game, name, folder):
+    """The samples, and how loud curtain finds them (LUFS)."""
     path = os.path.join(folder, name + ".wav")
-    run(curtain, "sound", game, name, "-o", path)
+    said = run(curtain, "sound", game, name, "-o", path)
     with wave.open(path) as w:
         samples = array.array("h", w.readframes(w.getnframes()))
     if sys.byteorder == "big":
         samples.byteswap()
-    return path, samples
-
-
-def loudness(path):
-    """LUFS, by ffmpeg; None: there is none."""
-    if not shutil.which("ffmpeg"):
-        return None
-    said = subprocess.run(["ffmpeg", "-nostats", "-hide_banner", "-i", path, "-af", "ebur128", "-f", "null", "-"],
-                          stderr=subprocess.PIPE, text=True, check=True).stderr
-    return float(re.findall(r"I:\s+(-?[\d.]+) LUFS", said)[-1])
-
-
-def power(samples, block=4800):
-    """Decibels of the mean power of tenths of a second, without those 10 dB below the mean of all; in integers."""
-    squares = [sum(x * x for x in samples[i:i + 2 * block]) // block for i in range(0, len(samples), 2 * block)]
-    squares = [s for s in squares if 10 * s * len(squares) >= sum(squares)] or [0]
-    return decibels(math.isqrt(sum(squares) // len(squares) // 2))
+    return samples, float(re.search(r"(\S+) LUFS", said).group(1))
 
 
 def undrummed(curtain, game, name, drums, folder):
@@ -383,7 +380,7 @@ def undrummed(curtain, game, name, drums, folder):
                        ("rom.lua", f'return {{ title = "-", music = {{ {name} = {{ file = "music/{name}.mml" }}}}}}')):
         with open(os.path.join(folder, path), "w", encoding="utf-8") as f:
             f.write(text)
-    return render(curtain, folder, name, folder)[1]
+    return render(curtain, folder, name, folder)[0]
 
 
 def click(samples, at):
@@ -401,20 +398,24 @@ def bend(samples, frm, to):
     return most
 
 
+def beyond(samples, compare, limit):
+    return sum(map(compare, samples, itertools.repeat(limit)))
+
+
 def measure(samples):
     n = len(samples) or 1
     peak = max(max(samples, default=0), -min(samples, default=0))
     left, right = sum(samples[0::2]) * 2 / n / 32768, sum(samples[1::2]) * 2 / n / 32768
-    return peak, max(abs(left), abs(right)), sum(s > 16384 or s < -16384 for s in samples) / n
+    return peak, max(abs(left), abs(right)), (beyond(samples, operator.gt, 16384) +
+                                              beyond(samples, operator.lt, -16384)) / n
 
 
-def spread(loud, most, what):
+def spread(loud):
     """A fault if the loudest and the quietest are further apart."""
-    known = {name: value for name, value in loud.items() if value is not None}
-    if known and max(known.values()) - min(known.values()) > most:
-        low, high = min(known, key=known.get), max(known, key=known.get)
-        return [f"{high} is {known[high] - known[low]:.1f} {what} louder than {low}, {most:g} at most"]
-    return []
+    low, high = min(loud, key=loud.get), max(loud, key=loud.get)
+    if loud[high] - loud[low] <= SPREAD:
+        return []
+    return [f"{high} is {loud[high] - loud[low]:.1f} LU louder than {low}, {SPREAD:g} at most"]
 
 
 def flaws(name, samples):
@@ -444,26 +445,23 @@ def check_loop(curtain, game, name, tune):
 
 
 def check_levels(curtain, game, names):
-    rows, faults, loud, own = {}, [], {}, {}
+    rows, faults, loud = {}, [], {}
     for name in names:
         tune = Tune(curtain, game, name)
         with tempfile.TemporaryDirectory() as folder:
-            path, samples = render(curtain, game, name, folder)
-            loud[name], own[name] = loudness(path), power(samples)
+            samples, loud[name] = render(curtain, game, name, folder)
         flat, bad = flaws(name, samples)
         looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
-        lufs = "-" if loud[name] is None else f"{loud[name]:.1f}"
-        rows[name] = [("LUFS", lufs), ("power, dB", f"{own[name]:.1f}")] + flat
+        rows[name] = [("LUFS", f"{loud[name]:.1f}")] + flat
         rows[name] += looped or [("bend at the loop", "-")]
         faults += bad + clicks
-    return rows, faults + spread(loud, SPREAD, "LU") + spread(own, OWN_SPREAD, "dB")
+    return rows, faults + spread(loud)
 
 
 def loudest(samples, frames=2400):
     """The root mean square of the loudest stretch of a twentieth of a second."""
     squares = [0]
-    for a, b in zip(samples[0::2], samples[1::2]):
-        squares.append(squares[-1] + a * a + b * b)
+    squares += itertools.accumulate(a * a + b * b for a, b in zip(samples[0::2], samples[1::2]))
     if len(squares) <= frames:
         return (squares[-1] / 2 / frames) ** 0.5
     return (max(y - x for x, y in zip(squares, squares[frames:])) / 2 / frames) ** 0.5
@@ -478,7 +476,7 @@ def check_sounds(curtain, game, names):
     rows, faults = {}, []
     for name in names:
         with tempfile.TemporaryDirectory() as folder:
-            _, samples = render(curtain, game, name, folder)
+            samples, _ = render(curtain, game, name, folder)
         (peak, dc, curve), long = measure(samples), heard(samples) / 48000
         level = decibels(loudest(samples))
         dc *= min(1, len(samples) / 96000)
@@ -538,8 +536,7 @@ lasts {short[0]:g} to {short[1]:g}. No two pieces have key, tempo and chords in 
 
 ## Levels
 
-Loudness is ffmpeg's (`ebur128`, integrated), {spread:g} LU apart at most; without ffmpeg the power of the tenths of a
-second that are not 10 dB below the mean is compared, in integers, {own:g} dB apart at most. The peak is {peak:g} dB at
+Loudness is that of ITU-R BS.1770 as `curtain sound` prints it, {spread:g} LU apart at most. The peak is {peak:g} dB at
 most, {round:g} % at most is in the limiter's curve, the mean {dc:g} of full scale at most. Where a piece repeats it is
 rendered without its drums: its second difference within a hundredth of a second of that place is compared with the
 largest in four seconds around it.
@@ -566,9 +563,10 @@ RULES = (
     ("moves of the melody by a tone at most", STEPS), ("bars in which the melody sounds", SINGS),
 )
 LIMITS = (
-    ("long notes of the melody a semitone above the chord", percent(CLASHES)),
-    ("bars that are as an earlier one, in all parts or in the melody", percent(REPEATED)),
-    ("the melody's longest rest", f"{RESTS:g} bars"),
+    ("long notes of the melody a semitone above the chord", percent(CLASHES) + " at most"),
+    ("bars that are as an earlier one, in all parts or in the melody", percent(REPEATED) + " at most"),
+    ("the melody's longest rest", f"{RESTS:g} bars at most"),
+    ("melody, second part and harmony a semitone apart in one octave", "less than a beat"),
 )
 
 
@@ -597,11 +595,11 @@ def page(curtain, game):
     heard_rows, worst = check_sounds(curtain, game, sounds)
     seconds = {name: dict(row).get("seconds", "-") for name, row in notes.items()}
     rules = [f"| {what} | {percent(least)} at least |" for what, least in RULES]
-    rules += [f"| {what} | {most} at most |" for what, most in LIMITS]
-    sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", run(curtain, "sound", game), re.M))
+    rules += [f"| {what} | {most} |" for what, most in LIMITS]
+    sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", listing(curtain, game), re.M))
     print(PAGE.format(
         sounds=len(sounds), game=game, notes=table(notes), levels=table(levels), heard=table(heard_rows), long=LONG,
-        short=SHORT, spread=SPREAD, own=OWN_SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
+        short=SHORT, spread=SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
         pieces="\n".join(f"{about(game, n, WHERE.get(n, ''))} {seconds[n]} |" for n in pieces),
         rules="\n".join(rules),
         cost=COST.format(music=sum(int(sizes[n]) for n in pieces), sounds=sum(int(sizes[n]) for n in sounds))), end="")
@@ -612,8 +610,13 @@ COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds."""
 
 # ---- the command ----
 
+@functools.lru_cache
+def listing(curtain, game):
+    return run(curtain, "sound", game)
+
+
 def listed(curtain, game, what):
-    return [m.group(1) for m in re.finditer(rf"^{what} (\w+):", run(curtain, "sound", game), re.M)]
+    return [m.group(1) for m in re.finditer(rf"^{what} (\w+):", listing(curtain, game), re.M)]
 
 
 CHECKS = {"--levels": (check_levels, "music"), "--sounds": (check_sounds, "sound"), "--notes": (check_notes, "music")}

@@ -157,7 +157,7 @@ return {
   music = { -- each file says its key, chords and form; docs/music.md
     title  = { file = "music/title.mml", volume = 0.74 },
     tide   = { file = "music/tide.mml", volume = 0.71 },
-    queen  = { file = "music/queen.mml", volume = 0.72 },
+    queen  = { file = "music/queen.mml", volume = 0.75 },
     clear  = { file = "music/clear.mml", volume = 0.64 },
     over   = { file = "music/over.mml", volume = 0.62 },
     scores = { file = "music/scores.mml", volume = 0.82 },
