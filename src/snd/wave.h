@@ -12,9 +12,9 @@
 enum { SND_BLOCK = 32, SND_BLOCKS = SND_FRAME / SND_BLOCK };
 
 /* A block of SND_BLOCK samples. phase: of the first, 2^-56 turns; step: from one to the next; mips: the versions of a
- * wave at the frame's beginning and end, which is reached after `part` + 1 of SND_BLOCKS blocks; seed: of noise, of which a turn has 16 values and whose
- * phase and step are in 2^-44 turns, for it is not to repeat; wave:
- * where the tune's own is, of INST_WAVE. All kinds but FM and samples. */
+ * wave at the frame's beginning and end, which is reached after `part` + 1 of SND_BLOCKS blocks; seed: of noise, of
+ * which a turn has 16 values and whose phase and step are in 2^-44 turns, for it is not to repeat; wave: where the
+ * tune's own is, of INST_WAVE. All kinds but FM and samples. */
 struct wave_at {
     uint64_t phase, step;
     int mip0, mip1, part;
