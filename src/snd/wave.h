@@ -28,7 +28,7 @@ void wave_block(const struct snd_tables *t, const struct inst *inst, const struc
 void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step, int16_t out[SND_BLOCK]);
 
 /* What n samples are without what would fold back at those two steps, Q32 (snd_low): from the one's pass to the
- * other's. LOW_TAPS / 2 samples before x and behind its n are there. out is elsewhere. */
+ * other's. LOW_TAPS / 2 samples before x and behind its n, rounded up to four, are there. out is elsewhere. */
 void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out);
 
 /* The level of a note, Q15, `age` samples after its beginning; it was let go at age `off`. */
