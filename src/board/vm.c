@@ -264,9 +264,9 @@ bool vm_call(struct board *b, lua_CFunction f)
     return status == LUA_OK;
 }
 
-/* The collector's pace. A step is as much work as STEP_PERCENT of 2^STEP_SHIFT bytes; a turn is a step, and one more for
- * each STEP_FOR bytes that were allocated since the last. A round begins when REST_BYTES, and a REST_PART of what the
- * last one left, are in use beyond that; where room is short, a REST_OF_ROOM of it. */
+/* The collector's pace. A step is as much work as STEP_PERCENT of 2^STEP_SHIFT bytes; a turn is a step, and one more
+ * for each STEP_FOR bytes that were allocated since the last. A round begins when REST_BYTES, and a REST_PART of what
+ * the last one left, are in use beyond that; where room is short, a REST_OF_ROOM of it. */
 enum { STEP_PERCENT = 100, STEP_SHIFT = 8, STEP_FOR = 4096, REST_BYTES = 16384, REST_PART = 16, REST_OF_ROOM = 4 };
 
 /* The collector has been through the heap, which leaves it so much in use. */

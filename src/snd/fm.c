@@ -1,8 +1,8 @@
 /*
  * fm.c - see fm.h. Sines are made in lanes of 16 bits: the quarter turns beside a crest are a polynomial of the square
- * of the distance w: cos = 1 - w - w (a - w (b - c w)), a b c fitted to 2^-16. Compilers do not find the instruction for
- * the high half of a product, so on a processor that has it sines are made by it, to the same bits. Every other loop is
- * one that they make into vectors of any width.
+ * of the distance w: cos = 1 - w - w (a - w (b - c w)), a b c fitted to 2^-16. Compilers do not find the instruction
+ * for the high half of a product, so on a processor that has it sines are made by it, to the same bits. Every other
+ * loop is one that they make into vectors of any width.
  */
 #include "fm.h"
 

@@ -14,9 +14,9 @@
  *
  * then its title, TUNE_TITLE bytes; for the conductor, which has tempo and markers, and for each track u32 where it is,
  * u32 where its endless loop begins, 0: it ends; its instruments, INST_BYTES each (inst.h); its markers, TUNE_NAME
- * bytes each; waves, curves and the tracks; and, aligned to 4, the samples of a recording (adpcm.h): one or, of left and
- * right, two, which its first and its second instrument play. Those of a stream, which is a recording as music, stand
- * in a lump of their own, wave/NAME, for scripts do not depend on them. Before the first beat, which is where the
+ * bytes each; waves, curves and the tracks; and, aligned to 4, the samples of a recording (adpcm.h): one or, of left
+ * and right, two, which its first and its second instrument play. Those of a stream, which is a recording as music,
+ * stand in a lump of their own, wave/NAME, for scripts do not depend on them. Before the first beat, which is where the
  * conductor begins, the tracks of a recording may have played already.
  *
  * A track is events: how many ticks after the one before (seven bits a byte, low ones first, the eighth: more follow),

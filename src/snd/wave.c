@@ -3,6 +3,11 @@
  */
 #include "wave.h"
 
+#include <string.h>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 /* The same with -O2 and -O3, whose unrolling of the eight taps is slower. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
@@ -99,43 +104,102 @@ void wave_block(const struct snd_tables *t, const struct inst *inst, const struc
     }
 }
 
+/* ---- sums of products ---- */
+
+enum { GROUP = 4, SINC_SHIFT = 15, LOW_SHIFT = 14 };
+
+/* Pointers to a group of samples. */
+typedef const int16_t *group[GROUP];
+
+#ifdef __SSE2__
+
+/* Their sums over the lanes. */
+static inline __m128i added(__m128i v, __m128i w, __m128i x, __m128i y)
+{
+    const __m128i a = _mm_add_epi32(_mm_unpacklo_epi32(v, w), _mm_unpackhi_epi32(v, w));
+    const __m128i b = _mm_add_epi32(_mm_unpacklo_epi32(x, y), _mm_unpackhi_epi32(x, y));
+
+    return _mm_add_epi32(_mm_unpacklo_epi64(a, b), _mm_unpackhi_epi64(a, b));
+}
+
+static inline __m128i more(__m128i sum, const int16_t *x, const int16_t *weights)
+{
+    return _mm_add_epi32(
+        sum, _mm_madd_epi16(_mm_loadu_si128((const __m128i *)x), _mm_loadu_si128((const __m128i *)weights)));
+}
+
+/* A group of samples: each the sum of `taps` of x times their weights. Four at once, to the same bits as below; of one
+ * alone compilers add up the lanes. */
+static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
+{
+    __m128i a = _mm_setzero_si128(), b = a, c = a, d = a;
+
+    for (int j = 0; j < taps; j += 8) {
+        a = more(a, x[0] + j, weights[0] + j);
+        b = more(b, x[1] + j, weights[1] + j);
+        c = more(c, x[2] + j, weights[2] + j);
+        d = more(d, x[3] + j, weights[3] + j);
+    }
+    const __m128i half = _mm_set1_epi32(1 << (shift - 1));
+    const __m128i sum = _mm_srai_epi32(_mm_add_epi32(added(a, b, c, d), half), shift);
+    _mm_storel_epi64((__m128i *)out, _mm_packs_epi32(sum, sum));
+}
+
+#else
+
+static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
+{
+    for (int k = 0; k < GROUP; k++) {
+        int32_t sum = 1 << (shift - 1);
+        for (int j = 0; j < taps; j++)
+            sum += x[k][j] * weights[k][j];
+        sum >>= shift;
+        out[k] = (int16_t)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
+    }
+}
+
+#endif
+
 void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step, int16_t out[SND_BLOCK])
 {
     uint64_t at = phase;
+    group from, weights;
 
-    for (int n = 0; n < SND_BLOCK; n++, at += step) {
-        const int16_t *s = x + (at >> 32) - 3, *weight = t->sinc[((at & 0xffffffff) + (1 << 21)) >> 22];
-        int32_t sum = 1 << 14;
-        for (int j = 0; j < SINC_TAPS; j++)
-            sum += s[j] * weight[j];
-        sum >>= 15;
-        out[n] = (int16_t)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
+    for (int n = 0; n < SND_BLOCK; n += GROUP) {
+        for (int k = 0; k < GROUP; k++, at += step) {
+            from[k] = x + (at >> 32) - 3;
+            weights[k] = t->sinc[((at & 0xffffffff) + (1 << 21)) >> 22];
+        }
+        weigh(from, weights, SINC_TAPS, SINC_SHIFT, out + n);
     }
 }
 
 /* ---- passes ---- */
 
-static int16_t weighed(const int16_t *x, const int16_t *weight)
+/* A group of samples from x[0] on that have passed a row, -1: as they are. */
+static void pass(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
 {
-    int32_t sum = 1 << 13;
-
-    for (int j = 0; j < LOW_TAPS; j++)
-        sum += x[j] * weight[j];
-    sum >>= 14;
-    return (int16_t)(sum > 32767 ? 32767 : sum < -32768 ? -32768 : sum);
+    if (row < 0) {
+        memcpy(out, x, GROUP * sizeof *out);
+        return;
+    }
+    const int16_t *w = t->low[row], *from = x - LOW_TAPS / 2;
+    weigh((group){ from, from + 1, from + 2, from + 3 }, (group){ w, w, w, w }, LOW_TAPS, LOW_SHIFT, out);
 }
 
 void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out)
 {
     const int row0 = snd_low(step0), row1 = snd_low(step1);
+    int16_t group0[GROUP], group1[GROUP];
 
-    for (int i = 0; i < n; i++)
-        out[i] = row0 < 0 ? x[i] : weighed(x + i - LOW_TAPS / 2, t->low[row0]);
-    if (row0 == row1)
-        return;
-    for (int i = 0; i < n; i++) {
-        const int32_t other = row1 < 0 ? x[i] : weighed(x + i - LOW_TAPS / 2, t->low[row1]);
-        out[i] = (int16_t)(out[i] + (other - out[i]) * (int64_t)i / n);
+    for (int i = 0; i < n; i += GROUP) {
+        const int many = n - i < GROUP ? n - i : GROUP;
+        pass(t, row0, x + i, group0);
+        if (row0 != row1)
+            pass(t, row1, x + i, group1);
+        for (int k = 0; row0 != row1 && k < many; k++)
+            group0[k] = (int16_t)(group0[k] + (group1[k] - group0[k]) * (int64_t)(i + k) / n);
+        memcpy(out + i, group0, (size_t)many * sizeof *out);
     }
 }
 

@@ -12,9 +12,9 @@
 enum { SND_BLOCK = 32, SND_BLOCKS = SND_FRAME / SND_BLOCK };
 
 /* A block of SND_BLOCK samples. phase: of the first, 2^-56 turns; step: from one to the next; mips: the versions of a
- * wave at the frame's beginning and end, which is reached after `part` + 1 of SND_BLOCKS blocks; seed: of noise, of which a turn has 16 values and whose
- * phase and step are in 2^-44 turns, for it is not to repeat; wave:
- * where the tune's own is, of INST_WAVE. All kinds but FM and samples. */
+ * wave at the frame's beginning and end, which is reached after `part` + 1 of SND_BLOCKS blocks; seed: of noise, of
+ * which a turn has 16 values and whose phase and step are in 2^-44 turns, for it is not to repeat; wave: where the
+ * tune's own is, of INST_WAVE. All kinds but FM and samples. */
 struct wave_at {
     uint64_t phase, step;
     int mip0, mip1, part;
@@ -28,7 +28,7 @@ void wave_block(const struct snd_tables *t, const struct inst *inst, const struc
 void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step, int16_t out[SND_BLOCK]);
 
 /* What n samples are without what would fold back at those two steps, Q32 (snd_low): from the one's pass to the
- * other's. LOW_TAPS / 2 samples before x and behind its n are there. out is elsewhere. */
+ * other's. LOW_TAPS / 2 samples before x and behind its n, rounded up to four, are there. out is elsewhere. */
 void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out);
 
 /* The level of a note, Q15, `age` samples after its beginning; it was let go at age `off`. */

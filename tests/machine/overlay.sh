@@ -104,8 +104,9 @@ same 'the mixer is on the picture, and gone from it' "$(part straight.m 103 150)
 check 'the demo is the same with it' cmp straight.m.demo shown.m.demo
 { keys 20; keys 1 $F3; keys 79; } >script
 KEYS_PPM=100 hears out <script
-check 'piece, bar, beat, tempo and marker can be read' says 'bar 0  beat 3 of 4  tempo 133.25  gain 100%' 'marker "drop"' \
-    'no speaker' 'm1   tide             fm     o5c      0' 'm2'
+check 'piece, bar, beat, tempo and marker can be read' says \
+    'bar 0  beat 3 of 4  tempo 133.25  gain 100%' 'marker "drop"' 'no speaker' \
+    'm1   tide             fm     o5c      0' 'm2'
 { keys 1 $MINUS; keys 1; keys 1 $MINUS; keys 1; } >script
 KEYS_PPM=4 hears out <script
 check 'the volume is said' says 'volume 80 %'

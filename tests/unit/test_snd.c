@@ -258,19 +258,28 @@ static void same_sample(int round)
     }
 }
 
+static int64_t passed(int row, int n)
+{
+    int64_t sum = 1 << 13;
+
+    for (int j = 0; row >= 0 && j < LOW_TAPS; j++)
+        sum += (int64_t)x[LOW_TAPS / 2 + n + j] * tables.low[row][j];
+    return row < 0 ? x[LOW_TAPS + n] : in16(sum >> 14);
+}
+
 static void same_low(int round)
 {
-    const uint64_t step = (uint64_t)(4 + 3 * (round % 4)) << 30;
-    const int row = snd_low(step);
-    int16_t out[SND_BLOCK];
+    const uint64_t step0 = (uint64_t)(4 + 3 * (round % 4)) << 30, step1 = (uint64_t)(4 + 2 * (round % 5)) << 30;
+    const int many = SND_BLOCK - round % 7, row0 = snd_low(step0), row1 = snd_low(step1);
+    int16_t out[SND_BLOCK + 1];
 
-    wave_low(&tables, x + LOW_TAPS, SND_BLOCK, step, step, out);
-    for (int n = 0; n < SND_BLOCK; n++) {
-        int64_t sum = 1 << 13;
-        for (int j = 0; row >= 0 && j < LOW_TAPS; j++)
-            sum += (int64_t)x[LOW_TAPS / 2 + n + j] * tables.low[row][j];
-        assert_int_equal(out[n], row < 0 ? x[LOW_TAPS + n] : in16(sum >> 14));
+    out[many] = 12345;
+    wave_low(&tables, x + LOW_TAPS, many, step0, step1, out);
+    for (int n = 0; n < many; n++) {
+        const int64_t a = passed(row0, n), b = passed(row1, n);
+        assert_int_equal(out[n], row0 == row1 ? a : a + (b - a) * n / many);
     }
+    assert_int_equal(out[many], 12345);
 }
 
 static int32_t between(int32_t from, int32_t to, int n)

@@ -1,5 +1,6 @@
 /*
- * boss.c - section "boss": a boss fight as games have them, in three sizes, where its frames go, and what its parts take.
+ * boss.c - section "boss": a boss fight as games have them, in three sizes, where its frames go, and what its parts
+ * take.
  */
 #include <stdlib.h>
 #include "../../platform/platform.h"

@@ -325,9 +325,9 @@ static uint32_t columns_where(const void *data, int i, int32_t *x, int32_t *y)
 /* ---- the least ---- */
 
 /*
- * The same columns, and no work that this one scene could do without: nothing is grazed, nothing can leave, one bound on
- * the speeds stands for each, and pictures are known to be 8x8 in one bank. Two rows are one vector, and a kind's masks
- * and colours stay in registers.
+ * The same columns, and no work that this one scene could do without: nothing is grazed, nothing can leave, one bound
+ * on the speeds stands for each, and pictures are known to be 8x8 in one bank. Two rows are one vector, and a kind's
+ * masks and colours stay in registers.
  */
 typedef int8_t sixteen __attribute__((vector_size(16)));
 

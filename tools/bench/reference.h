@@ -1,6 +1,6 @@
 /*
- * reference.h - the crowd of roms/bench in plain C, three times, with nothing of the engine: what it is measured and checked
- * against.
+ * reference.h - the crowd of roms/bench in plain C, three times, with nothing of the engine: what it is measured and
+ * checked against.
  * floor: tools
  *
  *     array      an array of structs of doubles; every bullet is looked at, every pixel asked whether it is opaque

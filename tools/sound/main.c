@@ -155,7 +155,10 @@ static const char ABOUT[] =
     "* dB compares amplitudes: 20 is ten times, 60 a thousand, 96 the last bit of 16. *SNR* is how far what is wrong\n"
     "  lies below what is right; *THD* how far overtones lie below a sine, alias how far what is no overtone does.\n"
     "* A *note* is a MIDI number: 60 is `o4c`, 69 the a of 440 Hz, 24 is 33 Hz, 108 is 4,186 Hz.\n"
-    "* *Prototype* is what an earlier program of the same kind had, which set the mark. Every row reaches it.\n"
+    "* *Prototype* is what an earlier program of the same kind had, which set the mark. Two rows do not\n"
+    "  reach it, and say so: FM of a depth of one radian, and noise.\n"
+    "\n"
+    "[music.md](music.md) has the music of *Glass Tide*: keys, forms, levels, and the program that checks them.\n"
     "\n";
 
 int main(int argc, char **argv)

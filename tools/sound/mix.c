@@ -92,7 +92,8 @@ static void noise(void)
     }
     report_text(
         "Noise is a mix of the number of its value, so it needs no state. Its mean is %.1f of 32,767, its level (rms)\n"
-        "%.0f; of true noise 18,918. No lag up to %d has a correlation above %.4f; of true noise it is about 0.0037.",
+        "%.0f; of true noise 18,918. No lag up to %d has a correlation above %.4f; of true noise it is about 0.0037,\n"
+        "which the prototype was below by chance.",
         mean, sqrt(power), LAGS - 1, most);
     ear_figure("noise, largest correlation with itself", report_string("%.4f", most), "0.0032; true noise 0.0037",
                most < 0.004);

@@ -173,6 +173,14 @@ static bool help_values(const char *name, size_t n, void (*line)(const char *))
     return any;
 }
 
+/* How long a name is up to its arguments. */
+static size_t name_length(const char *name)
+{
+    const char *arguments = strchr(name, '(');
+
+    return arguments ? (size_t)(arguments - name) : strlen(name);
+}
+
 /* Those whose name behind the dot is that word: "centre". */
 static bool help_value_word(const char *word, void (*line)(const char *))
 {
@@ -181,7 +189,7 @@ static bool help_value_word(const char *word, void (*line)(const char *))
 
     for (size_t i = 0; i < VALUES; i++) {
         const char *last = strchr(values[i].name, '.');
-        if (last && strcspn(last + 1, "(") == n && !strncmp(last + 1, word, n))
+        if (last && name_length(last + 1) == n && !strncmp(last + 1, word, n))
             any |= help_values(values[i].name, strlen(values[i].name), line);
     }
     return any;
@@ -201,7 +209,7 @@ static void near_call(struct near_calls *c, const char *name)
     char last[32];
     const char *dot = strchr(name, '.'), *from = dot ? dot + 1 : name;
 
-    snprintf(last, sizeof last, "%.*s", (int)strcspn(from, "("), from);
+    snprintf(last, sizeof last, "%.*s", (int)name_length(from), from);
     int d = edit_distance(c->word, last);
     if (d < c->best) {
         c->best = d;
@@ -227,7 +235,7 @@ bool api_help_calls(const char *name, char *out, size_t size)
             near_call(&c, values[i].name);
     for (int i = 0; i < c.n && c.n <= NEAR_CALLS && n < size; i++)
         n += (size_t)snprintf(out + n, size - n, "%s%.*s", i ? i == c.n - 1 ? " or " : ", " : "",
-                              (int)strcspn(c.found[i], "("), c.found[i]);
+                              (int)name_length(c.found[i]), c.found[i]);
     return c.n > 0 && c.n <= NEAR_CALLS;
 }
 

@@ -261,7 +261,7 @@ void voices_step(struct voices *s, const uint8_t *rom)
 
 /* ---- the mix ---- */
 
-/* Samples of a recording that a frame passes at most, with what the filters need on both sides. */
+/* Samples of a recording that a frame passes at most, fours of them, with what the filters need on both sides. */
 enum { PASSED = 4 * SND_FRAME + 64, READ = PASSED + LOW_TAPS };
 
 /* A note, and what of it is made once a frame. */
@@ -299,7 +299,7 @@ static void read_recording(struct note *n, const uint8_t *rom)
         sample_read(&sample, n->first, many, n->passed);
         return;
     }
-    sample_read(&sample, n->first - LOW_TAPS / 2, many + LOW_TAPS, n->read);
+    sample_read(&sample, n->first - LOW_TAPS / 2, ((many + 3) & ~3) + LOW_TAPS, n->read);
     wave_low(n->t, n->read + LOW_TAPS / 2, many, s->step0[n->i], s->step1[n->i], n->passed);
 }
 
