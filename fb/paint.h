@@ -113,6 +113,7 @@ __attribute__((always_inline)) static inline void paint_narrow(uint8_t *d, ptrdi
 __attribute__((always_inline)) static inline void paint_wide(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
                                                              int h, enum blit_mix mix)
 {
+#pragma GCC unroll 4
     for (; h >= 4; h -= 4, s += 64, d += 4 * d_row) {
         paint_pair(d, s, add, mix);
         paint_pair(d + d_row, s + 16, add, mix);

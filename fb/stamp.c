@@ -178,28 +178,56 @@ static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen co
     words_store(d + pitch, two[1]);
 }
 
-/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks
- * and colours stay in registers. */
-static size_t over_bank(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
-{
-    const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
-    const ptrdiff_t pitch = fb->pitch;
-    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+/* The masks and colours of 8x8 pixels in a bank: for pairs of rows, or for rows. */
+struct eight {
     sixteen keep[4], colour[4];
-    size_t i = 0;
+};
+
+static struct eight eight_of(const struct image *image, uint32_t bank)
+{
+    struct eight e;
 
     for (int k = 0; k < 4; k++) {
         sixteen s;
         memcpy(&s, image->pix + 16 * k, sizeof s);
-        keep[k] = s == 0;
-        colour[k] = (s + (int8_t)(bank >> 1 << 4)) & ~keep[k];
+        e.keep[k] = s == 0;
+        e.colour[k] = (s + (int8_t)(bank << 4)) & ~e.keep[k];
     }
-    for (; i < n && dests[i] >> 27 == bank; i++) {
+    return e;
+}
+
+/* A row at a time: so what was stored a moment ago can be loaded again soonest. */
+static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct eight *e)
+{
+    const uint8_t *keep = (const uint8_t *)e->keep, *colour = (const uint8_t *)e->colour;
+
+#pragma GCC unroll 8
+    for (int k = 0; k < 64; k += 8, d += pitch)
+        words_store(d, (words_load(d) & words_load(keep + k)) | words_load(colour + k));
+}
+
+/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks
+ * and colours stay in registers. What lies over the one before it, as rings do that have just been fired, waits for
+ * it, and is put row by row. */
+static size_t over_bank(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+{
+    const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
+    const struct eight e = eight_of(image, bank >> 1);
+    const ptrdiff_t pitch = fb->pitch;
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
+    uint32_t last = dests[0] - 8;
+    size_t i = 0;
+
+    for (; i < n && dests[i] >> 27 == bank; last = dests[i++]) {
         uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
-        put_two(d, pitch, keep[0], colour[0]);
-        put_two(d + 2 * pitch, pitch, keep[1], colour[1]);
-        put_two(d + 4 * pitch, pitch, keep[2], colour[2]);
-        put_two(d + 6 * pitch, pitch, keep[3], colour[3]);
+        if (dests[i] - last + 7 < 15) {
+            put_rows(d, pitch, &e);
+            continue;
+        }
+        put_two(d, pitch, e.keep[0], e.colour[0]);
+        put_two(d + 2 * pitch, pitch, e.keep[1], e.colour[1]);
+        put_two(d + 4 * pitch, pitch, e.keep[2], e.colour[2]);
+        put_two(d + 6 * pitch, pitch, e.keep[3], e.colour[3]);
     }
     return i;
 }

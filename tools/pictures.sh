@@ -16,6 +16,17 @@ python3 tools/pictures.py 2 docs/images/items.png "$at"/items/*.png
 python3 tools/pictures.py 2 docs/images/backgrounds.png "$at"/scenes/*.png
 "$curtain" render examples/sandbox --stage lasers --invincible --frames 75,150,330 -o "$at/lasers"
 python3 tools/pictures.py 1 docs/images/lasers.png "$at"/lasers/*.png
+
+# One frame with both ways of adding light: by the table of all pairs of colours, and by the ramps' rule.
+mkdir "$at/blends"
+for way in '"add"' '{ ramp = "add" }'; do
+    rm -rf "$at/sandbox"
+    cp -r examples/sandbox "$at/sandbox"
+    sed "s/glow = \"add\"/glow = $way/" examples/sandbox/rom.lua >"$at/sandbox/rom.lua"
+    "$curtain" render "$at/sandbox" --stage glow --invincible --frames 200 -o "$at/glow"
+    mv "$at/glow/000200.png" "$at/blends/$(ls "$at/blends" | wc -l).png"
+done
+python3 tools/pictures.py 2 docs/images/blends.png "$at"/blends/*.png
 "$curtain" render roms/glasstide --stage one:queen --frames 160,520 -o "$at/talk"
 "$curtain" render roms/glasstide --stage one:queen --frames 960 --lang ja -o "$at/talk"
 python3 tools/pictures.py 1 docs/images/talk.png "$at"/talk/*.png

@@ -505,6 +505,19 @@ static void stamps_are_sprites(void **state)
     assert_true(drawn > 10000 && large > 10);
 }
 
+/* Anywhere, or not far beside the last one, as bullets that have just been fired. */
+static void place_copy(struct bed *b, const struct stamp_corners *c, uint32_t *x, uint32_t *y)
+{
+    const uint32_t beside = *x + (uint32_t)rng_below(&b->r, 21) - 10;
+
+    if (rng_below(&b->r, 2) && beside < c->wide) {
+        *x = beside;
+        return;
+    }
+    *x = (uint32_t)rng_below(&b->r, c->wide);
+    *y = (uint32_t)rng_below(&b->r, c->high);
+}
+
 /* Copies of one size behind each other: each destination shows the one that it is said to, or that its direction asks
  * for. */
 static void stamps_of_copies(void **state)
@@ -520,6 +533,7 @@ static void stamps_of_copies(void **state)
         const uint32_t copies = 1 + (uint32_t)rng_below(&b->r, COPIES), banks = k % 5 ? 1 : 16;
         const enum blit_mix mix = any_mix(&b->r);
         const bool turned = rng_below(&b->r, 2);
+        uint32_t dx = 0, dy = 0;
         b->image = (struct image){ pix, w, h, (w + 7) / 8 * 8 };
         const uint32_t size = (uint32_t)(b->image.pitch * h), n = (uint32_t)rng_below(&b->r, MOST + 1);
         for (uint32_t i = 0; i < copies * size; i++)
@@ -528,7 +542,7 @@ static void stamps_of_copies(void **state)
         struct stamp_corners c = stamp_corners(&b->fb, w, h);
         begin(b);
         for (uint32_t i = 0; i < n; i++) {
-            uint32_t dx = (uint32_t)rng_below(&b->r, c.wide), dy = (uint32_t)rng_below(&b->r, c.high);
+            place_copy(b, &c, &dx, &dy);
             uint8_t bank = (uint8_t)(rng_below(&b->r, 9) ? rng_below(&b->r, banks) : 3);
             which[i] = (uint32_t)rng_below(&b->r, MOST);
             dir[which[i]] = 0;
@@ -550,6 +564,8 @@ static void stamps_of_copies(void **state)
         if (turned)
             assert_int_equal(
                 n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, list, n));
+        else if (copies == 1)
+            assert_int_equal(n, stamp_over(&b->fb, &b->image, mix, list, n));
         else
             assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, list, n));
         expect(b);
