@@ -606,7 +606,13 @@ def page(curtain, game):
     return bad + worse + worst
 
 
-COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds."""
+COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds.
+
+To render the sound of a frame takes 0.68 million instructions in the title, 1.35 million in the stage while a ship
+fires, 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 % of a frame.
+Counted by callgrind as the difference of `curtain render roms/glasstide --press fire --invincible --stage one` with
+`--wav` and without, frames 600 to 1200; `--stage queen/flower`, and nothing but the ROM for the title. It is no part
+of the game: what a run hashes to is the same with and without it."""
 
 # ---- the command ----
 
