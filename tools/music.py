@@ -10,7 +10,7 @@ Prints a line of figures for each piece, and a sentence for each fault; exit cod
 `curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
 only the lines that begin with `;=`.
 """
-import array, functools, itertools, math, operator, os, re, subprocess, sys, tempfile, wave
+import array, functools, itertools, math, os, re, subprocess, sys, tempfile, wave
 
 # What is asked for. Shares are of 1.
 IN_SCALE, BASS_FITS, ROOTS, HARMONY_FITS = 0.85, 0.85, 0.75, 0.85
@@ -398,16 +398,15 @@ def bend(samples, frm, to):
     return most
 
 
-def beyond(samples, compare, limit):
-    return sum(map(compare, samples, itertools.repeat(limit)))
-
-
-def measure(samples):
-    n = len(samples) or 1
-    peak = max(max(samples, default=0), -min(samples, default=0))
+def measure(samples, limit=16384, block=4096):
+    """The peak, the mean of the side that is further off, and the share beyond limit."""
+    n, peak, over = len(samples) or 1, 0, 0
+    for i in range(0, len(samples), block):
+        part = samples[i:i + block]
+        most = max(max(part), -min(part))
+        peak, over = max(peak, most), over + (sum(abs(s) > limit for s in part) if most > limit else 0)
     left, right = sum(samples[0::2]) * 2 / n / 32768, sum(samples[1::2]) * 2 / n / 32768
-    return peak, max(abs(left), abs(right)), (beyond(samples, operator.gt, 16384) +
-                                              beyond(samples, operator.lt, -16384)) / n
+    return peak, max(abs(left), abs(right)), over / n
 
 
 def spread(loud):
@@ -606,7 +605,13 @@ def page(curtain, game):
     return bad + worse + worst
 
 
-COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds."""
+COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds.
+
+To render the sound of a frame takes 0.68 million instructions in the title, 1.35 million in the stage while a ship
+fires, 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 % of a frame.
+Counted by callgrind as the difference of `curtain render roms/glasstide --press fire --invincible --stage one` with
+`--wav` and without, frames 600 to 1200; `--stage queen/flower`, and nothing but the ROM for the title. It is no part
+of the game: what a run hashes to is the same with and without it."""
 
 # ---- the command ----
 
