@@ -262,7 +262,8 @@ void section_sound(void)
         samples_figure(&seq, 1e3));
     table(bands, N, &plain);
     report_text(
-        "A game without sound has no voices and no sequencer. Beside the engine of the commit before sound came "
+        "A game without sound has no voices and no sequencer, and nothing of sound runs in its frames. Beside the "
+        "engine of the commit before sound came "
         "(`make compare BASE=ed089444 GAME=examples/first START= FRAMES=600` on the commit that brought it, in turns) "
         "a frame takes 1.01 of the time and 1.000 of the instructions, loading 1.00 and 1.002; the Lua heap is the "
         "same, RAM has 448 bytes more of 6,075,008, a snapshot 512 of 315,904.");
