@@ -80,12 +80,21 @@ bool samples_open(const uint8_t *data, size_t size, int n)
     return at == size;
 }
 
+static void read_exact(const uint8_t *data, int n, int16_t *out)
+{
+    if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__) {
+        memcpy(out, data, (size_t)n * sizeof *out);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        out[i] = (int16_t)bytes_get16(data + 2 * (size_t)i);
+}
+
 /* n samples from `from` on, all of them there. */
 static void read_run(const struct sample *s, uint32_t from, int n, int16_t *out)
 {
     if (s->coding == SAMPLE_EXACT) {
-        for (int i = 0; i < n; i++)
-            out[i] = (int16_t)bytes_get16(s->data + 2 * ((size_t)from + (size_t)i));
+        read_exact(s->data + 2 * (size_t)from, n, out);
         return;
     }
     while (n > 0) {
