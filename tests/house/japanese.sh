@@ -10,7 +10,7 @@ words = dict(l.split(" = ", 1) for l in lines if l and l[0] != "#")
 found = []
 shown = {}  # text: cells it may have
 for path in glob.glob("scripts/**/*.lua", recursive=True):
-    for text in re.findall(r'"([^"\n]*[A-Z]{2}[^"\n]*)"', open(path).read()):
+    for text in re.findall(r'"([^"\n]*[A-Z]{2}[^"\n]*)"', re.sub(r"sys\.fail\(.*", "", open(path).read())):
         if not re.search("[a-z]", re.sub("%[0-9]*[ds]", "", text)) and text != "HI ":  # the hud's, in every language
             shown[text] = 30
 for path in glob.glob("roms/glasstide/**/*.lua", recursive=True):
