@@ -161,6 +161,15 @@ def ray_error(step):
 # ---- the header ----
 
 
+# ---- strides: 513 directions of an eighth of a turn, in Q64 ----
+
+WAYS = 512
+
+
+def way(i):
+    return [min(rounded(Fraction(v << 64, ONE)), (1 << 64) - 1) for v in circle(PI * i // (4 * WAYS))]
+
+
 def column(values, suffix=""):
     line, lines = "   ", []
     for v in values:
@@ -197,6 +206,11 @@ static const struct {
 } SINE = {""")
     for k in range(3):
         print("    {\n%s\n    }," % column(c[k] for c in sines))
+    print("""};
+
+/* Cosine and sine, in Q64, of 513 directions of an eighth of a turn; one is 2^64 - 1. */
+static const uint64_t WAY[513][2] = {""")
+    print(column("{ 0x%016x, 0x%016x }" % tuple(way(i)) for i in range(WAYS + 1)))
     print("""};
 
 #ifndef FX_INTEGER

@@ -11,7 +11,7 @@
  * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides unless it is near halfway between
  * two; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
  * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h), what that
- * leaves in doubt by the series to 2^-29, and decided likewise. Strides start from the series.
+ * leaves in doubt by the series to 2^-29, and decided likewise. Strides start from tables (way_of).
  */
 #include "trig.h"
 #include "trig_guess.h"
@@ -298,20 +298,43 @@ struct heading {
     bool swap, left, up; /* swap: c is the sine of v, s the cosine */
 };
 
-static struct heading heading_of(ang dir)
+/*
+ * Cosine and sine of v <= 2^29, an eighth of a turn, in Q64: those of the last of 513 directions (trig_tables.h),
+ * turned on by r < 2^-9.3. The sine of that is r (1 - r^2 (1 - r^2 / 20) / 6), and one less its cosine is
+ * r^2 / 2 (1 - r^2 / 12); what is left out is below 2^-65. Each is off by less than 2^3, and `scaled` asks for less
+ * than 2^4; the series take twice the time.
+ */
+static inline void way_of(uint32_t v, uint64_t *cosine, uint64_t *sine)
+{
+    const uint64_t *way = WAY[v >> 20];
+    const uint64_t r = fx_mul_high((uint64_t)(v & 0xfffff) << 44, 0x6487ed5110b461);            /* 2 pi 2^52 */
+    const uint64_t square = fx_mul_high(r << 9, r << 9);                                        /* of r, times 2^18 */
+    const uint64_t sixth = 0x2aaaaaaaaaaaaaaa - (fx_mul_high(square, 0x222222222222222) >> 18); /* and 1 / 120 */
+    const uint64_t aside = r - (fx_mul_high(r, fx_mul_high(square, sixth)) >> 18);
+    const uint64_t back =
+        square - (fx_mul_high(square, fx_mul_high(square, 0x1555555555555555)) >> 18); /* times 2^19 */
+
+    *cosine = way[0] - fx_mul_high(way[1], aside) - (fx_mul_high(way[0], back) >> 19);
+    *sine = way[1] + fx_mul_high(way[0], aside) - (fx_mul_high(way[1], back) >> 19);
+}
+
+static inline struct heading heading_of(ang dir)
 {
     uint32_t u = dir & 0x3fffffff;
     bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
     uint32_t v = past ? 0x40000000 - u : u;
     bool swap = past != (dir >> 30 & 1);
-    uint64_t c = eighth_cosine(v), s = v >> 29 ? c : eighth_sine(v);
+    uint64_t c, s;
+
+    way_of(v, &c, &s);
+
     uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
 
     return (struct heading){ c ^ change, s ^ change, v, swap, (dir + 0x40000000) >> 31, dir >> 31 };
 }
 
 /* length * q, q being about the sine or cosine of v; the other way if `back`. */
-static int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
+static inline int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
 {
     const uint64_t half = (uint64_t)1 << 63;
     uint64_t m = (uint64_t)negate_if(length < 0, length), doubt = m << 4; /* q is off by less than 2^4 */

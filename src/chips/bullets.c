@@ -625,11 +625,12 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
     for (int k = 0; !begun && k < MAX_VALUES && bullets_value(b, k); k++)
         bullets_begun(b, k)[i] = bullets_value(b, k)[i];
     motion_step_at(w->steps, st, p);
-    for (int n = 0; n < STEP_NUMBERS; n++) {
+    for (uint64_t left = p->named; left;) {
+        const int n = (int)bits_lowest(left) / NAMED_BITS;
         bool is;
-        const int k = motion_named(p->named, n, w->shots, &is);
-        if (is)
-            set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
+        const int k = motion_named(left, n, w->shots, &is);
+        set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
+        left &= ~(((uint64_t)(1 << NAMED_BITS) - 1) << n * NAMED_BITS);
     }
     own->steps = (struct steps){ .does = &p->does,
                                  .over = &p->over,
@@ -996,6 +997,16 @@ static enum program_state run_step(struct bullets *b, const struct motion_world 
     return step_over(r);
 }
 
+/* A step with names, whose numbers are the bullet's. Called, for what prepares them would go before all other steps. */
+__attribute__((noinline)) static enum program_state run_named(struct bullets *b, const struct motion_world *w,
+                                                              uint32_t i, uint32_t st, struct run *r)
+{
+    struct own_step own;
+
+    own_step(b, w, i, st, r->mute & STEP_BEGUN, &own);
+    return run_step(b, &own.w, i, 0, r);
+}
+
 /* Runs bullet i's program for this frame. */
 static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
@@ -1003,7 +1014,6 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
                    length = w->motions->length[program];
     const bool fine = b->flags[i] & BULLET_FINE;
     struct run r = { b->pc[i], b->mute[i] };
-    struct own_step own;
 
     while (r.pc < length) {
         const uint32_t st = first + r.pc;
@@ -1013,12 +1023,10 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         b->ran++;
         if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
             state = run_turn(b, w, i, st, &r);
-        else {
-            const bool named = does & DOES_NAMED;
-            if (named)
-                own_step(b, w, i, st, r.mute & STEP_BEGUN, &own);
-            state = run_step(b, named ? &own.w : w, i, named ? 0 : st, &r);
-        }
+        else if (does & DOES_NAMED)
+            state = run_named(b, w, i, st, &r);
+        else
+            state = run_step(b, w, i, st, &r);
         if (state != PROGRAM_NEXT)
             return state;
     }

@@ -85,15 +85,25 @@ static void rotate(struct pal *p, int first, int last)
     p->rgb[first] = end;
 }
 
+static void step_fade(struct pal *p, int i)
+{
+    if (!p->over[i])
+        return;
+    p->at[i]++;
+    p->rgb[i] = pal_mix(p->from[i], p->to[i], p->at[i], p->over[i]);
+    if (p->at[i] == p->over[i])
+        p->over[i] = 0;
+}
+
 void pal_step(struct pal *p)
 {
-    for (int i = 0; i < COLOURS; i++) {
-        if (!p->over[i])
-            continue;
-        p->at[i]++;
-        p->rgb[i] = pal_mix(p->from[i], p->to[i], p->at[i], p->over[i]);
-        if (p->at[i] == p->over[i])
-            p->over[i] = 0;
+    enum { ASIDE = sizeof(uint64_t) / sizeof *p->over }; /* most fade not: so many are passed over at once */
+
+    for (int i = 0; i < COLOURS; i += ASIDE) {
+        uint64_t any;
+        memcpy(&any, p->over + i, sizeof any);
+        for (int k = i; any && k < i + ASIDE; k++)
+            step_fade(p, k);
     }
     for (int k = 0; k < CYCLES; k++)
         if (p->cycle_every[k] && ++p->cycle_count[k] >= p->cycle_every[k]) {
