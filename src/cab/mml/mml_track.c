@@ -855,6 +855,9 @@ static void command(struct reader *r)
     case '"':
         set_mark(r);
         break;
+    case '^':
+    case '&':
+        BAD(r, r->p, "expected a note before %s", seen(r, got));
     default:
         BAD(r, r->p, "unknown command %s", seen(r, got));
     }
