@@ -141,8 +141,8 @@ static const struct {
                           "and length are known to be the same; 1: not; 2: not written" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
-                         "also print the Lua traceback of a script fault; verify: hashes, moment and buttons of a "
-                         "difference too (also -v, --traceback)" },
+                         "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
+                         "moment and buttons of a difference too (also -v, --traceback)" },
     [OPTION_HELP] = { "--help", NULL, FOR_ALL, "help of the command (also -h)" },
     [OPTION_VERSION] = { "--version", NULL, FOR_ALL, "what this program is" },
 };

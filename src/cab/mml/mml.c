@@ -307,7 +307,7 @@ static void copy_track(struct mml *m, struct mml_track *to, const struct mml_tra
 static int read_letter(struct mml *m, uint32_t *at, uint32_t end)
 {
     if (*at >= end || m->text[*at] < 'A' || m->text[*at] > 'P')
-        mml_bad(m, *at, "expected a track, A to P");
+        mml_bad(m, *at, "expected a track, A to P, as #echo B=A,8,-3");
     return m->text[(*at)++] - 'A';
 }
 

@@ -79,9 +79,31 @@ static bool digit(char c)
     return c >= '0' && c <= '9';
 }
 
+/* What stands there, for an error: a character in quotes, all its bytes. */
+enum { SEEN = 8 };
+
+static const char *seen(const struct reader *r, char out[SEEN])
+{
+    const unsigned char c = (unsigned char)peek(r);
+    int n = 0;
+
+    if (c == '\0' || c == ' ')
+        return "nothing";
+    out[n++] = '"';
+    out[n++] = (char)c;
+    for (uint32_t k = 1; c >= 0xC0 && k < 4 && ((unsigned char)peek_at(r, k) & 0xC0) == 0x80; k++)
+        out[n++] = peek_at(r, k);
+    if (c < 32 || (c >= 127 && n == 2))
+        out[1] = '?';
+    out[n++] = '"';
+    out[n] = '\0';
+    return out;
+}
+
 /* A whole number, with + or - before it where lo is below 0. */
 static int number(struct reader *r, const char *what, int lo, int hi)
 {
+    char got[SEEN];
     const uint32_t from = r->p;
     const bool minus = lo < 0 && peek(r) == '-';
     int64_t v = 0;
@@ -89,7 +111,7 @@ static int number(struct reader *r, const char *what, int lo, int hi)
     if (minus || (lo < 0 && peek(r) == '+'))
         r->p++;
     if (!digit(peek(r)))
-        BAD(r, from, "expected %s, a number from %d to %d", what, lo, hi);
+        BAD(r, from, "expected %s, a number from %d to %d, got %s", what, lo, hi, seen(r, got));
     while (digit(peek(r))) {
         v = v > 1000000 ? v : v * 10 + (peek(r) - '0');
         r->p++;
@@ -104,7 +126,7 @@ static int number(struct reader *r, const char *what, int lo, int hi)
 static int hundredths(struct reader *r, const char *what, int lo, int hi)
 {
     const uint32_t from = r->p;
-    int v = number(r, what, 0, hi / 100) * 100;
+    int v = number(r, what, lo / 100, hi / 100) * 100;
 
     if (peek(r) == '.') {
         r->p++;
@@ -112,7 +134,7 @@ static int hundredths(struct reader *r, const char *what, int lo, int hi)
             v += (peek(r) - '0') * unit;
     }
     if (v < lo || v > hi)
-        BAD(r, from, "expected %s from %g to %g", what, lo / 100.0, hi / 100.0);
+        BAD(r, from, "expected %s from %g to %g, got %g", what, lo / 100.0, hi / 100.0, v / 100.0);
     return v;
 }
 
@@ -780,6 +802,8 @@ static bool read_number(struct reader *r)
 
 static void command(struct reader *r)
 {
+    char got[SEEN];
+
     if (is_note(peek(r))) {
         note(r);
         return;
@@ -831,8 +855,11 @@ static void command(struct reader *r)
     case '"':
         set_mark(r);
         break;
+    case '^':
+    case '&':
+        BAD(r, r->p, "expected a note before %s", seen(r, got));
     default:
-        BAD(r, r->p, "unknown command \"%c\"", (unsigned char)peek(r) < 127 && peek(r) >= 32 ? peek(r) : '?');
+        BAD(r, r->p, "unknown command %s", seen(r, got));
     }
 }
 

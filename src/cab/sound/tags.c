@@ -197,7 +197,7 @@ bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t
 
     *out = (struct tags){ "", -1, -1, -1 };
     if (n < PAGE || memcmp(data, "OggS", 4) != 0)
-        return err_set(err, err_size, "expected an OGG file (OggS)");
+        return err_set(err, err_size, "expected an OGG or FLAC file (which begins with OggS or fLaC)");
     for (size_t at = 0, size; good && at < n; at += size) {
         size = page_size(data, n, at, err, err_size);
         good = size > 0 && add_page(&k, data + at, err, err_size);
