@@ -4,9 +4,6 @@
 #include "wave.h"
 
 #include <string.h>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 /* The same with -O2 and -O3, whose unrolling of the eight taps is slower. */
 #if defined(__GNUC__) && !defined(__clang__)
@@ -111,28 +108,40 @@ enum { GROUP = 4, SINC_SHIFT = 15, LOW_SHIFT = 14 };
 /* Pointers to a group of samples. */
 typedef const int16_t *group[GROUP];
 
-#ifdef __SSE2__
+#if defined(__SSE2__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define WEIGHS_GROUPS
+#endif
+#endif
 
-/* Their sums over the lanes. */
-static inline __m128i added(__m128i v, __m128i w, __m128i x, __m128i y)
+#ifdef WEIGHS_GROUPS
+
+__extension__ typedef int16_t lanes __attribute__((vector_size(16)));
+__extension__ typedef int32_t sums __attribute__((vector_size(16)));
+
+/* What each has in its lanes, added up: a lane each. */
+static inline sums added(sums v, sums w, sums x, sums y)
 {
-    const __m128i a = _mm_add_epi32(_mm_unpacklo_epi32(v, w), _mm_unpackhi_epi32(v, w));
-    const __m128i b = _mm_add_epi32(_mm_unpacklo_epi32(x, y), _mm_unpackhi_epi32(x, y));
+    const sums a = __builtin_shufflevector(v, w, 0, 4, 1, 5) + __builtin_shufflevector(v, w, 2, 6, 3, 7);
+    const sums b = __builtin_shufflevector(x, y, 0, 4, 1, 5) + __builtin_shufflevector(x, y, 2, 6, 3, 7);
 
-    return _mm_add_epi32(_mm_unpacklo_epi64(a, b), _mm_unpackhi_epi64(a, b));
+    return __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
 }
 
-static inline __m128i more(__m128i sum, const int16_t *x, const int16_t *weights)
+static inline sums more(sums sum, const int16_t *x, const int16_t *weights)
 {
-    return _mm_add_epi32(
-        sum, _mm_madd_epi16(_mm_loadu_si128((const __m128i *)x), _mm_loadu_si128((const __m128i *)weights)));
+    lanes a, b;
+
+    memcpy(&a, x, sizeof a);
+    memcpy(&b, weights, sizeof b);
+    return sum + (sums)__builtin_ia32_pmaddwd128(a, b);
 }
 
 /* A group of samples: each the sum of `taps` of x times their weights. Four at once, to the same bits as below; of one
  * alone compilers add up the lanes. */
 static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
 {
-    __m128i a = _mm_setzero_si128(), b = a, c = a, d = a;
+    sums a = { 0 }, b = a, c = a, d = a;
 
     for (int j = 0; j < taps; j += 8) {
         a = more(a, x[0] + j, weights[0] + j);
@@ -140,9 +149,10 @@ static inline void weigh(const group x, const group weights, int taps, int shift
         c = more(c, x[2] + j, weights[2] + j);
         d = more(d, x[3] + j, weights[3] + j);
     }
-    const __m128i half = _mm_set1_epi32(1 << (shift - 1));
-    const __m128i sum = _mm_srai_epi32(_mm_add_epi32(added(a, b, c, d), half), shift);
-    _mm_storel_epi64((__m128i *)out, _mm_packs_epi32(sum, sum));
+    const int32_t half = 1 << (shift - 1);
+    const sums halves = { half, half, half, half }, sum = (added(a, b, c, d) + halves) >> shift;
+    const lanes packed = (lanes)__builtin_ia32_packssdw128(sum, sum);
+    memcpy(out, &packed, GROUP * sizeof *out);
 }
 
 #else
