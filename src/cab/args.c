@@ -561,9 +561,9 @@ static bool check_verify(unsigned seen, char *err, size_t err_size)
 /* What is done with one sound needs its name, and there is one way to do it. */
 static bool check_sound(const struct args *a, char *err, size_t err_size)
 {
-    const char *first = a->out ? "-o" : a->wav ? "--wav" : "--play";
+    const char *first = a->out ? "-o" : a->wav ? "--wav" : a->play ? "--play" : "--notes";
 
-    if (a->command != COMMAND_SOUND || !(a->out || a->wav || a->play))
+    if (a->command != COMMAND_SOUND || !(a->out || a->wav || a->play || a->notes))
         return true;
     if (a->n_words < 2)
         return err_set(err, err_size, "%s needs the name of a sound or a piece of music (curtain help sound)", first);

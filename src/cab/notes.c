@@ -71,9 +71,11 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
     struct tune_at c = tune_begin(w->t, track);
 
     for (w->tick = 0; c.at != 0; w->tick++) {
-        const uint32_t before = c.at;
+        const struct tune_at before = c;
         tune_run(w->t, track, &c, TUNE_TICK, 0, 1, print_event, w);
-        if (c.at == until || (c.at != 0 && c.at < before))
+        /* One event that repeats leads to the same place again, with all its time left. */
+        const bool back = c.at < before.at || (c.at == before.at && c.left > before.left);
+        if (c.at == until || (c.at != 0 && back))
             break;
     }
     return c.at;

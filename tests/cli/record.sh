@@ -56,6 +56,8 @@ bad "a loop that is not in it" "music/loop.flac: its loop, from frame 100 up to 
     "a = { file = 'music/loop.flac', loop = { start = 100, length = 3000 } }"
 bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, lies behind its end, at beat 0.40' \
     "a = { file = 'music/loop.flac', tempo = 120, markers = { drop = 4 } }"
+bad "two markers in a frame" 'music/loop.flac: marker "up" is within a frame (1/60 s) of "drop", which no script' \
+    "a = { file = 'music/loop.flac', tempo = 120, markers = { drop = 0.1, up = 0.12 } }"
 bad "a file of another kind" 'rom.lua: music.a: expected file="music/NAME.mml" (or .ogg, .flac, .wav)' \
     "a = { file = 'music/a.mp3' }"
 bad "a file that is not there" 'there is no music/b.ogg' "a = { file = 'music/b.ogg' }"

@@ -39,6 +39,7 @@ refuse "nothing too many" 'sound: "x" is one argument too many' "$curtain" sound
 refuse "a file for no name" '-o needs the name of a sound or a piece of music' "$curtain" sound g -o x.wav
 refuse "nor as WAV" '--wav needs the name of a sound or a piece of music' "$curtain" sound g --wav x.wav
 refuse "nor to hear" '--play needs the name of a sound or a piece of music' "$curtain" sound g --play
+refuse "nor its notes" '--notes needs the name of a sound or a piece of music' "$curtain" sound g --notes
 refuse "two files" '--wav does not go with -o' "$curtain" sound g hit -o x.wav --wav y.wav
 refuse "heard and written" '--play does not go with -o' "$curtain" sound g hit --play -o x.wav
 refuse "--play has no value" '--play takes no value, got "1"' "$curtain" sound g hit --play=1
@@ -53,6 +54,8 @@ check "nothing was written" test ! -e x.wav
 refuse "a file that cannot be" 'g/rom.lua/x.wav' "$curtain" sound g hit -o g/rom.lua/x.wav
 printf 'A c7\n' >g/music/tide.mml
 refuse "MML with a mistake: file, line and column" 'music/tide.mml:1:4: a length of 1/7' "$curtain" pack g -o g.rom
+echo 'A L c1' >g/music/tide.mml
+check "the notes of what repeats one event have an end" timeout 100 "$curtain" sound g tide --notes
 rm g/music/tide.mml
 refuse "a file that is not there" 'there is no music/tide.mml' "$curtain" pack g -o g.rom
 finish

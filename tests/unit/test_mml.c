@@ -117,7 +117,7 @@ static struct tune compiled(const char *text)
 static void test_header(void **state)
 {
     struct tune t = compiled("#title The  tide\n#bar 3\n@b fm ratio=3.5 depth=2 attack=2 vibrato=20,5.5,200\n"
-                             "A t99.5 @b c4 \"up\" c4 t120 c4 \"down\" \"up\"\nC c4\n#echo B=A,8,-3\n");
+                             "A t99.5 @b c4 \"up\" c4 t120 c4 \"down\" c4 \"up\"\nC c4\n#echo B=A,8,-3\n");
 
     (void)state;
     assert_string_equal(tune_title(&t), "The  tide");
@@ -157,6 +157,8 @@ static void test_mistakes(void **state)
         { "v c", "x.mml:1:2: expected a volume, a number from 0 to 15, got nothing" },
         { "c v", "x.mml:1:4: expected a volume, a number from 0 to 15, got nothing" },
         { "c \xC3\xA9", "x.mml:1:3: unknown command \"\xC3\xA9\"" },
+        { "c4 \"up\" c%6 \"down\"",
+          "x.mml:1:13: marker \"down\" is within a frame (1/60 s) of \"up\", which no script would see" },
         { "& c", "x.mml:1:1: expected a note before \"&\"" },
         { "c4 & r4 & d", "x.mml:1:9: expected a note before \"&\"" },
         { "A ^4 c", "x.mml:1:3: expected a note before \"^\"" },

@@ -463,6 +463,25 @@ void mml_look_at_notes(struct mml *m, const struct mml_about *about)
     }
 }
 
+/* A script sees the last marker of a frame alone. */
+static void look_at_marks(struct mml *m)
+{
+    struct mml_track *c = &m->conductor;
+    const struct mml_event *last = NULL;
+
+    mml_sort(c);
+    for (uint32_t i = 0; i < c->n; i++) {
+        const struct mml_event *e = &c->events[i];
+        if (e->event != TUNE_MARK)
+            continue;
+        if (last && last->value != e->value &&
+            (uint64_t)(e->tick - last->tick) * TUNE_TICK < (uint64_t)SND_FRAME * (uint64_t)mml_tempo_at(c, last->tick))
+            mml_bad(m, e->from, "marker \"%s\" is within a frame (1/60 s) of \"%s\", which no script would see",
+                    m->marks[e->value], m->marks[last->value]);
+        last = e;
+    }
+}
+
 /* ---- all ---- */
 
 static bool any_track(const struct mml *m)
@@ -485,6 +504,7 @@ static void compile(struct mml *m, const struct mml_about *about, uint8_t **out,
     mml_swing(m);
     if (!any_track(m))
         mml_bad(m, 0, "it has no track (a line that begins with A and a blank)");
+    look_at_marks(m);
     mml_look_at_notes(m, about);
     mml_make(m, about, out, size);
 }

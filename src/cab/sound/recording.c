@@ -227,6 +227,18 @@ struct span {
     int64_t loop, end;
 };
 
+/* A script sees the last marker of a frame alone. */
+static bool marks_apart(const struct art_sound *s, const struct art_marker *markers, const struct place *places,
+                        uint32_t tempo, char *err, size_t err_size)
+{
+    for (int i = 1; i < s->n_markers; i++)
+        if ((uint64_t)(places[i].tick - places[i - 1].tick) * TUNE_TICK < (uint64_t)SND_FRAME * tempo)
+            return err_set(
+                err, err_size, "marker \"%s\" is within a frame (1/60 s) of \"%s\", which no script would see",
+                markers[s->first_marker + places[i].i].name, markers[s->first_marker + places[i - 1].i].name);
+    return true;
+}
+
 static bool place_markers(const struct art_sound *s, const struct art_marker *markers, struct span span,
                           struct place *out, char *err, size_t err_size)
 {
@@ -300,7 +312,8 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     if (ticks_up(all) > TUNE_PAUSE)
         return err_set(err, err_size, "too long: at that tempo it has %" PRIu32 " beats, expected at most %d",
                        ticks_up(all) / TUNE_QUARTER, TUNE_PAUSE / TUNE_QUARTER);
-    if (!place_markers(s, markers, span, places, err, err_size))
+    if (!place_markers(s, markers, span, places, err, err_size) ||
+        !marks_apart(s, markers, places, tempo, err, err_size))
         return false;
     add_head(&w, s, sides_of(p, s), s->n_markers, tempo);
     for (int i = 0; i < s->n_markers; i++, w.n += TUNE_NAME)
