@@ -196,6 +196,25 @@ static struct eight eight_of(const struct image *image, uint32_t bank)
     return e;
 }
 
+/* Do two pictures of 8 px lie over each other, in the same rows? */
+static inline bool are_beside(uint32_t dest, uint32_t other)
+{
+    return dest - other + 7 < 15;
+}
+
+/* Do most of many lie over the one before, in any rows? The first of them tell. */
+static bool are_stacked(const uint32_t *dests, size_t n, uint32_t pitch)
+{
+    enum { MANY = 512, ASKED = 8 };
+    int over = 0;
+
+    for (size_t i = 1; n >= MANY && i <= ASKED; i++) {
+        const uint32_t down = (dests[i] & (STAMP_OTHER - 1)) - (dests[i - 1] & (STAMP_OTHER - 1)) + 7 + 7 * pitch;
+        over += down < 15 * pitch && down % pitch < 15;
+    }
+    return over > ASKED / 2;
+}
+
 /* A row at a time: so what was stored a moment ago can be loaded again soonest. */
 static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct eight *e)
 {
@@ -220,7 +239,7 @@ static size_t over_bank(const struct fb *fb, const struct image *image, const ui
 
     for (; i < n && dests[i] >> 27 == bank; last = dests[i++]) {
         uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
-        if (dests[i] - last + 7 < 15) {
+        if (are_beside(dests[i], last)) {
             put_rows(d, pitch, &e);
             continue;
         }
@@ -228,6 +247,24 @@ static size_t over_bank(const struct fb *fb, const struct image *image, const ui
         put_two(d + 2 * pitch, pitch, e.keep[1], e.colour[1]);
         put_two(d + 4 * pitch, pitch, e.keep[2], e.colour[2]);
         put_two(d + 6 * pitch, pitch, e.keep[3], e.colour[3]);
+    }
+    return i;
+}
+
+/* The same of any banks, up to what is no destination, row by row. */
+static size_t over_stacked(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+{
+    uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
+    struct eight of[16];
+    unsigned made = 0;
+    size_t i = 0;
+
+    for (; i < n && !(dests[i] & STAMP_OTHER); i++) {
+        const uint32_t bank = dests[i] >> 28;
+        if (!(made >> bank & 1))
+            of[bank] = eight_of(image, bank);
+        made |= 1u << bank;
+        put_rows(first + (dests[i] & (STAMP_OTHER - 1)), fb->pitch, &of[bank]);
     }
     return i;
 }
@@ -267,6 +304,8 @@ static size_t over_eight(const struct fb *fb, const struct image *image, const s
     const struct own own = { NULL, turns ? &rest : NULL };
     size_t i = 0;
 
+    if (!turns && are_stacked(dests, n, (uint32_t)fb->pitch))
+        return over_stacked(fb, image, dests, n);
     while (i < n && !(dests[i] & STAMP_OTHER)) {
         if (turns) {
             rest.which = turns->which + i;

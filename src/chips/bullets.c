@@ -411,23 +411,27 @@ static void resume(struct bullets *b, uint32_t i)
 }
 
 /* The first bullet from slot i on that stands, or top. Eight at a time are passed over: parked slots do not stand. */
-static uint32_t next_standing(const struct bullets *b, uint32_t i)
+static uint32_t next_standing(const uint8_t *stands, uint32_t i, uint32_t top)
 {
-    while (i < b->s.top && !b->stands[i])
-        i += i % 8 || bytes_get64(b->stands + i) ? 1 : 8;
+    while (i < top && !stands[i])
+        i += i % 8 || bytes_get64(stands + i) ? 1 : 8;
     return i;
 }
 
 /* At the start of a move: who stands in it? */
 static void stand(struct bullets *b)
 {
-    for (uint32_t i = next_standing(b, 0); i < b->s.top; i = next_standing(b, i + 1)) {
-        if (!b->frozen[i]) {
+    const uint32_t top = b->s.top;
+    uint8_t *stands = b->stands; /* a byte that is written may be any: these are fetched once */
+    int32_t *frozen = b->frozen;
+
+    for (uint32_t i = next_standing(stands, 0, top); i < top; i = next_standing(stands, i + 1, top)) {
+        if (!frozen[i]) {
             resume(b, i);
             continue;
         }
-        b->frozen[i] -= b->frozen[i] != FROZEN_FOREVER;
-        b->stands[i] |= STOOD;
+        frozen[i] -= frozen[i] != FROZEN_FOREVER;
+        stands[i] |= STOOD;
     }
 }
 
@@ -435,7 +439,8 @@ void bullets_stay(struct bullets *b)
 {
     if (!b->standing)
         return;
-    for (uint32_t i = next_standing(b, 0); i < b->s.top; i = next_standing(b, i + 1)) {
+    for (uint32_t i = next_standing(b->stands, 0, b->s.top); i < b->s.top;
+         i = next_standing(b->stands, i + 1, b->s.top)) {
         if (!(b->stands[i] & STOOD))
             continue;
         b->born[i]++;

@@ -510,7 +510,7 @@ static void place_copy(struct bed *b, const struct stamp_corners *c, uint32_t *x
 {
     const uint32_t beside = *x + (uint32_t)rng_below(&b->r, 21) - 10;
 
-    if (rng_below(&b->r, 2) && beside < c->wide) {
+    if (rng_below(&b->r, 4) && beside < c->wide) {
         *x = beside;
         return;
     }
@@ -523,19 +523,20 @@ static void place_copy(struct bed *b, const struct stamp_corners *c, uint32_t *x
 static void stamps_of_copies(void **state)
 {
     struct bed *b = *state;
-    enum { COPIES = 7, MOST = 200 };
+    enum { COPIES = 7, FEW = 200, MOST = 700 };
     static uint8_t pix[COPIES * 24 * 24];
     uint32_t list[MOST], at[MOST], which[MOST];
     ang dir[MOST];
 
     for (int k = 0; k < 4000; k++) {
         const int w = k % 2 ? 8 : 1 + (int)rng_below(&b->r, 20), h = k % 3 ? 8 : 1 + (int)rng_below(&b->r, 20);
-        const uint32_t copies = 1 + (uint32_t)rng_below(&b->r, COPIES), banks = k % 5 ? 1 : 16;
+        const bool many = k % 16 == 1; /* of one picture */
+        const uint32_t copies = many ? 1 : 1 + (uint32_t)rng_below(&b->r, COPIES), banks = k % 5 ? 1 : 16;
         const enum blit_mix mix = any_mix(&b->r);
-        const bool turned = rng_below(&b->r, 2);
+        const bool turned = !many && rng_below(&b->r, 2);
         uint32_t dx = 0, dy = 0;
         b->image = (struct image){ pix, w, h, (w + 7) / 8 * 8 };
-        const uint32_t size = (uint32_t)(b->image.pitch * h), n = (uint32_t)rng_below(&b->r, MOST + 1);
+        const uint32_t size = (uint32_t)(b->image.pitch * h), n = many ? MOST : (uint32_t)rng_below(&b->r, FEW + 1);
         for (uint32_t i = 0; i < copies * size; i++)
             pix[i] = (int)(i % (uint32_t)b->image.pitch) < w && rng_below(&b->r, 3) ? (uint8_t)rng_next(&b->r) : 0;
         fb_clip_all(&b->fb);
