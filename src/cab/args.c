@@ -571,6 +571,8 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
         return err_set(err, err_size, "--wav does not go with -o, which says the same");
     if (a->play && (a->out || a->wav))
         return err_set(err, err_size, "--play does not go with %s", first);
+    if (a->notes && (a->out || a->wav || a->play))
+        return err_set(err, err_size, "--notes does not go with %s", first);
     return true;
 }
 

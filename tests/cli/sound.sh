@@ -42,6 +42,7 @@ refuse "nor to hear" '--play needs the name of a sound or a piece of music' "$cu
 refuse "nor its notes" '--notes needs the name of a sound or a piece of music' "$curtain" sound g --notes
 refuse "two files" '--wav does not go with -o' "$curtain" sound g hit -o x.wav --wav y.wav
 refuse "heard and written" '--play does not go with -o' "$curtain" sound g hit --play -o x.wav
+refuse "notes and a file" '--notes does not go with -o' "$curtain" sound g hit --notes -o x.wav
 refuse "--play has no value" '--play takes no value, got "1"' "$curtain" sound g hit --play=1
 refuse "no file's name" '--wav: expected F.wav, got nothing' "$curtain" sound g hit --wav=
 refuse "an option of another command" '--mute does not go with sound (it goes with play)' "$curtain" sound g --mute
