@@ -246,7 +246,7 @@ enum result headless_render(const struct args *a)
         enum result saved = sheet_save(&s, a->sheet);
         result = result == RESULT_DONE ? saved : result;
     }
-    if (s.tape.frames > 0) {
+    if (s.tape.bytes) { /* also of frame 0 alone, which has no sound yet */
         enum result saved = wav_save(&s, a->wav);
         result = result == RESULT_DONE ? saved : result;
     }

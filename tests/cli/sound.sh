@@ -25,6 +25,8 @@ same "as many frames as it says, 4 bytes each" $((44 + 19 * 3200)) "$(wc -c <hit
 "$curtain" render g --frames 300 --wav run.wav
 same "a frame is 800 stereo frames" $((44 + 300 * 3200)) "$(wc -c <run.wav)"
 same "the bytes of every machine" 951808de4a0bc947 "$(sha256sum <run.wav | cut -c1-16)"
+"$curtain" render g --frames 0 --wav none.wav -o none
+same "of frame 0 there is none" 44 "$(wc -c <none.wav)"
 check "and no pictures" bash -c '! ls *.png'
 "$curtain" render g --frames 200:300 --wav again.wav
 check "from the beginning, whichever frames are wanted" cmp run.wav again.wav

@@ -19,7 +19,7 @@ checked() { # ROM
     local dir
     dir=$(mktemp -d -p "$scratch")
     "$curtain" unpack "$1" "$dir/rom" || return 1
-    grep -rhoE 'sys\.(check|fail)\("[a-z_]+[.:][a-z_]+"' --include=*.lua "$dir/rom" | sed 's/.*("//; s/"$//' | sort -u
+    grep -rhoE 'sys\.check\("[a-z_]+[.:][a-z_]+"' --include=*.lua "$dir/rom" | sed 's/.*("//; s/"$//' | sort -u
 }
 
 mkdir -p "$scratch/game/std" "$scratch/game/art"

@@ -123,7 +123,7 @@ play() { # GAME (a packed one) DEMO
         grep -q '(recorded on core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
     same_files "$2: verdict" "$cross/$reference/verdicts/$key" "$dir/verdicts/$key" || return 1
     frames=$(tail -n 1 "$dir/tracks/$key" | cut -d ' ' -f 1)
-    runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every" -o "$dir/pictures/$key" \
+    runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every,$frames" -o "$dir/pictures/$key" \
         --wav "$dir/sounds/$key.wav" || return 1
     sha256sum <"$dir/sounds/$key.wav" >"$dir/sounds/$key" && rm "$dir/sounds/$key.wav"
     same_files "$2: sound" "$cross/$reference/sounds/$key" "$dir/sounds/$key" || return 1
