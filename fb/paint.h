@@ -23,6 +23,14 @@ static inline void paint_word(uint8_t *d, uint64_t s, uint64_t add)
 
 typedef int8_t sixteen __attribute__((vector_size(16)));
 
+/* Their bank added to all of them; bytes wrap. */
+static inline sixteen paint_banked(sixteen s, uint8_t add)
+{
+    typedef uint8_t bytes __attribute__((vector_size(16)));
+
+    return (sixteen)((bytes)s + add);
+}
+
 /* a where the mask has all bits, b where it has none. */
 static inline sixteen paint_either(sixteen mask, sixteen a, sixteen b)
 {
@@ -42,7 +50,7 @@ __attribute__((always_inline)) static inline sixteen paint_mixed(sixteen under, 
 /* What becomes of sixteen pixels where those of s are painted over them, opaque or by a rule. */
 __attribute__((always_inline)) static inline sixteen paint_over(sixteen d, sixteen s, uint8_t add, enum blit_mix mix)
 {
-    const sixteen over = s + (int8_t)add;
+    const sixteen over = paint_banked(s, add);
 
     return paint_either(s != 0, mix == BLIT_OPAQUE ? over : (over & -16) | paint_mixed(d, over, mix), d);
 }

@@ -191,7 +191,7 @@ static struct eight eight_of(const struct image *image, uint32_t bank)
         sixteen s;
         memcpy(&s, image->pix + 16 * k, sizeof s);
         e.keep[k] = s == 0;
-        e.colour[k] = (s + (int8_t)(bank << 4)) & ~e.keep[k];
+        e.colour[k] = paint_banked(s, (uint8_t)(bank << 4)) & ~e.keep[k];
     }
     return e;
 }
@@ -278,7 +278,7 @@ static size_t over_bank_turned(const struct fb *fb, const struct image *image, c
     const ptrdiff_t pitch = fb->pitch;
     const uint8_t *pix = image->pix;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
-    const sixteen add = (sixteen){ 0 } + (int8_t)(bank >> 1 << 4);
+    const uint8_t add = (uint8_t)(bank >> 1 << 4);
     size_t i = 0;
 
     for (; i < n && dests[i] >> 27 == bank; i++) {
@@ -288,7 +288,7 @@ static size_t over_bank_turned(const struct fb *fb, const struct image *image, c
         for (int k = 0; k < 4; k++, d += 2 * pitch) {
             sixteen s;
             memcpy(&s, from + 16 * k, sizeof s);
-            put_two(d, pitch, s == 0, (s + add) & (s != 0));
+            put_two(d, pitch, s == 0, paint_banked(s, add) & (s != 0));
         }
     }
     return i;

@@ -9,7 +9,7 @@ static inline void copy_pair(uint8_t *d, const uint8_t *s, uint8_t add)
     sixteen v;
 
     memcpy(&v, s, sizeof v);
-    v += (int8_t)add;
+    v = paint_banked(v, add);
     memcpy(d, &v, sizeof v);
 }
 
