@@ -305,8 +305,8 @@ static void in_one_colour(void **state)
         begin(b);
         for (int y = b->fb.y0; y < b->fb.y1; y++)
             for (int x = b->fb.x0; x < b->fb.x1; x++) {
-                const int u = flags & BLIT_FLIP_X ? w - 1 - (x - x0) : x - x0, v = y - y0;
-                const int row = flags & BLIT_FLIP_Y ? h - 1 - v : v;
+                const int64_t u = flags & BLIT_FLIP_X ? w - 1 - ((int64_t)x - x0) : (int64_t)x - x0;
+                const int64_t v = (int64_t)y - y0, row = flags & BLIT_FLIP_Y ? h - 1 - v : v;
                 if (u < 0 || v < 0 || u >= w || v >= h || !b->pix[row * b->image.pitch + u])
                     continue;
                 if (!(flags & BLIT_DOTS) || (u + v) % 2 == 0)
