@@ -125,7 +125,7 @@ struct board_out {
     enum board_request request;
     char attract[64];   /* the demo lump's name, with REQUEST_ATTRACT */
     enum board_ask ask; /* with REQUEST_ASK */
-    const char *log;  /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
+    const char *log;    /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
                              lines end in \n */
     size_t log_size;
     struct board_marker marker[BOARD_MARKERS];

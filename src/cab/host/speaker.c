@@ -34,9 +34,7 @@ enum {
 
 void speaker_open(struct speaker *s, int volume, bool muted, bool exact)
 {
-    *s = (struct speaker){
-        .volume = volume, .music = 100, .sounds = 100, .muted = muted, .exact = exact, .pace = 1
-    };
+    *s = (struct speaker){ .volume = volume, .music = 100, .sounds = 100, .muted = muted, .exact = exact, .pace = 1 };
 }
 
 void speaker_levels(struct speaker *s, int music, int sounds)

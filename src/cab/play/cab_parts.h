@@ -58,7 +58,7 @@ struct cab {
     bool no_scores;       /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct screens screens;
-    bool focus; /* at the last poll */
+    bool focus;           /* at the last poll */
     uint16_t pads[PADS];  /* held since the last tick */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
     bool paused, step;

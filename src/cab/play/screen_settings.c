@@ -91,7 +91,8 @@ static void describe(void *of, int at, struct screen_row *row)
     case LANGUAGE:
         snprintf(row->label, sizeof row->label, "language");
         snprintf(row->value, sizeof row->value, "%s", cab.config.lang[0] ? cab.config.lang : "the game's own");
-        snprintf(row->help, sizeof row->help, "a run keeps its language: another one is there when the game begins anew");
+        snprintf(row->help, sizeof row->help,
+                 "a run keeps its language: another one is there when the game begins anew");
         row->changes = true;
         break;
     case TO_KEYS:

@@ -170,8 +170,8 @@ static uint32_t of_keyboard(const struct plat_input *in)
         uint8_t usage;
         uint16_t does;
     } keys[] = {
-        { 82, UP }, { 81, DOWN },     { 80, LEFT },       { 79, RIGHT },  { 75, PAGE_UP }, { 78, PAGE_DOWN },
-        { 40, YES }, { 88, YES }, { 41, NO }, { 42, NO }, { 76, REMOVE }, { 225, TEN },    { 229, TEN },
+        { 82, UP },  { 81, DOWN }, { 80, LEFT }, { 79, RIGHT },  { 75, PAGE_UP }, { 78, PAGE_DOWN }, { 40, YES },
+        { 88, YES }, { 41, NO },   { 42, NO },   { 76, REMOVE }, { 225, TEN },    { 229, TEN },
     };
     uint32_t held = 0;
 
@@ -183,11 +183,21 @@ static uint32_t of_keyboard(const struct plat_input *in)
 static uint32_t of_controllers(const struct plat_input *in)
 {
     static const uint16_t does[PLAT_SWITCHES] = {
-        [PLAT_DPAD_UP] = UP,           [PLAT_DPAD_DOWN] = DOWN,          [PLAT_DPAD_LEFT] = LEFT,
-        [PLAT_DPAD_RIGHT] = RIGHT,     [PLAT_LEFT_UP] = UP,              [PLAT_LEFT_DOWN] = DOWN,
-        [PLAT_LEFT_LEFT] = LEFT,       [PLAT_LEFT_RIGHT] = RIGHT,        [PLAT_SOUTH] = YES,
-        [PLAT_EAST] = NO,              [PLAT_START] = YES,               [PLAT_GUIDE] = NO,
-        [PLAT_NORTH] = REMOVE,         [PLAT_SHOULDER_LEFT] = PAGE_UP,   [PLAT_SHOULDER_RIGHT] = PAGE_DOWN,
+        [PLAT_DPAD_UP] = UP,
+        [PLAT_DPAD_DOWN] = DOWN,
+        [PLAT_DPAD_LEFT] = LEFT,
+        [PLAT_DPAD_RIGHT] = RIGHT,
+        [PLAT_LEFT_UP] = UP,
+        [PLAT_LEFT_DOWN] = DOWN,
+        [PLAT_LEFT_LEFT] = LEFT,
+        [PLAT_LEFT_RIGHT] = RIGHT,
+        [PLAT_SOUTH] = YES,
+        [PLAT_EAST] = NO,
+        [PLAT_START] = YES,
+        [PLAT_GUIDE] = NO,
+        [PLAT_NORTH] = REMOVE,
+        [PLAT_SHOULDER_LEFT] = PAGE_UP,
+        [PLAT_SHOULDER_RIGHT] = PAGE_DOWN,
     };
     uint32_t held = 0;
 
@@ -202,8 +212,8 @@ static uint32_t of_pads(const struct keys_read *k)
     static const struct {
         uint16_t button, does;
     } buttons[] = {
-        { PAD_UP, UP },    { PAD_DOWN, DOWN }, { PAD_LEFT, LEFT }, { PAD_RIGHT, RIGHT },
-        { PAD_FIRE, YES }, { PAD_START, YES }, { PAD_BOMB, NO },   { PAD_SPECIAL, REMOVE }, { PAD_FOCUS, TEN },
+        { PAD_UP, UP },     { PAD_DOWN, DOWN }, { PAD_LEFT, LEFT },      { PAD_RIGHT, RIGHT }, { PAD_FIRE, YES },
+        { PAD_START, YES }, { PAD_BOMB, NO },   { PAD_SPECIAL, REMOVE }, { PAD_FOCUS, TEN },
     };
     uint32_t held = 0;
 

@@ -32,7 +32,8 @@ static int lines_of(const char *text, int w)
 }
 
 /* Draws at most `most` lines; returns the y after them. */
-static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most, enum canvas_colour c, const char *text)
+static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most, enum canvas_colour c,
+                      const char *text)
 {
     for (int i = 0; i < most && *text; i++, y += LINE) {
         const int n = canvas_fit(text, w / CANVAS_CELL_W);
@@ -69,7 +70,10 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
     snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
     const int right = canvas_width(value), x = to.x + to.w - EDGE - right;
     const enum canvas_colour ink = chosen ? CANVAS_DARK : CANVAS_WHITE;
-    draw_cut(canvas, to.x + EDGE, to.y, x - to.x - 2 * EDGE, row.heading ? CANVAS_CYAN : row.faint ? CANVAS_GREY : ink,
+    draw_cut(canvas, to.x + EDGE, to.y, x - to.x - 2 * EDGE,
+             row.heading ? CANVAS_CYAN
+             : row.faint ? CANVAS_GREY
+                         : ink,
              row.label);
     canvas_text(canvas, x, to.y, chosen ? CANVAS_DARK : row.faint ? CANVAS_GREY : CANVAS_YELLOW, value);
 }
