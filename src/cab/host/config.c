@@ -14,11 +14,12 @@ static const char *const speeds[] = { "full", "half", "quarter", NULL };
 
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
-    { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits" },
+    { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
+      "x", "what fits" },
     { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen" },
-    { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent" },
-    { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent" },
-    { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent" },
+    { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent", " %", NULL },
+    { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent", " %", NULL },
+    { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent", " %", NULL },
     { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound" },
     { "resample", "follow our clock", "sound", AT(resample), 0, 1, 1, no_yes, 1,
       "no: sound to the bit, and the card's clock leads" },

@@ -48,6 +48,7 @@ struct config_setting {
     const char *const *words; /* of its values from 0 on, NULL-ended; NULL: it is a number */
     int step;                 /* of a number, on the screen */
     const char *help;         /* a sentence without its full stop */
+    const char *unit, *zero;  /* of a number, on the screen: "%"; what 0 is; NULL: nothing, and 0 */
 };
 
 /* The i-th setting, from 0 on; NULL: there are no more. */

@@ -71,7 +71,13 @@ static int rows(void *of)
 
 static void describe_value(const struct config_setting *s, struct screen_row *row)
 {
-    config_text(&cab.config, s, row->value, sizeof row->value);
+    char value[SCREEN_VALUE / 2];
+
+    config_text(&cab.config, s, value, sizeof value);
+    if (s->zero && config_value(&cab.config, s) == 0)
+        snprintf(row->value, sizeof row->value, "%s", s->zero);
+    else
+        snprintf(row->value, sizeof row->value, "%s%s", value, s->unit ? s->unit : "");
     snprintf(row->label, sizeof row->label, "%s", s->label);
     snprintf(row->help, sizeof row->help, "%s", s->help);
     row->changes = true;
