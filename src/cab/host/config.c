@@ -16,16 +16,17 @@ static const char *const speeds[] = { "full", "half", "quarter", NULL };
 static const struct config_setting settings[] = {
     { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
       "x", "what fits" },
-    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen" },
+    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen", NULL, NULL },
     { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent", " %", NULL },
     { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent", " %", NULL },
     { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent", " %", NULL },
-    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound" },
+    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound", NULL, NULL },
     { "resample", "follow our clock", "sound", AT(resample), 0, 1, 1, no_yes, 1,
-      "no: sound to the bit, and the card's clock leads" },
+      "no: sound to the bit, and the card's clock leads", NULL, NULL },
     { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,
-      "stop: the game waits when another window has the keys" },
-    { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording" },
+      "stop: the game waits when another window has the keys", NULL, NULL },
+    { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording", NULL,
+      NULL },
 };
 #undef AT
 

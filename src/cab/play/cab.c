@@ -247,11 +247,9 @@ static bool frame(void)
     cab_check_folder();
     struct speaker_time time = frames_due(now);
     overlay_begin(&cab.overlay, cab.attracting ? &cab.attract_guard : &cab.session.now->guard);
-    if (cab.practice.open)
-        cab_menu(&k);
-    else if (cab.session.state != SESSION_PLAYING)
+    if (cab.session.state != SESSION_PLAYING)
         cab_seek_or_reload(now);
-    else if (cab.console.open || screens_are_open(&cab.screens))
+    else if (cab.console.open || cab.stands || screens_are_open(&cab.screens))
         memset(cab.pads, 0, sizeof cab.pads);
     else
         run(time.sixtieths, &k, now);

@@ -58,6 +58,7 @@ struct cab {
     bool no_scores;       /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct screens screens;
+    bool stands;          /* the board does in this frame, for a screen is open or was */
     bool focus;           /* at the last poll */
     uint16_t pads[PADS];  /* held since the last tick */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
@@ -155,10 +156,9 @@ void cab_seek_or_reload(uint64_t now);
 
 uint64_t cab_seed_from_clock(void);
 
-/* Handles the keys that open the menu and retry; runs a frame of the open menu, which reads player 1's pad while the
- * board stands still. */
+/* Handles the keys that open the menu and retry; does what was chosen in a frame of the open menu. */
 void cab_practice_keys(const struct keys_read *k);
-void cab_menu(const struct keys_read *k);
+void cab_practice_screen(void);
 
 /* Opens the practice menu, if this run may be left for it. Begins the game anew, from its title. */
 void cab_open_practice(void);
@@ -182,8 +182,9 @@ void cab_open_menu(void);
 void cab_open_settings(void);
 void cab_open_keys(void);
 
-/* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands. */
-bool cab_screen_keys(const struct plat_input *in, const struct keys_read *k);
+/* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
+ * is left in k->pressed are the cabinet's keys that none of them took. */
+bool cab_screen_keys(const struct plat_input *in, struct keys_read *k);
 
 /* The line below a screen: what to press. */
 void cab_screens_foot(char *text, size_t size);

@@ -153,7 +153,7 @@ static void closed(void *of)
                 "begin anew now", begin_anew, NULL);
 }
 
-static const struct screen settings = {
+static const struct screen_def settings = {
     .title = "settings", .rows = rows, .row = describe, .change = change, .accept = accept, .closed = closed
 };
 

@@ -12,7 +12,8 @@ enum {
     EDGE = 5,   /* px between a frame and what is in it */
     TITLE = LINE + 2,
     HELP_LINES = 3,
-    FOOT_FROM = 120 /* px of height with room for a foot */
+    HELP_FROM = 100, /* px of height with room for a line of help, of twice as many with room for more */
+    FOOT_FROM = 120  /* and for a foot */
 };
 
 int screen_row_height(void)
@@ -49,6 +50,20 @@ static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most
     return y;
 }
 
+static enum canvas_colour label_ink(const struct screen_row *row)
+{
+    if (row->ink)
+        return row->ink;
+    return row->heading ? CANVAS_CYAN : row->faint ? CANVAS_GREY : CANVAS_WHITE;
+}
+
+static enum canvas_colour value_ink(const struct screen_row *row)
+{
+    if (row->value_ink)
+        return row->value_ink;
+    return row->faint ? CANVAS_GREY : CANVAS_YELLOW;
+}
+
 static void draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to)
 {
     struct screen_row row = { 0 };
@@ -62,17 +77,9 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
     const int room = to.w - 2 * EDGE,
               right = canvas_say_width(value) < room * 2 / 3 ? canvas_say_width(value) : room * 2 / 3;
     const int x = to.x + to.w - EDGE - right;
-    const enum canvas_colour ink = chosen ? CANVAS_DARK : CANVAS_WHITE;
-    canvas_say_within(canvas, to.x + EDGE, to.y + LETTER,
-                      row.heading ? CANVAS_CYAN
-                      : row.faint ? CANVAS_GREY
-                                  : ink,
-                      row.label, x - to.x - 2 * EDGE);
-    canvas_say_within(canvas, x, to.y + LETTER,
-                      chosen      ? CANVAS_DARK
-                      : row.faint ? CANVAS_GREY
-                                  : CANVAS_YELLOW,
-                      value, right);
+    canvas_say_within(canvas, to.x + EDGE, to.y + LETTER, chosen ? CANVAS_DARK : label_ink(&row), row.label,
+                      x - to.x - 2 * EDGE);
+    canvas_say_within(canvas, x, to.y + LETTER, chosen ? CANVAS_DARK : value_ink(&row), value, right);
 }
 
 /* The first row to show so that the chosen one and its neighbours are seen: the one above may be a heading. */
@@ -157,7 +164,7 @@ static struct screen_area area_of(const struct screen_place *p, const struct can
     return (struct screen_area){ (w - wide) / 2, (h - high) / 2, wide, high };
 }
 
-static void draw_title(const struct screen *screen, const struct canvas *canvas, const struct screen_area *a)
+static void draw_title(const struct screen_def *screen, const struct canvas *canvas, const struct screen_area *a)
 {
     canvas_rect(canvas, a->x, a->y, a->w, TITLE, CANVAS_CYAN);
     canvas_say(canvas, a->x + EDGE, a->y + LETTER + 1, CANVAS_DARK, screen->title);
@@ -179,7 +186,7 @@ static void draw_help(const struct screens *s, const struct screen_place *p, con
 /* A screen's own picture stands above the list in a picture that is upright, and beside it in one that is wide. */
 static void take_picture(const struct screen_place *p, const struct canvas *canvas, struct screen_area *list)
 {
-    const struct screen *s = p->screen;
+    const struct screen_def *s = p->screen;
     const int h = s->height ? s->height(p->of, list->w, list->h) : 0;
 
     if (h <= 0 || s->rows(p->of) == 0)
@@ -197,7 +204,8 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
     const char *text = p->screen->text ? p->screen->text(p->of) : "";
     const struct screen_area a = area_of(p, canvas, text);
     const bool feet = !p->screen->small && foot[0] && a.h >= FOOT_FROM;
-    const int lines = p->screen->small ? help_lines(p, a.w - 2 * EDGE) : HELP_LINES;
+    const int most = a.h < HELP_FROM ? 0 : a.h < 2 * HELP_FROM ? 1 : HELP_LINES;
+    const int lines = p->screen->small ? help_lines(p, a.w - 2 * EDGE) : most;
     const int help = lines ? lines * LINE + EDGE : 0, bottom = a.y + a.h - (feet ? LINE + 1 : 0) - help;
 
     canvas_rect(canvas, a.x, a.y, a.w, a.h, CANVAS_DARK);
