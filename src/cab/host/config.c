@@ -8,19 +8,32 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *const focus_words[] = { "hold", "toggle", NULL };
+static const char *const hand_words[] = { "no", "left", "right", NULL }; /* enum keys_hand */
+
 static const struct setting {
     const char *name;
     size_t at; /* an int of struct config */
     int lo, hi, standard;
     bool yes_no;
     const char *help;
+    const char *const *words; /* one of them, value is the index; NULL-ended. NULL: a number, or yes or no */
 } settings[] = {
-    { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits" },
-    { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent" },
-    { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound" },
-    { "resample", offsetof(struct config, resample), 0, 1, 1, true,
-      "no: sound to the bit, and the card's clock leads" },
-    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen" },
+    { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits", NULL },
+    { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent", NULL },
+    { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound", NULL },
+    { "resample", offsetof(struct config, resample), 0, 1, 1, true, "no: sound to the bit, and the card's clock leads",
+      NULL },
+    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen", NULL },
+    { "autofire", offsetof(struct config, autofire[0]), 0, 1, 0, true, "fire that is held fires 15 times a second",
+      NULL },
+    { "focus", offsetof(struct config, focus[0]), 0, 1, 0, false, "toggle: a press of focus switches it, and it stays",
+      focus_words },
+    { "one_hand", offsetof(struct config, one_hand[0]), 0, 2, 0, false,
+      "that half of keyboard and controller; fire holds itself", hand_words },
+    { "autofire2", offsetof(struct config, autofire[1]), 0, 1, 0, true, "autofire of the second player", NULL },
+    { "focus2", offsetof(struct config, focus[1]), 0, 1, 0, false, "how the second player's focus does", focus_words },
+    { "one_hand2", offsetof(struct config, one_hand[1]), 0, 2, 0, false, "the second player's hand", hand_words },
 };
 
 enum { SETTINGS = sizeof settings / sizeof *settings };
@@ -54,6 +67,45 @@ static bool yes_no(const char *s, int *v)
     return *v || strcmp(s, "no") == 0;
 }
 
+static bool word(const char *s, const char *const *words, int *v)
+{
+    int i = 0;
+
+    while (words[i] && strcmp(s, words[i]) != 0)
+        i++;
+    if (words[i])
+        *v = i;
+    return words[i];
+}
+
+/* "hold, toggle", with `between` before the last one. */
+static void list_words(const char *const *words, const char *between, char *out, size_t size)
+{
+    size_t n = 0;
+
+    for (int i = 0; words[i] && n < size; i++)
+        n += (size_t)snprintf(out + n, size - n, "%s%s", !i ? "" : words[i + 1] ? ", " : between, words[i]);
+}
+
+static bool take(const struct setting *s, const char *value, int *v)
+{
+    return s->words ? word(value, s->words, v) : s->yes_no ? yes_no(value, v) : number(value, s->lo, s->hi, v);
+}
+
+static void expected(const struct setting *s, const char *value, char *err, size_t err_size)
+{
+    char words[96];
+
+    if (s->words) {
+        list_words(s->words, " or ", words, sizeof words);
+        snprintf(err, err_size, "%s: expected %s, got \"%s\"", s->name, words, value);
+    } else if (s->yes_no) {
+        snprintf(err, err_size, "%s: expected yes or no, got \"%s\"", s->name, value);
+    } else {
+        snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", s->name, s->lo, s->hi, value);
+    }
+}
+
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
 {
     if (value[0] && !manifest_word_ok(value)) {
@@ -70,12 +122,9 @@ static bool set(struct config *c, const char *name, const char *value, char *err
         const struct setting *s = &settings[i];
         if (strcmp(name, s->name) != 0)
             continue;
-        if (s->yes_no ? yes_no(value, value_of(c, s)) : number(value, s->lo, s->hi, value_of(c, s)))
+        if (take(s, value, value_of(c, s)))
             return true;
-        if (s->yes_no)
-            snprintf(err, err_size, "%s: expected yes or no, got \"%s\"", name, value);
-        else
-            snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", name, s->lo, s->hi, value);
+        expected(s, value, err, err_size);
         return false;
     }
     if (strcmp(name, "lang") == 0)
@@ -156,7 +205,9 @@ void config_help(void (*line)(const char *))
     char text[128], value[32];
     for (int i = 0; i < SETTINGS; i++) {
         const struct setting *s = &settings[i];
-        if (s->yes_no)
+        if (s->words)
+            list_words(s->words, ", ", value, sizeof value);
+        else if (s->yes_no)
             snprintf(value, sizeof value, "%s", s->standard ? "yes (or no)" : "no (or yes)");
         else
             snprintf(value, sizeof value, "%d (%d to %d)", s->standard, s->lo, s->hi);

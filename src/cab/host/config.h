@@ -26,12 +26,13 @@ enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
 
 struct config {
     struct keys keys;
-    int scale;      /* 0 to 16 */
-    int volume;     /* percent */
-    int mute;       /* 0 or 1 */
-    int resample;   /* 0 or 1 */
-    int fullscreen; /* 0 or 1 */
-    char lang[16];  /* of games that have it; "": none */
+    int scale;                                       /* 0 to 16 */
+    int volume;                                      /* percent */
+    int mute;                                        /* 0 or 1 */
+    int resample;                                    /* 0 or 1 */
+    int fullscreen;                                  /* 0 or 1 */
+    int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
+    char lang[16];                                   /* of games that have it; "": none */
 };
 
 void config_defaults(struct config *c);
