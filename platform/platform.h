@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other eleven have defaults in stdio.c, which is linked with
+ * To port: copy template.c, write its six functions. The other twelve have defaults in stdio.c, which is linked with
  * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a
  * compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
@@ -18,7 +18,7 @@
 
 enum {
     PLAT_KEYS = 256, /* keyboard switches: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
-    PLAT_CONTROLLERS = 2,
+    PLAT_CONTROLLERS = 4,
     PLAT_TEXT = 64
 };
 
@@ -51,6 +51,24 @@ enum plat_switch {
     PLAT_RIGHT_LEFT,
     PLAT_RIGHT_RIGHT,
     PLAT_SWITCHES
+};
+
+/* What is printed on a controller's buttons. Where they are does not depend on it: Nintendo's A is PLAT_EAST. */
+enum plat_kind {
+    PLAT_UNKNOWN,
+    PLAT_XBOX,     /* A below, B on the right; Menu, View; and all that are lettered so */
+    PLAT_XBOX_360, /* the same, with Start and Back */
+    PLAT_PS3,
+    PLAT_PS4,
+    PLAT_PS5,
+    PLAT_NINTENDO, /* B below, A on the right */
+    PLAT_KINDS
+};
+
+struct plat_controller {
+    uint32_t id; /* another one each time that one is plugged in */
+    enum plat_kind kind;
+    char name[64]; /* as the host calls it; "": not known */
 };
 
 struct plat_want {
@@ -113,6 +131,10 @@ void plat_loop(bool (*frame)(void));
 /* Calls fn once, ms from now, on the thread that armed it (from a signal handler: fn may do little); 0 cancels. One
  * alarm at a time. fn may come just after a cancel that was too late. False: the host has no alarms. */
 bool plat_alarm(int ms, void (*fn)(void));
+
+/* Says what is plugged in as number i of plat_input.controllers, from 0. False: nothing. A number stays a controller's
+ * while it is plugged in. The default knows of none: each is there, unknown, without a name, and never goes. */
+bool plat_controller(int i, struct plat_controller *controller);
 
 /* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before, those
  * that the card has taken and not played yet included, as far as that is known; 0: nothing was. -1: no speaker now.

@@ -217,6 +217,14 @@ static bool nobody_sees(void)
     return strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0 || strcmp(driver, "evdev") == 0;
 }
 
+/* By default SDL exchanges the buttons of Nintendo's controllers, to go by the letters; here they go by place. */
+static void start_controllers(void)
+{
+    SDL_SetHint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
+    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
+        failed("no controllers");
+}
+
 bool plat_open(const struct plat_want *want)
 {
     bool open = port.window != 0;
@@ -236,8 +244,8 @@ bool plat_open(const struct plat_want *want)
     }
     if (!open)
         heed_hangup();
-    if (!open && SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
-        failed("no controllers");
+    if (!open)
+        start_controllers();
     change_speaker(want->rate);
     if (want->text)
         SDL_StartTextInput();
@@ -325,6 +333,59 @@ static void controller_switch(SDL_JoystickID id, int which, bool down)
     uint32_t bit = (uint32_t)1 << which;
     in.pad_down[i] = down ? in.pad_down[i] | bit : in.pad_down[i] & ~bit;
     in.pad_seen[i] |= down ? bit : 0;
+}
+
+/* An #if for each release that knew more of them. Single Joy-Cons are held askew: what is printed there helps nobody. */
+static enum plat_kind kind_of(SDL_GameController *c)
+{
+#if SDL_VERSION_ATLEAST(2, 0, 12)
+    switch (SDL_GameControllerGetType(c)) {
+    case SDL_CONTROLLER_TYPE_XBOX360:
+        return PLAT_XBOX_360;
+    case SDL_CONTROLLER_TYPE_XBOXONE:
+        return PLAT_XBOX;
+    case SDL_CONTROLLER_TYPE_PS3:
+        return PLAT_PS3;
+    case SDL_CONTROLLER_TYPE_PS4:
+        return PLAT_PS4;
+    case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_PRO:
+        return PLAT_NINTENDO;
+#if SDL_VERSION_ATLEAST(2, 0, 14)
+    case SDL_CONTROLLER_TYPE_PS5:
+        return PLAT_PS5;
+#endif
+#if SDL_VERSION_ATLEAST(2, 0, 16)
+    case SDL_CONTROLLER_TYPE_AMAZON_LUNA:
+    case SDL_CONTROLLER_TYPE_GOOGLE_STADIA:
+        return PLAT_XBOX;
+#endif
+#if SDL_VERSION_ATLEAST(2, 24, 0)
+    case SDL_CONTROLLER_TYPE_NVIDIA_SHIELD:
+        return PLAT_XBOX;
+    case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_JOYCON_PAIR:
+        return PLAT_NINTENDO;
+#endif
+    default:
+        break;
+    }
+#else
+    (void)c;
+#endif
+    return PLAT_UNKNOWN;
+}
+
+bool plat_controller(int i, struct plat_controller *controller)
+{
+    SDL_GameController *c = i >= 0 && i < PLAT_CONTROLLERS ? in.controller[i] : NULL;
+
+    memset(controller, 0, sizeof *controller);
+    if (!c)
+        return false;
+    const char *name = SDL_GameControllerName(c);
+    snprintf(controller->name, sizeof controller->name, "%s", name ? name : "");
+    controller->id = (uint32_t)SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(c));
+    controller->kind = kind_of(c);
+    return true;
 }
 
 static int button_switch(unsigned button)

@@ -3,8 +3,8 @@
  * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
- * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and
- * append together).
+ * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _CONTROLLER, _SOUND, _LOG, _LIST and _FILES (size, load,
+ * save and append together).
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
 #define _XOPEN_SOURCE 700
@@ -90,6 +90,15 @@ DEFAULT void plat_loop(bool (*frame)(void))
 {
     while (frame())
         ;
+}
+#endif
+
+#ifndef PLAT_OWN_CONTROLLER
+DEFAULT bool plat_controller(int i, struct plat_controller *controller)
+{
+    memset(controller, 0, sizeof *controller);
+    controller->id = (uint32_t)i;
+    return i >= 0 && i < PLAT_CONTROLLERS;
 }
 #endif
 

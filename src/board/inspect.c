@@ -22,6 +22,13 @@ struct inspect_area inspect_field(const struct board *b)
     return (struct inspect_area){ m->field_x, m->field_y, m->field_w, m->field_h };
 }
 
+bool inspect_plays(const struct board *b, int player)
+{
+    const uint8_t in = b->player.in[player];
+
+    return in & PLAYER_IN && !(in & PLAYER_NO_FIRE) && b->core.frozen <= 0;
+}
+
 /* ---- bodies ---- */
 
 static struct inspect_body body_at(const struct board *b, enum inspect_kind kind, uint32_t slot, fx x, fx y)

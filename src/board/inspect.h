@@ -50,6 +50,9 @@ struct inspect_shape_of {
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context);
 
+/* Does a player (from 0) fly and fire: in the game, and neither a menu nor a talk has the buttons? */
+bool inspect_plays(const struct board *b, int player);
+
 /* The field on the screen, px. */
 struct inspect_area {
     int x, y, w, h;

@@ -10,6 +10,8 @@
 
 static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const aways[] = { "go-on", "stop", NULL };
+static const char *const focus_words[] = { "hold", "toggle", NULL };
+static const char *const hand_words[] = { "no", "left", "right", NULL }; /* enum keys_hand */
 static const char *const speeds[] = { "full", "half", "quarter", NULL };
 
 #define AT(field) offsetof(struct config, field)
@@ -26,6 +28,18 @@ static const struct config_setting settings[] = {
     { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,
       "stop: the game waits when another window has the keys", NULL, NULL },
     { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording", NULL,
+      NULL },
+    { "autofire", "autofire", "player 1", AT(autofire[0]), 0, 1, 0, no_yes, 1,
+      "fire that is held fires 15 times a second", NULL, NULL },
+    { "focus", "focus", "player 1", AT(focus[0]), 0, 1, 0, focus_words, 1,
+      "toggle: a press of focus switches it, and it stays", NULL, NULL },
+    { "one_hand", "one hand", "player 1", AT(one_hand[0]), 0, 2, 0, hand_words, 1,
+      "that half of keyboard and controller; fire holds itself", NULL, NULL },
+    { "autofire2", "autofire", "player 2", AT(autofire[1]), 0, 1, 0, no_yes, 1, "autofire of the second player", NULL,
+      NULL },
+    { "focus2", "focus", "player 2", AT(focus[1]), 0, 1, 0, focus_words, 1, "how the second player's focus does", NULL,
+      NULL },
+    { "one_hand2", "one hand", "player 2", AT(one_hand[1]), 0, 2, 0, hand_words, 1, "the second player's hand", NULL,
       NULL },
 };
 #undef AT

@@ -325,6 +325,7 @@ enum result cab_play(const struct cab_options *options)
         return refuse(RESULT_HOST, "there is no window to play in");
     if (!cab_picture_open(&cab.picture, cab_live()))
         return refuse(RESULT_HOST, "not enough memory for the picture");
+    cab_pads_open();
     practice_init(&cab.practice, options->cart, &cab.start);
     if (!options->demo)
         practice_began(&cab.practice, &cab.start);

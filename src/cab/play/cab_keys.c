@@ -150,8 +150,10 @@ void cab_poll(struct keys_read *k)
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
-    keys_read(&cab.config.keys, &in,
-              k); /* also while the prompt is open: the key that closes it must not be read afterwards */
+    cab_seats_poll(&in);
+    /* Also while the prompt is open: the key that closes it must not be read afterwards. */
+    keys_read(&cab.config.keys, &in, &cab.seats, k);
+    cab_seats_told(k);
     if (prompt_keys(&in)) {
         memset(k, 0, sizeof *k);
         return;

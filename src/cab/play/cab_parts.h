@@ -1,6 +1,7 @@
 /*
  * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
- * time, reload), cab_practice.c (the practice menu), cab_show.c (window and picture), cab_keys.c (switches).
+ * time, reload), cab_practice.c (the practice menu), cab_show.c (window and picture), cab_keys.c (switches), cab_pads.c
+ * (controllers, and how players press).
  * floor: cab
  */
 #ifndef CAB_CAB_PARTS_H
@@ -13,6 +14,8 @@
 #include "../host/folder.h"
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
+#include "../pads/press.h"
+#include "../pads/seats.h"
 #include "practice.h"
 #include "../screens/screen.h"
 #include "session.h"
@@ -60,8 +63,13 @@ struct cab {
     struct screens screens;
     bool stands;          /* the board does in this frame, for a screen is open or was */
     bool focus;           /* at the last poll */
-    uint16_t pads[PADS];  /* held since the last tick */
+    uint16_t pads[PADS];  /* buttons held since the last tick, before press */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
+    struct seats seats;
+    struct press_modes modes[PADS];
+    struct press press[PADS];
+    uint32_t pressed_to; /* the frame after the last tick that got pads of press */
+    bool unplugged;      /* a player's controller is gone, and the game pauses for it */
     bool paused, step;
     bool rewinding;   /* time runs backwards */
     bool scrubbed;    /* the player moved in time in a playback: at its end it pauses and does not quit */
@@ -215,5 +223,26 @@ void cab_screenshot(const struct picture *p);
 
 /* Reads the switches and carries out the cabinet's own keys. */
 void cab_poll(struct keys_read *k);
+
+/* ---- cab_pads.c ---- */
+
+void cab_pads_open(void);
+
+/* Takes over the settings of how each player presses; at any time. */
+void cab_pads_apply(void);
+
+/* The board was powered anew. */
+void cab_pads_power(void);
+
+/* The pads of the live board's next tick, from cab.pads. */
+void cab_pads_tick(uint16_t pads[PADS]);
+
+/* Before keys_read: what is plugged in, and who plays with it. After it: tells of what changed, pauses for a player
+ * whose controller is gone, and goes on at START. */
+void cab_seats_poll(const struct plat_input *in);
+void cab_seats_told(const struct keys_read *k);
+
+/* Its own name, or what kind it is. */
+const char *cab_controller_name(const struct plat_controller *c);
 
 #endif

@@ -211,6 +211,8 @@ static bool at_end(void)
 
 void cab_tick(void)
 {
+    uint16_t pads[PADS] = { 0 };
+
     if (cab.quit || screens_are_open(&cab.screens))
         return;
     if (cab.attracting) {
@@ -219,7 +221,9 @@ void cab_tick(void)
     }
     if (cab_fault() || at_end())
         return;
-    cab_check_recording(session_tick(&cab.session, cab.pads));
+    if (!cab.session.demo)
+        cab_pads_tick(pads);
+    cab_check_recording(session_tick(&cab.session, pads));
     report_difference();
     handle_output();
 }
