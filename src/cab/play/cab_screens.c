@@ -18,6 +18,7 @@ void cab_apply_settings(void)
     const bool window = cab.want.fullscreen != (c->fullscreen != 0) || cab.want.scale != c->scale;
     const int slow = 1 << c->speed;
 
+    cab_pads_apply();
     cab.speaker.volume = c->volume;
     cab.speaker.muted = c->mute;
     speaker_levels(&cab.speaker, c->music, c->sounds);
