@@ -463,7 +463,7 @@ static inline uint64_t rig_picture(struct rig *r)
     uint32_t rgb[256];
     uint64_t h = HASH_START;
 
-    board_draw(r->b, &r->fb, rgb, r->scratch);
+    board_draw(r->b, NULL, &r->fb, rgb, r->scratch);
     for (int y = 0; y < r->fb.h; y++)
         h = hash_bytes(h, r->fb.pix + (ptrdiff_t)y * r->fb.pitch, (size_t)r->fb.w);
     for (int i = 0; i < 256; i++)

@@ -135,7 +135,7 @@ static void compare(struct rig *r, int round)
 
     screen_shake(&r->b->screen, r->b->core.clock, &dx, &dy);
     memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
-    board_draw(r->b, &r->fb, rgb, r->scratch);
+    board_draw(r->b, NULL, &r->fb, rgb, r->scratch);
     for (int y = 0; y < m->screen_h; y++)
         for (int x = 0; x < m->screen_w; x++) {
             const int fx_ = x - m->field_x, fy = y - m->field_y;

@@ -69,7 +69,7 @@ static int bed_close(void **state)
 
 static void draw(struct bed *t, int y0, int y1, int mouse_x, int mouse_y)
 {
-    board_draw(t->r.b, &t->r.fb, t->rgb, t->r.scratch);
+    board_draw(t->r.b, NULL, &t->r.fb, t->rgb, t->r.scratch);
     canvas_open(&t->canvas, &t->r.fb, t->rgb);
     overlay_draw(&t->o, &t->canvas, y0, y1, t->r.b, mouse_x, mouse_y);
 }
@@ -255,7 +255,7 @@ static void the_game_does_not_notice(void **state)
         overlay_begin(&t->o, &a);
         guard_tick(&a, none);
         overlay_lap(&t->o, SPLIT_CABINET);
-        board_draw(a.board, &t->r.fb, t->rgb, t->r.scratch);
+        board_draw(a.board, NULL, &t->r.fb, t->rgb, t->r.scratch);
         overlay_lap(&t->o, SPLIT_DRAW);
         canvas_open(&t->canvas, &t->r.fb, t->rgb);
         overlay_draw(&t->o, &t->canvas, 0, 320, a.board, f, f);
@@ -322,7 +322,7 @@ static void toggle(struct bed *t)
 
 static int draw_console(struct bed *t)
 {
-    board_draw(t->r.b, &t->r.fb, t->rgb, t->r.scratch);
+    board_draw(t->r.b, NULL, &t->r.fb, t->rgb, t->r.scratch);
     canvas_open(&t->canvas, &t->r.fb, t->rgb);
     return console_draw(&t->c, &t->canvas);
 }

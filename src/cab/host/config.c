@@ -3,6 +3,7 @@
  */
 #include "config.h"
 #include "../../board/rom/manifest.h"
+#include "views.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,16 +14,25 @@ static const struct setting {
     size_t at; /* an int of struct config */
     int lo, hi, standard;
     bool yes_no;
+    const char *const *words; /* not NULL: one of a list that ends with NULL, of which the value is the place */
     const char *help;
 } settings[] = {
-    { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits" },
-    { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent" },
-    { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound" },
-    { "resample", offsetof(struct config, resample), 0, 1, 1, true,
+    { "scale", offsetof(struct config, scale), 0, 16, 0, false, NULL, "window pixels a picture pixel; 0: what fits" },
+    { "volume", offsetof(struct config, volume), 0, 100, 100, false, NULL, "percent" },
+    { "mute", offsetof(struct config, mute), 0, 1, 0, true, NULL, "start without sound" },
+    { "resample", offsetof(struct config, resample), 0, 1, 1, true, NULL,
       "no: sound to the bit, and the card's clock leads" },
-    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen" },
+    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, NULL, "start in fullscreen" },
+    { "dim", offsetof(struct config, dim), 0, 3, 0, false, views_dim,
+      "backgrounds darker, by a quarter to three quarters" },
+    { "flashes", offsetof(struct config, flashes), 0, 1, 0, false, views_flashes,
+      "of the screen; soft: at a quarter" },
+    { "colours", offsetof(struct config, colours), 0, 3, 0, false, views_colours,
+      "for eyes that tell fewer apart" },
+    { "hitbox", offsetof(struct config, hitbox), 0, 1, 0, true, NULL, "the ship's hit shape, always" },
 };
 
+enum { CONFIG_WORDS = 128 };
 enum { SETTINGS = sizeof settings / sizeof *settings };
 
 static int *value_of(struct config *c, const struct setting *s)
@@ -54,6 +64,22 @@ static bool yes_no(const char *s, int *v)
     return *v || strcmp(s, "no") == 0;
 }
 
+static bool word(const char *const *words, const char *s, int *v)
+{
+    const int i = views_find(words, s);
+
+    *v = i < 0 ? *v : i;
+    return i >= 0;
+}
+
+static void refuse_word(const struct setting *s, const char *value, char *err, size_t err_size)
+{
+    char list[CONFIG_WORDS];
+
+    views_list(s->words, list, sizeof list);
+    snprintf(err, err_size, "%s: expected %s, got \"%s\"", s->name, list, value);
+}
+
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
 {
     if (value[0] && !manifest_word_ok(value)) {
@@ -70,9 +96,13 @@ static bool set(struct config *c, const char *name, const char *value, char *err
         const struct setting *s = &settings[i];
         if (strcmp(name, s->name) != 0)
             continue;
-        if (s->yes_no ? yes_no(value, value_of(c, s)) : number(value, s->lo, s->hi, value_of(c, s)))
+        if (s->words          ? word(s->words, value, value_of(c, s))
+            : s->yes_no ? yes_no(value, value_of(c, s))
+                        : number(value, s->lo, s->hi, value_of(c, s)))
             return true;
-        if (s->yes_no)
+        if (s->words)
+            refuse_word(s, value, err, err_size);
+        else if (s->yes_no)
             snprintf(err, err_size, "%s: expected yes or no, got \"%s\"", name, value);
         else
             snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", name, s->lo, s->hi, value);
@@ -153,10 +183,13 @@ bool config_load(struct config *c, char *err, size_t err_size)
 
 void config_help(void (*line)(const char *))
 {
-    char text[128], value[32];
+    char text[160], value[48], list[CONFIG_WORDS];
     for (int i = 0; i < SETTINGS; i++) {
         const struct setting *s = &settings[i];
-        if (s->yes_no)
+        if (s->words) {
+            views_list(s->words + 1, list, sizeof list);
+            snprintf(value, sizeof value, "%s (or %.36s)", s->words[0], list);
+        } else if (s->yes_no)
             snprintf(value, sizeof value, "%s", s->standard ? "yes (or no)" : "no (or yes)");
         else
             snprintf(value, sizeof value, "%d (%d to %d)", s->standard, s->lo, s->hi);

@@ -8,6 +8,7 @@
  *     mute = no
  *     fullscreen = yes
  *     lang = de
+ *     dim = half
  *     p1.fire = z space pad.south
  *
  * A line is `name = value`; # starts a comment, blank lines are skipped. A name is one of the table in config.c or an
@@ -31,6 +32,8 @@ struct config {
     int mute;       /* 0 or 1 */
     int resample;   /* 0 or 1 */
     int fullscreen; /* 0 or 1 */
+    int dim, flashes, colours; /* as in views.h */
+    int hitbox;                /* 0 or 1 */
     char lang[16];  /* of games that have it; "": none */
 };
 
