@@ -12,13 +12,15 @@
  *                  -0.078411  0.930809  0.147602
  *                   0.004733  0.691367  0.303900
  *
- * The colour less that is what is lost. Half of the red and of the blue that are lost are added to the channel that is
- * seen and weighs least in how bright a colour is: blue, and for tritanopia red. So red and green part where blue and
- * yellow do, and what was light stays light: how a bullet stands out from a background is hardly touched. Moving more,
- * or to green as well, parts what was alike no further without making more alike that was not. All of it is one row of
- * numbers whose sum is 0, so a grey loses nothing.
+ * The colour less that is what is lost. Half of the red and blue that are lost are added to the channel that is seen
+ * and weighs least in how bright a colour is: blue, and for tritanopia red, where half of the lost blue is also taken
+ * from green. So red and green part where blue and yellow do, blue and yellow where red and green do, and what was
+ * light stays light: how a bullet stands out from a background is hardly touched. To move all of it parts what was
+ * alike little further, and makes more alike that was not. A row of numbers says what is added to a channel. Its sum is
+ * 0, so a grey stays as it is.
  */
 #include "../view.h"
+#include "../../base/int.h"
 
 enum { LEVELS = 256, ONE = 65536 };
 
@@ -41,14 +43,11 @@ static const uint16_t linear[LEVELS] = {
     60396, 60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952, 65535
 };
 
-/* What is added to one channel (0 red, 2 blue), in 65536ths of red, green and blue. */
-static const struct shift {
-    int to;
-    int32_t share[3];
-} shifts[VIEW_COLOURS] = {
-    [VIEW_PROTAN] = { 2, { 27905, -32914, 5009 } },
-    [VIEW_DEUTAN] = { 2, { 21119, -29609, 8490 } },
-    [VIEW_TRITAN] = { 0, { -8528, -20140, 28668 } },
+/* What is added to red, green and blue, in 65536ths of red, green and blue. */
+static const int32_t added[VIEW_COLOURS][3][3] = {
+    [VIEW_PROTAN] = { [2] = { 27905, -32914, 5009 } },
+    [VIEW_DEUTAN] = { [2] = { 21119, -29609, 8490 } },
+    [VIEW_TRITAN] = { { -8528, -20140, 28668 }, { 155, 22655, -22810 } },
 };
 
 /* The level whose light is nearest, the darker of two. */
@@ -63,17 +62,22 @@ static uint32_t level_of(int32_t light)
     return (uint32_t)(light - linear[lo] > linear[hi] - light ? hi : lo);
 }
 
+static int64_t rounded(int64_t v)
+{
+    return (v < 0 ? v - ONE / 2 : v + ONE / 2) / ONE;
+}
+
 uint32_t view_colour(enum view_colours colours, uint32_t rgb)
 {
-    const struct shift *s = &shifts[colours];
-    const int at = 16 - 8 * s->to;
-    int64_t more = 0;
+    const int64_t light[3] = { linear[rgb >> 16 & 255], linear[rgb >> 8 & 255], linear[rgb & 255] };
+    uint32_t out = 0;
 
     if (colours == VIEW_ALL)
         return rgb;
-    for (int c = 0; c < 3; c++)
-        more += (int64_t)s->share[c] * linear[rgb >> (16 - 8 * c) & 255];
-    int64_t light = linear[rgb >> at & 255] + (more < 0 ? more - ONE / 2 : more + ONE / 2) / ONE;
-    light = light < 0 ? 0 : light > 65535 ? 65535 : light;
-    return (rgb & ~(255u << at)) | level_of((int32_t)light) << at;
+    for (int c = 0; c < 3; c++) {
+        const int32_t *share = added[colours][c];
+        int64_t more = rounded(share[0] * light[0] + share[1] * light[1] + share[2] * light[2]);
+        out = out << 8 | level_of((int32_t)int64_clamp(light[c] + more, 0, linear[LEVELS - 1]));
+    }
+    return out;
 }
