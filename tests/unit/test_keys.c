@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include "../../src/board/view.h"
 #include "../../src/cab/host/config.h"
 
 static char err[256];
@@ -174,7 +175,8 @@ static void bad_bindings_change_nothing(void **state)
 static void a_settings_file(void **state)
 {
     static const char text[] =
-        "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5";
+        "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5\n"
+        "dim = half\nflashes = soft\ncolours = tritan\nhitbox = yes";
     struct config c;
     (void)state;
     config_defaults(&c);
@@ -192,6 +194,10 @@ static void a_settings_file(void **state)
     assert_int_equal(c.focus[1], 1);
     assert_int_equal(c.one_hand[0], HAND_RIGHT);
     assert_int_equal(c.one_hand[1], HAND_LEFT);
+    assert_int_equal(c.dim, VIEW_DIM_HALF);
+    assert_int_equal(c.flashes, 1);
+    assert_int_equal(c.colours, VIEW_TRITAN);
+    assert_int_equal(c.hitbox, 1);
     assert_int_equal(c.keys.code[4][0], 44);
     assert_int_equal(c.keys.code[4][1], 0x100 | PLAT_TRIGGER_LEFT);
     assert_int_equal(c.keys.code[4][2], 0);
@@ -216,6 +222,10 @@ static void bad_settings(void **state)
     REFUSE("volume = 101", "x.conf:1: volume: expected a number from 0 to 100, got \"101\"");
     REFUSE("\n\nscale = 2x", "x.conf:3: scale: expected a number from 0 to 16, got \"2x\"");
     REFUSE("scale =", "x.conf:1: scale: expected a number from 0 to 16, got \"\"");
+    REFUSE("dim = 2", "x.conf:1: dim: expected none, quarter, half or most, got \"2\"");
+    REFUSE("dim = half\nflashes =", "x.conf:2: flashes: expected full or soft, got \"\"");
+    REFUSE("colours = Protan", "x.conf:1: colours: expected normal, protan, deutan or tritan, got \"Protan\"");
+    REFUSE("hitbox = always", "x.conf:1: hitbox: expected yes or no, got \"always\"");
     REFUSE("mute = 1", "x.conf:1: mute: expected yes or no, got \"1\"");
     REFUSE("focus = held", "x.conf:1: focus: expected hold or toggle, got \"held\"");
     REFUSE("one_hand2 = yes", "x.conf:1: one_hand2: expected no, left or right, got \"yes\"");
@@ -530,7 +540,7 @@ static void help_has_them_all(void **state)
     keys_help(count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
-    assert_int_equal(lines, KEYS_ACTIONS + 12);
+    assert_int_equal(lines, KEYS_ACTIONS + 20);
 }
 
 int main(void)

@@ -3,6 +3,7 @@
  */
 #include "config.h"
 #include "../../board/rom/manifest.h"
+#include "views.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +20,13 @@ static const struct config_setting settings[] = {
     { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
       "x", "what fits" },
     { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen", NULL, NULL },
+    { "dim", "background", "seeing", AT(dim), 0, 3, 0, views_dim, 1,
+      "backgrounds darker, by a quarter to three quarters", NULL, NULL },
+    { "flashes", "flashes", "seeing", AT(flashes), 0, 1, 0, views_flashes, 1, "of the screen; soft: at a quarter", NULL,
+      NULL },
+    { "colours", "colours", "seeing", AT(colours), 0, 3, 0, views_colours, 1, "for eyes that tell fewer apart", NULL,
+      NULL },
+    { "hitbox", "hit shape", "seeing", AT(hitbox), 0, 1, 0, no_yes, 1, "the ship's hit shape, always", NULL, NULL },
     { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent", " %", NULL },
     { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent", " %", NULL },
     { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent", " %", NULL },
@@ -89,38 +97,28 @@ static bool number(const char *s, int lo, int hi, int *v)
     return true;
 }
 
-static bool word(const char *s, const char *const *words, int *v)
+/* What a setting may be, for a sentence. */
+static void list_values(const struct config_setting *s, char *out, size_t size)
 {
-    for (*v = 0; words[*v]; ++*v)
-        if (strcmp(s, words[*v]) == 0)
-            return true;
-    return false;
-}
-
-/* "yes or no", "whole, smooth or none" */
-static void list_words(const char *const *words, char *out, size_t size)
-{
-    size_t n = 0;
-
-    for (int i = 0; words[i] && n < size; i++)
-        n += (size_t)snprintf(out + n, size - n, "%s%s", i == 0 ? "" : words[i + 1] ? ", " : " or ", words[i]);
+    if (s->words == no_yes)
+        snprintf(out, size, "yes or no");
+    else if (s->words)
+        views_list(s->words, out, size);
+    else
+        snprintf(out, size, "%d to %d", s->lo, s->hi);
 }
 
 static bool set_value(struct config *c, const struct config_setting *s, const char *value, char *err, size_t err_size)
 {
-    char words[128];
+    char values[128];
     int v;
 
-    if (s->words ? word(value, s->words, &v) : number(value, s->lo, s->hi, &v)) {
+    if (s->words ? (v = views_find(s->words, value)) >= 0 : number(value, s->lo, s->hi, &v)) {
         config_put(c, s, v);
         return true;
     }
-    if (s->words) {
-        list_words(s->words, words, sizeof words);
-        snprintf(err, err_size, "%s: expected %s, got \"%s\"", s->name, words, value);
-    } else {
-        snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", s->name, s->lo, s->hi, value);
-    }
+    list_values(s, values, sizeof values);
+    snprintf(err, err_size, "%s: expected %s%s, got \"%s\"", s->name, s->words ? "" : "a number from ", values, value);
     return false;
 }
 
@@ -221,10 +219,7 @@ void config_help(void (*line)(const char *))
     for (int i = 0; i < SETTINGS; i++) {
         const struct config_setting *s = &settings[i];
         config_text(&c, s, standard, sizeof standard);
-        if (s->words)
-            list_words(s->words, words, sizeof words);
-        else
-            snprintf(words, sizeof words, "%d to %d", s->lo, s->hi);
+        list_values(s, words, sizeof words);
         snprintf(value, sizeof value, "%s (%s)", standard, words);
         snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
         line(text);

@@ -35,6 +35,8 @@ struct config {
     int fullscreen;                                  /* 0 or 1 */
     int speed;                                       /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
     int away;                                        /* 0 or 1: stop when the window loses the keys */
+    int dim, flashes, colours;                       /* as in views.h */
+    int hitbox;                                      /* 0 or 1 */
     int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
     char lang[16];                                   /* of games that have it; "": none */
 };

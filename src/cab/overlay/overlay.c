@@ -314,6 +314,29 @@ static void draw_shapes(const struct canvas *canvas, int y0, int y1, const struc
     fb_clip_all(canvas->fb);
 }
 
+/* White is the shape to the pixel; the ring and the dark round it make it read over a white ship and over bullets. */
+static void draw_ship(const struct canvas *canvas, const struct inspect_body *s, enum canvas_colour ring)
+{
+    enum { PIXEL = 1 << 16 };
+
+    canvas_disc(canvas, s->x, s->y, s->a + 2 * PIXEL, CANVAS_DARK);
+    canvas_disc(canvas, s->x, s->y, s->a + PIXEL, ring);
+    canvas_disc(canvas, s->x, s->y, s->a, CANVAS_WHITE);
+}
+
+void overlay_ships(const struct canvas *canvas, const struct board *b)
+{
+    static const enum canvas_colour rings[PADS] = { CANVAS_RED, CANVAS_CYAN };
+    const struct inspect_area f = inspect_field(b);
+    struct inspect_body body;
+
+    fb_clip(canvas->fb, f.x, f.y, f.w, f.h);
+    for (int i = 0; i < PADS; i++)
+        if (inspect_ship(b, i, &body))
+            draw_ship(canvas, &body, rings[i]);
+    fb_clip_all(canvas->fb);
+}
+
 /* ---- panels ---- */
 
 static void gauge_line(struct panel *s, const char *name, uint32_t live, uint32_t top, uint32_t cap, uint32_t refused)

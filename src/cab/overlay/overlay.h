@@ -71,4 +71,7 @@ void overlay_end(struct overlay *o);
 void overlay_draw(const struct overlay *o, const struct canvas *canvas, int y0, int y1, const struct board *b,
                   int mouse_x, int mouse_y);
 
+/* The hit shapes of the ships that are seen, on the field, for who plays: white, in a ring of a colour a player. */
+void overlay_ships(const struct canvas *canvas, const struct board *b);
+
 #endif

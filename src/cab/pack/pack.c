@@ -27,6 +27,7 @@
 #include "lang.h"
 #include "../host/files.h"
 #include "map.h"
+#include "shade.h"
 #include "../mml/mml.h"
 #include "../sound/recording.h"
 #include "tree.h"
@@ -235,6 +236,14 @@ static bool add_palettes(struct packer *p)
             !add_copy(p, "palette/", p->art.palettes[i].name, rgb, sizeof rgb))
             return false;
     return true;
+}
+
+static bool add_shades(struct packer *p)
+{
+    uint8_t tables[VIEW_SHADES];
+
+    shade_make(p->palette, tables);
+    return add_copy(p, "", "shades", tables, sizeof tables);
 }
 
 static bool add_blends(struct packer *p)
@@ -547,7 +556,7 @@ static bool add_sounds(struct packer *p)
 
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
+    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))

@@ -14,6 +14,7 @@
 #include "../host/folder.h"
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
+#include "../pack/shade.h"
 #include "../pads/press.h"
 #include "../pads/seats.h"
 #include "practice.h"
@@ -32,12 +33,14 @@ enum {
     CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
 };
 
-/* fb, rgb: the board's picture as it drew it. composed, composed_rgb: a copy with the overlay drawn on it. */
+/* fb, rgb: the board's picture as it drew it, by the view of the settings. composed, composed_rgb: a copy with the
+ * overlay drawn on it. */
 struct picture {
     struct fb fb, composed;
     void *memory;
     void *scratch;
     uint32_t rgb[256], composed_rgb[256];
+    struct shade_kept shades;
 };
 
 /* The cabinet's state. It is one static struct because the host's own timer may call frame(), without a context. */
@@ -216,8 +219,8 @@ void cab_picture_show(struct picture *p);
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
 bool cab_timebar_shown(void);
 
-/* Saves the board's picture, without the overlay, under the first free number. */
-void cab_screenshot(const struct picture *p);
+/* Saves the board's picture, without the overlay and as no view changes it, under the first free number. */
+void cab_screenshot(struct picture *p);
 
 /* ---- cab_keys.c ---- */
 

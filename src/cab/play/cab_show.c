@@ -52,11 +52,37 @@ bool cab_open_window(void)
     return plat_open(&cab.want);
 }
 
+/* The board that is to be seen; of one with a fault nothing is drawn any more. */
+static const struct board *board_seen(void)
+{
+    return cab.attracting ? cab.attract_guard.board : cab_fault() ? NULL : cab_live();
+}
+
+/* What the settings say now. */
+static struct view view_now(struct picture *p)
+{
+    return (struct view){ .dim = (enum view_dim)cab.config.dim,
+                          .soft_flashes = cab.config.flashes,
+                          .colours = (enum view_colours)cab.config.colours,
+                          .shades = cab.config.dim ? shade_for(&p->shades, cab_cart()) : NULL };
+}
+
 void cab_picture_draw(struct picture *p)
 {
-    const struct board *b = cab.attracting ? cab.attract_guard.board : cab_live();
-    if (cab.attracting || !cab_fault())
-        board_draw(b, &p->fb, p->rgb, p->scratch);
+    const struct view view = view_now(p);
+    const struct board *b = board_seen();
+
+    if (b)
+        board_draw(b, &view, &p->fb, p->rgb, p->scratch);
+}
+
+/* Are the hit shapes of ships to be drawn, and is there one? */
+static bool ships_shown(void)
+{
+    struct inspect_body ship;
+
+    return cab.config.hitbox && !cab.attracting && !cab_fault() &&
+           (inspect_ship(cab_live(), 0, &ship) || inspect_ship(cab_live(), 1, &ship));
 }
 
 static struct canvas copy_picture(struct picture *p)
@@ -67,6 +93,9 @@ static struct canvas copy_picture(struct picture *p)
         memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
     canvas_open(&canvas, &p->composed, p->composed_rgb);
+    canvas_view(&canvas, (enum view_colours)cab.config.colours);
+    if (ships_shown())
+        overlay_ships(&canvas, cab_live());
     return canvas;
 }
 
@@ -149,7 +178,8 @@ void cab_picture_show(struct picture *p)
     }
     message_text(text, sizeof text);
     hint_text(text, hint, sizeof hint);
-    if (!text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
+    if (!text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay) &&
+        !ships_shown()) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
     }
@@ -166,15 +196,21 @@ void cab_picture_show(struct picture *p)
     plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
 }
 
-void cab_screenshot(const struct picture *p)
+/* The picture that goldens and `render` have: what one player chose is not the game's. */
+void cab_screenshot(struct picture *p)
 {
+    const struct board *b = board_seen();
+    const struct fb *fb = b ? &p->composed : &p->fb;
+    const uint32_t *rgb = b ? p->composed_rgb : p->rgb;
     char name[CAB_NAME];
     char err[CAB_NAME + 128];
     uint8_t *png;
     size_t size;
 
     cab_free_name(name, "png");
-    if (!png_write(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb, &png, &size)) {
+    if (b)
+        board_draw(b, NULL, &p->composed, p->composed_rgb, p->scratch);
+    if (!png_write(fb->pix, fb->pitch, fb->w, fb->h, rgb, &png, &size)) {
         plat_log("curtain: no memory for a screenshot");
         return;
     }
