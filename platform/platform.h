@@ -124,8 +124,8 @@ int plat_sound(const int16_t *lr, int frames);
  * Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the environment or user-dirs.dirs says, or
  * ~/Pictures; without a home, the current folder). Saving makes the folders a name asks for. */
 
-/* Writes the path by which the user finds the file of a name: of `user:` and `pictures:` the real one, else the name.
- * False: there is none, or it does not fit. */
+/* Writes the path by which the user finds the file of a name, from the root where that can be told. False: there is
+ * none, or it does not fit. */
 bool plat_path(const char *name, char *path, size_t size);
 
 /* Bytes of a file; -1: no such file (a folder is none). Of what is no file on a disk, such as a pipe: 0. */

@@ -277,13 +277,27 @@ static bool path_of(char path[MAX_PATH_BYTES], const char *name)
     return fits(snprintf(path, MAX_PATH_BYTES, "%s%s/curtain/%s", data, below, name + strlen("user:")));
 }
 
+/* The current folder and a slash before a path that needs them; "" else, and where nobody knows. */
+static void folder_before(const char *path, char folder[MAX_PATH_BYTES + 1])
+{
+    folder[0] = 0;
+#ifdef POSIX
+    if (path[0] == '/' || !getcwd(folder, MAX_PATH_BYTES))
+        folder[0] = 0;
+    else if (folder[strlen(folder) - 1] != '/')
+        memcpy(folder + strlen(folder), "/", 2);
+#else
+    (void)path;
+#endif
+}
+
 DEFAULT bool plat_path(const char *name, char *path, size_t size)
 {
-    char whole[MAX_PATH_BYTES];
-    if (!path_of(whole, name) || strlen(whole) >= size)
+    char below[MAX_PATH_BYTES], folder[MAX_PATH_BYTES + 1];
+    if (!path_of(below, name))
         return false;
-    memcpy(path, whole, strlen(whole) + 1);
-    return true;
+    folder_before(below, folder);
+    return snprintf(path, size, "%s%s", folder, below) < (int)size;
 }
 
 #ifdef POSIX

@@ -167,17 +167,17 @@ void cab_picture_show(struct picture *p)
 
 void cab_screenshot(const struct picture *p)
 {
-    char name[CAB_NAME];
-    char err[CAB_NAME + 128];
+    char name[CAB_NAME], shown[FILES_PATH], err[FILES_ERR];
     uint8_t *png;
     size_t size;
 
-    cab_free_name(name, "png");
+    cab_free_name(name, "pictures:", "png");
     if (!png_write(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb, &png, &size)) {
         plat_log("curtain: no memory for a screenshot");
         return;
     }
     bool good = files_save(name, png, size, err, sizeof err);
-    cab_say(good ? "wrote %s" : "curtain: %s", good ? name : err);
+    cab_say(good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
+    cab_notice(CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
     free(png);
 }
