@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other twelve have defaults in stdio.c, which is linked with
+ * To port: copy template.c, write its six functions. The other sixteen have defaults in stdio.c, which is linked with
  * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a
  * compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
@@ -142,7 +142,13 @@ bool plat_controller(int i, struct plat_controller *controller);
 int plat_sound(const int16_t *lr, int frames);
 
 /* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder
- * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain). Saving makes the folders a name asks for. */
+ * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain); `pictures:NAME` is NAME in the folder
+ * Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the environment or user-dirs.dirs says, or
+ * ~/Pictures; without a home, the current folder). Saving makes the folders a name asks for. */
+
+/* Writes the path by which the user finds the file of a name, from the root where that can be told. False: there is
+ * none, or it does not fit. */
+bool plat_path(const char *name, char *path, size_t size);
 
 /* Bytes of a file; -1: no such file (a folder is none). Of what is no file on a disk, such as a pipe: 0. */
 long plat_size(const char *name);
@@ -169,6 +175,17 @@ struct plat_file {
 
 /* Calls each for every entry of a folder, in any order, but . and .. ; returns how many, -1: cannot be read. */
 int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
+
+/* From now on, when the program is about to die of a fault of its own (desktop: SIGSEGV, SIGBUS, SIGFPE, SIGILL,
+ * SIGABRT), fn is called with what it was, as "SIGSEGV", and may write a file by handing out its bytes: STEM-N.txt,
+ * with the first N from 1 on that is free. Then a line says where that is, and the program dies as it would have. fn
+ * runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that of a file; fn
+ * NULL: no more. False: the host has nothing like it. */
+bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)));
+
+/* For reports: what the port is made with, as "SDL 2.28.5, x11", and what it runs on, as "Linux 6.1.0 x86_64". */
+void plat_about(char *text, size_t size);
+void plat_system(char *text, size_t size);
 
 /* One line, without its end, for whoever reads logs (desktop: stderr). */
 void plat_log(const char *line);

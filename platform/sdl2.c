@@ -576,6 +576,14 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 
 /* ---- clock and speaker ---- */
 
+void plat_about(char *text, size_t size)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+    SDL_version v;
+    SDL_GetVersion(&v);
+    snprintf(text, size, "SDL %d.%d.%d, %s", v.major, v.minor, v.patch, driver ? driver : "no window");
+}
+
 uint64_t plat_usec(void)
 {
     uint64_t f = SDL_GetPerformanceFrequency(), c = SDL_GetPerformanceCounter();

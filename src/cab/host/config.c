@@ -3,6 +3,7 @@
  */
 #include "config.h"
 #include "../../board/rom/manifest.h"
+#include "files.h"
 #include "views.h"
 
 #include <stdio.h>
@@ -197,15 +198,17 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 bool config_load(struct config *c, char *err, size_t err_size)
 {
     config_defaults(c);
+    char shown[FILES_PATH];
     long size = plat_size(CONFIG_FILE);
     if (size < 0)
         return true;
+    files_shown(CONFIG_FILE, shown);
     char *text = size <= CONFIG_BYTES ? malloc((size_t)size + 1) : 0;
     bool good = text && plat_load(CONFIG_FILE, text, (size_t)size) == size;
     if (!good)
-        snprintf(err, err_size, "%s: cannot be read, or larger than %d bytes", CONFIG_FILE, CONFIG_BYTES);
+        snprintf(err, err_size, "%s: cannot be read, or larger than %d bytes", shown, CONFIG_BYTES);
     else
-        good = config_read(c, CONFIG_FILE, text, (size_t)size, err, err_size);
+        good = config_read(c, shown, text, (size_t)size, err, err_size);
     free(text);
     return good;
 }

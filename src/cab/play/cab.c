@@ -157,7 +157,7 @@ static bool keeps_nvram(void)
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
 static void keep_damaged(const char *name, const uint8_t *image, size_t size)
 {
-    char beside[CAB_NAME + 32];
+    char beside[CAB_NAME + 32], shown[FILES_PATH], shown_beside[FILES_PATH];
 
     snprintf(beside, sizeof beside, "%s.damaged", name);
     for (int i = 2; plat_size(beside) >= 0; i++)
@@ -166,12 +166,12 @@ static void keep_damaged(const char *name, const uint8_t *image, size_t size)
     cab.no_scores = !kept; /* then the file is not written either */
     cab_say(kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
                  : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
-            name, beside);
+            files_shown(name, shown), files_shown(beside, shown_beside));
 }
 
 uint8_t *cab_load_nvram(struct board_start *start)
 {
-    char name[CAB_NAME];
+    char name[CAB_NAME], shown[FILES_PATH];
     nvram_name(name);
     long size = plat_size(name);
     if (start->nvram || start->practice.section[0] || cab.options.demo || size < 0)
@@ -179,7 +179,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
     size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
     uint8_t *image = malloc((size_t)size + 1);
     if (!image || plat_load(name, image, (size_t)size) != size) {
-        cab_say("curtain: %s: cannot be read; scores are not saved", name);
+        cab_say("curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
         cab.no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
@@ -193,7 +193,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
 
 void cab_save_nvram(void)
 {
-    char name[CAB_NAME], err[CAB_NAME + 128];
+    char name[CAB_NAME], err[FILES_ERR];
     uint32_t changed;
     size_t size;
     const uint8_t *image = board_nvram(cab_live(), &size, &changed);
@@ -302,7 +302,7 @@ void cab_take_lang(struct board_start *start)
 
 enum result cab_play(const struct cab_options *options)
 {
-    char err[512];
+    char err[FILES_ERR + CONFIG_LINE];
     memset(&cab, 0, sizeof cab);
     cab.options = *options;
     cab.start = options->start;

@@ -10,6 +10,7 @@
 #include "../overlay/prompt.h"
 #include "cab.h"
 #include "../host/config.h"
+#include "../host/files.h"
 #include "../overlay/console.h"
 #include "../host/folder.h"
 #include "../run/guard.h"
@@ -89,7 +90,7 @@ struct cab {
     uint32_t differs; /* the value of session.differs that was last reported */
     int since_check;  /* frames since the folder was last looked at */
     bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
-    char notice[DEMO_PATH + 128];
+    char notice[FILES_PATH + 256];
     int notice_left;     /* frames; -1: until a reload works */
     bool fault_reported; /* of the fault that the board has now */
     bool quit;
@@ -130,8 +131,9 @@ const struct board_fault *cab_fault(void);
 /* Flags the recording: slow motion or steps were used. */
 void cab_mark_assisted(void);
 
-/* Finds a name "ID-N.what" that no file in the current folder has. */
-void cab_free_name(char name[CAB_NAME], const char *what);
+/* Finds a name "ID-N.what" that no file of a folder has: where is what stands before it, "pictures:", or "" for the
+ * current one. */
+void cab_free_name(char name[CAB_NAME], const char *where, const char *what);
 
 /* Writes to the log what scripts printed in the last tick. */
 void cab_log_lines(const struct board_out *out);
@@ -219,7 +221,8 @@ void cab_picture_show(struct picture *p);
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
 bool cab_timebar_shown(void);
 
-/* Saves the board's picture, without the overlay and as no view changes it, under the first free number. */
+/* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
+ * number, and says where. */
 void cab_screenshot(struct picture *p);
 
 /* ---- cab_keys.c ---- */

@@ -202,12 +202,11 @@ void cab_screenshot(struct picture *p)
     const struct board *b = board_seen();
     const struct fb *fb = b ? &p->composed : &p->fb;
     const uint32_t *rgb = b ? p->composed_rgb : p->rgb;
-    char name[CAB_NAME];
-    char err[CAB_NAME + 128];
+    char name[CAB_NAME], shown[FILES_PATH], err[FILES_ERR];
     uint8_t *png;
     size_t size;
 
-    cab_free_name(name, "png");
+    cab_free_name(name, "pictures:", "png");
     if (b)
         board_draw(b, NULL, &p->composed, p->composed_rgb, p->scratch);
     if (!png_write(fb->pix, fb->pitch, fb->w, fb->h, rgb, &png, &size)) {
@@ -215,6 +214,7 @@ void cab_screenshot(struct picture *p)
         return;
     }
     bool good = files_save(name, png, size, err, sizeof err);
-    cab_say(good ? "wrote %s" : "curtain: %s", good ? name : err);
+    cab_say(good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
+    cab_notice(CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
     free(png);
 }
