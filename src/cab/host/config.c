@@ -8,19 +8,32 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const char *const turns[] = { "none", "left", "right", "over", NULL };
+static const char *const scalings[] = { "whole", "smooth", NULL };
+static const char *const places[] = { "over", "beside", NULL };
+
 static const struct setting {
     const char *name;
     size_t at; /* an int of struct config */
     int lo, hi, standard;
     bool yes_no;
     const char *help;
+    const char *const *words; /* NULL, or what it is one of, up to a NULL: the value is the index */
 } settings[] = {
-    { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits" },
-    { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent" },
-    { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound" },
-    { "resample", offsetof(struct config, resample), 0, 1, 1, true,
-      "no: sound to the bit, and the card's clock leads" },
-    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen" },
+    { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits", NULL },
+    { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent", NULL },
+    { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound", NULL },
+    { "resample", offsetof(struct config, resample), 0, 1, 1, true, "no: sound to the bit, and the card's clock leads",
+      NULL },
+    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen", NULL },
+    { "turn", offsetof(struct config, turn), 0, 3, 0, false, "turn the picture, for an upright monitor", turns },
+    { "scaling", offsetof(struct config, scaling), 0, 1, 0, false, "smooth: as large as the window allows", scalings },
+    { "crt", offsetof(struct config, crt), 0, 1, 0, true, "the lines and the mask of a tube", NULL },
+    { "border", offsetof(struct config, border), 0, 1, 1, true, "art round the picture, of games that bring it", NULL },
+    { "vsync", offsetof(struct config, vsync), 0, 1, 1, true, "show pictures when the screen takes them", NULL },
+    { "run_ahead", offsetof(struct config, run_ahead), 0, 1, 0, false, "show the frame after this: answers sooner",
+      NULL },
+    { "panels", offsetof(struct config, panels), 0, 1, 0, false, "messages and panels, if the window is wide", places },
 };
 
 enum { SETTINGS = sizeof settings / sizeof *settings };
@@ -54,6 +67,48 @@ static bool yes_no(const char *s, int *v)
     return *v || strcmp(s, "no") == 0;
 }
 
+static bool word(const char *s, const char *const *words, int *v)
+{
+    for (int i = 0; words[i]; i++)
+        if (strcmp(s, words[i]) == 0) {
+            *v = i;
+            return true;
+        }
+    return false;
+}
+
+/* "none, left, right" with `and`, a word, before the last one. */
+static void list_words(const char *const *words, const char *and, char *out, size_t size)
+{
+    size_t n = 0;
+
+    out[0] = 0;
+    for (int i = 0; words[i] && n < size; i++) {
+        const char *between = i == 0 ? "" : words[i + 1] ? ", " : and;
+        n += (size_t)snprintf(out + n, size - n, "%s%s", between, words[i]);
+    }
+}
+
+static bool read_value(struct config *c, const struct setting *s, const char *value)
+{
+    int *v = value_of(c, s);
+
+    return s->words ? word(value, s->words, v) : s->yes_no ? yes_no(value, v) : number(value, s->lo, s->hi, v);
+}
+
+static void expected(const struct setting *s, const char *value, char *err, size_t err_size)
+{
+    char list[128];
+
+    if (s->words)
+        list_words(s->words, " or ", list, sizeof list);
+    else if (s->yes_no)
+        snprintf(list, sizeof list, "yes or no");
+    else
+        snprintf(list, sizeof list, "a number from %d to %d", s->lo, s->hi);
+    snprintf(err, err_size, "%s: expected %s, got \"%s\"", s->name, list, value);
+}
+
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
 {
     if (value[0] && !manifest_word_ok(value)) {
@@ -70,12 +125,9 @@ static bool set(struct config *c, const char *name, const char *value, char *err
         const struct setting *s = &settings[i];
         if (strcmp(name, s->name) != 0)
             continue;
-        if (s->yes_no ? yes_no(value, value_of(c, s)) : number(value, s->lo, s->hi, value_of(c, s)))
+        if (read_value(c, s, value))
             return true;
-        if (s->yes_no)
-            snprintf(err, err_size, "%s: expected yes or no, got \"%s\"", name, value);
-        else
-            snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", name, s->lo, s->hi, value);
+        expected(s, value, err, err_size);
         return false;
     }
     if (strcmp(name, "lang") == 0)
@@ -153,10 +205,14 @@ bool config_load(struct config *c, char *err, size_t err_size)
 
 void config_help(void (*line)(const char *))
 {
-    char text[128], value[32];
+    char text[256], value[160];
     for (int i = 0; i < SETTINGS; i++) {
         const struct setting *s = &settings[i];
-        if (s->yes_no)
+        if (s->words) {
+            char list[128];
+            list_words(s->words, ", ", list, sizeof list);
+            snprintf(value, sizeof value, "%s (%s)", s->words[s->standard], list);
+        } else if (s->yes_no)
             snprintf(value, sizeof value, "%s", s->standard ? "yes (or no)" : "no (or yes)");
         else
             snprintf(value, sizeof value, "%d (%d to %d)", s->standard, s->lo, s->hi);

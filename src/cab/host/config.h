@@ -22,6 +22,9 @@
 
 #define CONFIG_FILE "user:curtain.conf"
 
+enum scaling { SCALING_WHOLE, SCALING_SMOOTH };
+enum panels { PANELS_OVER, PANELS_BESIDE };
+
 enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
 
 struct config {
@@ -31,6 +34,13 @@ struct config {
     int mute;       /* 0 or 1 */
     int resample;   /* 0 or 1 */
     int fullscreen; /* 0 or 1 */
+    int turn;       /* enum quarter */
+    int scaling;    /* enum scaling */
+    int crt;        /* 0 or 1 */
+    int border;     /* 0 or 1 */
+    int vsync;      /* 0 or 1 */
+    int run_ahead;  /* frames: 0 or 1 */
+    int panels;     /* enum panels */
     char lang[16];  /* of games that have it; "": none */
 };
 
