@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other sixteen have defaults in stdio.c, which is linked with
+ * To port: copy template.c, write its six functions. The other nineteen have defaults in stdio.c, which is linked with
  * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a
  * compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
@@ -74,7 +74,9 @@ struct plat_controller {
 struct plat_want {
     int w, h;  /* the picture */
     int scale; /* window pixels a picture pixel; 0: the largest that is comfortable on this screen */
+    bool any;  /* with scale 0: it need be no whole number */
     bool fullscreen;
+    bool vsync;        /* showing a picture is to wait until the screen takes it, if the port can and knows its rate */
     bool text;         /* plat_input.text is wanted; else input methods stay out of the way */
     const char *title; /* NULL: none */
     int rate;          /* sound frames a second; 0: no sound: no speaker is touched */
@@ -85,8 +87,9 @@ struct plat_input {
     uint8_t keys[PLAT_KEYS / 8];            /* held: usage u is bit u & 7 of byte u >> 3 */
     uint32_t controllers[PLAT_CONTROLLERS]; /* held: bit numbers of enum plat_switch; 0 when there is none */
     bool quit;                              /* the host wants us gone: stays set */
-    bool focus;                             /* keys reach us */
-    int mouse_x, mouse_y;                   /* picture pixels; -1, -1: not on the picture */
+    bool focus;                             /* keys reach us; a host that cannot tell says so always */
+    bool hidden;                            /* nobody sees the window: it is minimised; false if that is not known */
+    int mouse_x, mouse_y;                   /* pixels of what was shown last; -1, -1: not on it */
     uint8_t mouse;                          /* held: bit 0 left, 1 right, 2 middle */
     int wheel;                              /* notches since the last poll, up is positive */
     char text[PLAT_TEXT]; /* what was typed since the last poll: UTF-8, whole characters, ends in NUL */
@@ -123,6 +126,24 @@ void plat_wait(uint64_t until);
 /* For plat_show of a port whose screen has no palette: out[y * out_pitch + x] = rgb[pix[y * pitch + x]]. out_pitch is
  * in pixels. What rgb holds is the port's: bits of its own beside 0xRRGGBB, or another order. */
 void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
+
+/* For plat_open of a port with windows, and want->scale 0 or not: the window's size for want where there is room for so
+ * many pixels, borders and title deducted. Scale 0 is the largest one that fits, a whole number or, with `any`, a
+ * multiple of a quarter, and never less than 1. */
+void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h);
+
+/* What is known of the open window; false: nothing. */
+struct plat_window {
+    int w, h;    /* pixels of what plat_paint fills */
+    int refresh; /* of the screen it is on, in thousandths of a Hz; 0: unknown */
+    bool waits;  /* showing a picture returns when the screen takes it, at a refresh */
+};
+bool plat_window(struct plat_window *out);
+
+/* Shows a picture of full colours, 0xRRGGBB, over the whole window, stretched if it is not as large. pitch is in pixels.
+ * False: the port only has plat_show. The cabinet asks for it where plat_window is known and there is more to show than
+ * plat_show can: a picture turned, smooth, with lines, a border, or panels beside it. */
+bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
 
 /* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
  * from here, so what must happen at the end, frame does before it returns false. */

@@ -3,8 +3,8 @@
  * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
- * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _CONTROLLER, _SOUND, _LOG, _CRASH, _ABOUT, _SYSTEM and
- * _FILES (path, size, load, save, append, remove and list together).
+ * out that the port has, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _LOOP, _ALARM, _CONTROLLER, _SOUND, _LOG, _CRASH,
+ * _ABOUT, _SYSTEM and _FILES (path, size, load, save, append, remove and list together).
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
 #define _XOPEN_SOURCE 700
@@ -83,6 +83,40 @@ DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitc
         while (left-- > 0)
             *to++ = rgb[*from++];
     }
+}
+#endif
+
+#ifndef PLAT_OWN_FIT
+/* In quarters of the picture's size. */
+DEFAULT void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h)
+{
+    const long fits_w = 4L * room_w / want->w, fits_h = 4L * room_h / want->h;
+    long quarters = want->scale > 0 ? 4L * want->scale : fits_w < fits_h ? fits_w : fits_h;
+
+    if (want->scale <= 0 && !want->any)
+        quarters -= quarters % 4;
+    quarters = quarters < 4 ? 4 : quarters;
+    *w = (int)(want->w * quarters / 4);
+    *h = (int)(want->h * quarters / 4);
+}
+#endif
+
+#ifndef PLAT_OWN_WINDOW
+DEFAULT bool plat_window(struct plat_window *out)
+{
+    (void)out;
+    return false;
+}
+#endif
+
+#ifndef PLAT_OWN_PAINT
+DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+{
+    (void)rgb;
+    (void)pitch;
+    (void)w;
+    (void)h;
+    return false;
 }
 #endif
 

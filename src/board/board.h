@@ -241,6 +241,12 @@ size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);
 
+/* What the last tick handed out stands outside the snapshot, and a restore clears it. For who goes back a frame and is
+ * to find it as it was: put aside beside the snapshot, and put back after its restore. */
+size_t board_output_size(void);
+void board_output_save(const struct board *b, void *buf);
+void board_output_restore(struct board *b, const void *buf);
+
 /* The nvram image, *size bytes, portable between hosts; *changed counts the writes since power-on. */
 const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);
 

@@ -71,7 +71,8 @@ static void draw(struct bed *t, int y0, int y1, int mouse_x, int mouse_y)
 {
     board_draw(t->r.b, NULL, &t->r.fb, t->rgb, t->r.scratch);
     canvas_open(&t->canvas, &t->r.fb, t->rgb);
-    overlay_draw(&t->o, &t->canvas, y0, y1, t->r.b, mouse_x, mouse_y);
+    const struct overlay_place at = { &t->canvas, NULL, y0, y1 };
+    overlay_draw(&t->o, &at, t->r.b, mouse_x, mouse_y);
 }
 
 static bool sees(const struct bed *t, const char *text)
@@ -294,7 +295,8 @@ static void the_game_does_not_notice(void **state)
         board_draw(a.board, NULL, &t->r.fb, t->rgb, t->r.scratch);
         overlay_lap(&t->o, SPLIT_DRAW);
         canvas_open(&t->canvas, &t->r.fb, t->rgb);
-        overlay_draw(&t->o, &t->canvas, 0, 320, a.board, f, f);
+        const struct overlay_place at = { &t->canvas, NULL, 0, 320 };
+        overlay_draw(&t->o, &at, a.board, f, f);
         overlay_lap(&t->o, SPLIT_SHOW);
         overlay_end(&t->o);
         guard_tick(&b, none);

@@ -14,6 +14,9 @@ static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const aways[] = { "go-on", "stop", NULL };
 static const char *const focus_words[] = { "hold", "toggle", NULL };
 static const char *const hand_words[] = { "no", "left", "right", NULL }; /* enum keys_hand */
+static const char *const turns[] = { "none", "left", "right", "over", NULL };
+static const char *const scalings[] = { "whole", "smooth", NULL };
+static const char *const places[] = { "over", "beside", NULL };
 static const char *const speeds[] = { "full", "half", "quarter", NULL };
 
 #define AT(field) offsetof(struct config, field)
@@ -21,6 +24,18 @@ static const struct config_setting settings[] = {
     { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
       "x", "what fits" },
     { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen", NULL, NULL },
+    { "turn", "turned", "picture", AT(turn), 0, 3, 0, turns, 1, "the picture, for an upright monitor", NULL, NULL },
+    { "scaling", "scaling", "picture", AT(scaling), 0, 1, 0, scalings, 1, "smooth: as large as the window allows", NULL,
+      NULL },
+    { "crt", "tube", "picture", AT(crt), 0, 1, 0, no_yes, 1, "the lines and the mask of a tube", NULL, NULL },
+    { "border", "border", "picture", AT(border), 0, 1, 1, no_yes, 1, "art round the picture, of games that bring it",
+      NULL, NULL },
+    { "panels", "panels", "picture", AT(panels), 0, 1, 0, places, 1, "messages and panels, if the window is wide", NULL,
+      NULL },
+    { "vsync", "wait for the screen", "picture", AT(vsync), 0, 1, 1, no_yes, 1,
+      "show pictures when the screen takes them", NULL, NULL },
+    { "run_ahead", "run ahead", "picture", AT(run_ahead), 0, 1, 0, NULL, 1,
+      "frames: 1 shows the frame after this, and answers sooner", NULL, NULL },
     { "dim", "background", "seeing", AT(dim), 0, 3, 0, views_dim, 1,
       "backgrounds darker, by a quarter to three quarters", NULL, NULL },
     { "flashes", "flashes", "seeing", AT(flashes), 0, 1, 0, views_flashes, 1, "of the screen; soft: at a quarter", NULL,

@@ -22,6 +22,9 @@
 
 #define CONFIG_FILE "user:curtain.conf"
 
+enum scaling { SCALING_WHOLE, SCALING_SMOOTH };
+enum panels { PANELS_OVER, PANELS_BESIDE };
+
 enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
 
 struct config {
@@ -33,6 +36,13 @@ struct config {
     int sounds;                                      /* percent, of volume */
     int resample;                                    /* 0 or 1 */
     int fullscreen;                                  /* 0 or 1 */
+    int turn;                                        /* enum quarter */
+    int scaling;                                     /* enum scaling */
+    int crt;                                         /* 0 or 1 */
+    int border;                                      /* 0 or 1 */
+    int vsync;                                       /* 0 or 1 */
+    int run_ahead;                                   /* frames: 0 or 1 */
+    int panels;                                      /* enum panels */
     int speed;                                       /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
     int away;                                        /* 0 or 1: stop when the window loses the keys */
     int dim, flashes, colours;                       /* as in views.h */

@@ -10,7 +10,7 @@ enum { MAX_SLOW = 4, LOUDER = 10 /* percent, a press */ };
 
 static void reopen(void)
 {
-    cab.want.fullscreen = !cab.want.fullscreen;
+    cab.config.fullscreen = !cab.config.fullscreen;
     cab.quit = !cab_open_window() || cab.quit;
 }
 
@@ -146,6 +146,7 @@ void cab_poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab_window_mouse(&in.mouse_x, &in.mouse_y);
     cab.stands = false;
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;

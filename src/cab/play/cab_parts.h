@@ -1,7 +1,8 @@
 /*
  * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
- * time, reload), cab_practice.c (the practice menu), cab_show.c (window and picture), cab_keys.c (switches), cab_pads.c
- * (controllers, and how players press).
+ * time, reload), cab_practice.c (the practice menu), cab_show.c (the picture and what is over it), cab_window.c (the
+ * window), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
+ * players press).
  * floor: cab
  */
 #ifndef CAB_CAB_PARTS_H
@@ -13,6 +14,9 @@
 #include "../host/files.h"
 #include "../overlay/console.h"
 #include "../host/folder.h"
+#include "../host/pace.h"
+#include "../picture/compose.h"
+#include "../run/ahead.h"
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
 #include "../pack/shade.h"
@@ -42,14 +46,37 @@ struct picture {
     void *scratch;
     uint32_t rgb[256], composed_rgb[256];
     struct shade_kept shades;
+    bool ahead; /* fb is the picture of the frame after the present one */
+};
+
+/* The window, and how the last picture was shown in it. */
+struct cab_window {
+    struct compose compose;
+    struct border border; /* of the ROM; rgba NULL: it has none */
+    uint8_t *border_rgba; /* malloc */
+    bool border_read;
+    uint32_t border_crc;     /* of the ROM it was read from */
+    int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it does at once */
+    bool composes;           /* this picture will be composed */
+    bool cannot;             /* the port has no plat_paint, or there is no memory */
+    bool composed;           /* the last one was */
+    enum quarter shown_turn; /* if not, how it was turned */
+    int w, h;                /* its size, not turned; 0: none was shown */
+    uint8_t *turned;         /* malloc */
+    size_t turned_room;
+    struct fb side; /* beside the picture */
+    void *side_memory;
+    bool has_side;
 };
 
 /* The cabinet's state. It is one static struct because the host's own timer may call frame(), without a context. */
 struct cab {
     struct cab_options options;
     struct board_start start;
-    uint8_t *nvram; /* what start.nvram points to, if the cabinet loaded it; malloc */
-    struct config config;
+    uint8_t *nvram;       /* what start.nvram points to, if the cabinet loaded it; malloc */
+    struct config config; /* as it is now */
+    struct config kept,
+        before; /* as it is in the file, or goes there; as it was when a screen of settings was opened */
     struct plat_want want;
     char title[sizeof((struct manifest *)0)->title];
     struct session session;
@@ -58,11 +85,15 @@ struct cab {
     bool attracting;
     struct speaker speaker;
     struct picture picture;
-    uint64_t base;        /* usec: when frame 0 was due */
-    uint64_t frames;      /* counted from base: the next one that is due */
-    int since_save;       /* frames since nvram was last looked at */
-    uint32_t nvram_saved; /* board_nvram's count when it was last saved */
-    bool no_scores;       /* the score file could not be read: it is left as it is */
+    struct cab_window window;
+    struct pace pace;
+    uint64_t frames; /* of the cabinet, since the beginning */
+    struct ahead ahead;
+    uint16_t last_pads[PADS]; /* of the last tick */
+    bool ticked;              /* the live board did, in this frame */
+    int since_save;           /* frames since nvram was last looked at */
+    uint32_t nvram_saved;     /* board_nvram's count when it was last saved */
+    bool no_scores;           /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct screens screens;
     bool stands;          /* the board does in this frame, for a screen is open or was */
@@ -204,15 +235,13 @@ void cab_screens_foot(char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 
+/* Looks a frame ahead if that is wanted, and goes back: between them everything is drawn. */
+void cab_look_ahead(void);
+void cab_look_back(void);
+
 /* Allocates the pictures of a board. False: not enough memory. */
 bool cab_picture_open(struct picture *p, const struct board *b);
 void cab_picture_close(struct picture *p);
-
-/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
-int cab_sound_rate(void);
-
-/* Opens the window, or changes it, as cab.want and the game's manifest say. False: there is none. */
-bool cab_open_window(void);
 
 /* Draws the board that is to be seen; shows the picture with the overlay on it. */
 void cab_picture_draw(struct picture *p);
@@ -224,6 +253,26 @@ bool cab_timebar_shown(void);
 /* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
  * number, and says where. */
 void cab_screenshot(struct picture *p);
+
+/* ---- cab_window.c ---- */
+
+/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
+int cab_sound_rate(void);
+
+/* Opens the window, or changes it, as cab.config and the game's manifest say: at any time. False: there is none. */
+bool cab_open_window(void);
+void cab_window_close(void);
+
+/* To be called before a picture of w x h is shown: looks how large the window is. Afterwards cab_window_side is what can
+ * be drawn on beside the picture, in its colours; NULL: there is no room, or it is not wanted. */
+void cab_window_begin(int w, int h);
+struct fb *cab_window_side(void);
+
+/* Shows a picture; side: and what stands beside it. */
+void cab_window_show(const struct fb *fb, const uint32_t rgb[256], bool side);
+
+/* From what plat_input says to a pixel of the picture; -1, -1: none. */
+void cab_window_mouse(int *x, int *y);
 
 /* ---- cab_keys.c ---- */
 

@@ -224,6 +224,8 @@ void cab_tick(void)
         return;
     if (!cab.session.demo)
         cab_pads_tick(pads);
+    memcpy(cab.last_pads, pads, sizeof pads);
+    cab.ticked = true;
     cab_check_recording(session_tick(&cab.session, pads));
     report_difference();
     handle_output();
@@ -328,6 +330,7 @@ void cab_check_folder(void)
 static void finish_reload(void)
 {
     const struct manifest *m = &cab_cart()->m;
+    const int w = cab.picture.fb.w, h = cab.picture.fb.h;
 
     if (cab.attracting) /* its board reads the ROM that is freed */
         cab_attract_end();
@@ -340,8 +343,7 @@ static void finish_reload(void)
         cab.quit = true;
         return;
     }
-    if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0 ||
-        cab.want.rate != cab_sound_rate())
+    if (w != m->screen_w || h != m->screen_h || strcmp(cab.title, m->title) != 0 || cab.want.rate != cab_sound_rate())
         cab.quit = !cab_open_window() || cab.quit;
     cab_say("curtain: %s: reloaded", cab_game());
     if (cab.session.gone[0])

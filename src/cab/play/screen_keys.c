@@ -171,6 +171,7 @@ static void closed(void *of)
 {
     (void)of;
     wait.listening = false;
+    memcpy(cab.kept.keys.code, cab.config.keys.code, sizeof cab.kept.keys.code);
     cab_save_settings();
 }
 
