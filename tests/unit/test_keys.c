@@ -540,7 +540,7 @@ static void help_has_them_all(void **state)
     keys_help(count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
-    assert_int_equal(lines, KEYS_ACTIONS + 20);
+    assert_int_equal(lines, KEYS_ACTIONS + 27);
 }
 
 int main(void)

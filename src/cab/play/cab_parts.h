@@ -73,10 +73,8 @@ struct cab_window {
 struct cab {
     struct cab_options options;
     struct board_start start;
-    uint8_t *nvram;       /* what start.nvram points to, if the cabinet loaded it; malloc */
-    struct config config; /* as it is now */
-    struct config kept,
-        before; /* as it is in the file, or goes there; as it was when a screen of settings was opened */
+    uint8_t *nvram;             /* what start.nvram points to, if the cabinet loaded it; malloc */
+    struct config config, kept; /* as it is now; as it is in the file, or goes there */
     struct plat_want want;
     char title[sizeof((struct manifest *)0)->title];
     struct session session;
