@@ -10,7 +10,7 @@ enum { MAX_SLOW = 4, LOUDER = 10 /* percent, a press */ };
 
 static void reopen(void)
 {
-    cab.want.fullscreen = !cab.want.fullscreen;
+    cab.config.fullscreen = !cab.config.fullscreen;
     cab.quit = !cab_open_window() || cab.quit;
 }
 
@@ -146,12 +146,15 @@ void cab_poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab_window_mouse(&in.mouse_x, &in.mouse_y);
     cab.stands = false;
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
-    keys_read(&cab.config.keys, &in,
-              k); /* also while the prompt is open: the key that closes it must not be read afterwards */
+    cab_seats_poll(&in);
+    /* Also while the prompt is open: the key that closes it must not be read afterwards. */
+    keys_read(&cab.config.keys, &in, &cab.seats, k);
+    cab_seats_told(k);
     if (prompt_keys(&in)) {
         memset(k, 0, sizeof *k);
         return;

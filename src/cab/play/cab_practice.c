@@ -39,6 +39,7 @@ static void power_anew(struct board_start start)
     cab.fault_reported = cab.paused = cab.scrubbed = false;
     cab.timebar_left = cab.slow_frames = 0;
     memset(cab.pads, 0, sizeof cab.pads);
+    cab_pads_power();
     practice_began(&cab.practice, &start);
     if (cab.slow > 1)
         cab_mark_assisted();

@@ -275,8 +275,8 @@ static void describe_section(const struct practice_menu *m, const struct section
         row->value_ink = CANVAS_GREY;
         return;
     }
-    snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "stage " : "  ", section->name,
-             titled ? "  " : "", section->title);
+    snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "stage " : "  ", section->name, titled ? "  " : "",
+             section->title);
     snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
     if (m->records.damaged)
         snprintf(row->help, sizeof row->help, "not counted: the file of tries is damaged");
