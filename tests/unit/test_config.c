@@ -120,12 +120,23 @@ static void a_line_never_gets_too_long(void **state)
     edits(was, "volume = 77", want);
 }
 
+static char folder[256], path[400];
+
+/* err is this of the settings file. */
+static void says(const char *want)
+{
+    char whole[600];
+
+    snprintf(whole, sizeof whole, "%s%s", path, want);
+    assert_string_equal(err, whole);
+}
+
 static void refused(const char *was, size_t n, const char *want)
 {
     struct config c = read_text("volume = 7");
 
     assert_null(config_edit(&c, was, n, err, sizeof err));
-    assert_string_equal(err, want);
+    says(want);
 }
 
 static void what_is_not_right_is_refused(void **state)
@@ -133,11 +144,11 @@ static void what_is_not_right_is_refused(void **state)
     char *large = malloc(CONFIG_BYTES);
 
     (void)state;
-    refused("scael = 3\n", 10, CONFIG_FILE ":1: no setting is called \"scael\"");
-    refused("mute = no\n\0", 11, CONFIG_FILE ":2: not a line of text");
+    refused("scael = 3\n", 10, ":1: no setting is called \"scael\"");
+    refused("mute = no\n\0", 11, ":2: not a line of text");
     assert_non_null(large);
     memset(large, '\n', CONFIG_BYTES);
-    refused(large, CONFIG_BYTES, CONFIG_FILE ": would be larger than 65536 bytes");
+    refused(large, CONFIG_BYTES, ": would be larger than 65536 bytes");
     free(large);
 }
 
@@ -252,8 +263,8 @@ static void no_damage_is_more_than_a_sentence(void **state)
             assert_true(equal(&c, &again));
         } else {
             refusals++;
-            assert_false(config_read(&again, CONFIG_FILE, text, n, err, sizeof err));
-            assert_memory_equal(err, CONFIG_FILE ":", sizeof CONFIG_FILE);
+            assert_false(config_read(&again, path, text, n, err, sizeof err));
+            assert_memory_equal(err, path, strlen(path));
         }
         free(next);
         free(text);
@@ -262,8 +273,6 @@ static void no_damage_is_more_than_a_sentence(void **state)
 }
 
 /* ---- the file ---- */
-
-static char folder[256], path[400];
 
 static void write_file(const char *text)
 {
@@ -305,7 +314,7 @@ static void the_file(void **state)
     assert_int_equal(c.volume, 90);
     write_file("musik = 60 # so\n");
     assert_false(config_save(&c, err, sizeof err));
-    assert_string_equal(err, CONFIG_FILE ":1: no setting is called \"musik\"");
+    says(":1: no setting is called \"musik\"");
     file_is("musik = 60 # so\n");
 }
 
@@ -332,16 +341,11 @@ static int close_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_stands_there_stays),
-        cmocka_unit_test(the_last_line_counts),
-        cmocka_unit_test(a_new_line_comes_at_the_end),
-        cmocka_unit_test(lines_end_as_they_did),
-        cmocka_unit_test(a_line_never_gets_too_long),
-        cmocka_unit_test(what_is_not_right_is_refused),
-        cmocka_unit_test(no_name_means_two_things),
-        cmocka_unit_test(what_is_written_is_read),
-        cmocka_unit_test(no_damage_is_more_than_a_sentence),
-        cmocka_unit_test_setup_teardown(the_file, open_folder, close_folder),
+        cmocka_unit_test(what_stands_there_stays),           cmocka_unit_test(the_last_line_counts),
+        cmocka_unit_test(a_new_line_comes_at_the_end),       cmocka_unit_test(lines_end_as_they_did),
+        cmocka_unit_test(a_line_never_gets_too_long),        cmocka_unit_test(what_is_not_right_is_refused),
+        cmocka_unit_test(no_name_means_two_things),          cmocka_unit_test(what_is_written_is_read),
+        cmocka_unit_test(no_damage_is_more_than_a_sentence), cmocka_unit_test(the_file),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, open_folder, close_folder);
 }
