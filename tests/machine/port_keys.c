@@ -1,6 +1,6 @@
 /*
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
- * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, @X,Y for the mouse there with
+ * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, f when another window has the keys, @X,Y for the mouse there with
  * its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to the end of the line; at its end the
  * port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its first 8
  * rows, where the cabinet writes its words, and its last 16, where it draws the bar of time. With KEYS_WHOLE set the
@@ -49,6 +49,8 @@ void plat_poll(struct plat_input *in)
             unsigned which = 1, bits = 0;
             if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)
                 in->controllers[which - 1] = bits;
+        } else if (word[0] == 'f') {
+            in->focus = false;
         } else {
             unsigned long usage = strtoul(word, NULL, 10);
             in->keys[usage >> 3 & 31] |= (uint8_t)(1u << (usage & 7));
