@@ -25,10 +25,8 @@ static const struct setting {
     { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, NULL, "start in fullscreen" },
     { "dim", offsetof(struct config, dim), 0, 3, 0, false, views_dim,
       "backgrounds darker, by a quarter to three quarters" },
-    { "flashes", offsetof(struct config, flashes), 0, 1, 0, false, views_flashes,
-      "of the screen; soft: at a quarter" },
-    { "colours", offsetof(struct config, colours), 0, 3, 0, false, views_colours,
-      "for eyes that tell fewer apart" },
+    { "flashes", offsetof(struct config, flashes), 0, 1, 0, false, views_flashes, "of the screen; soft: at a quarter" },
+    { "colours", offsetof(struct config, colours), 0, 3, 0, false, views_colours, "for eyes that tell fewer apart" },
     { "hitbox", offsetof(struct config, hitbox), 0, 1, 0, true, NULL, "the ship's hit shape, always" },
 };
 
@@ -96,7 +94,7 @@ static bool set(struct config *c, const char *name, const char *value, char *err
         const struct setting *s = &settings[i];
         if (strcmp(name, s->name) != 0)
             continue;
-        if (s->words          ? word(s->words, value, value_of(c, s))
+        if (s->words    ? word(s->words, value, value_of(c, s))
             : s->yes_no ? yes_no(value, value_of(c, s))
                         : number(value, s->lo, s->hi, value_of(c, s)))
             return true;
@@ -193,9 +191,9 @@ void config_help(void (*line)(const char *))
             snprintf(value, sizeof value, "%s", s->standard ? "yes (or no)" : "no (or yes)");
         else
             snprintf(value, sizeof value, "%d (%d to %d)", s->standard, s->lo, s->hi);
-        snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
+        snprintf(text, sizeof text, "  %-11s %-38s %s", s->name, value, s->help);
         line(text);
     }
-    snprintf(text, sizeof text, "  %-11s %-30s %s", "lang", "(none)", "language, of the games that have it");
+    snprintf(text, sizeof text, "  %-11s %-38s %s", "lang", "(none)", "language, of the games that have it");
     line(text);
 }

@@ -32,9 +32,10 @@ struct config {
     int mute;       /* 0 or 1 */
     int resample;   /* 0 or 1 */
     int fullscreen; /* 0 or 1 */
+    char lang[16];  /* of games that have it; "": none */
+
     int dim, flashes, colours; /* as in views.h */
     int hitbox;                /* 0 or 1 */
-    char lang[16];  /* of games that have it; "": none */
 };
 
 void config_defaults(struct config *c);
