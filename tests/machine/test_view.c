@@ -130,9 +130,12 @@ static void play(const char *name, const char *section, const char *demo, uint32
     struct demo d = { 0 };
     struct rng rng;
     uint16_t pads[PADS] = { 0 };
+    uint8_t made[CART_SHADES];
 
     rig_folder(&g, name);
+    shade_make(cart_palette(&g.cart, "main"), made);
     assert_non_null(g.cart.shades); /* what is packed has them */
+    assert_memory_equal(g.cart.shades, made, CART_SHADES);
     if (section)
         snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     for (int i = 0; i < g.cart.m.n_dips; i++)

@@ -19,7 +19,6 @@
  * alike little further, and makes more alike that was not. A row of numbers says what is added to a channel. Its sum is
  * 0, so a grey stays as it is.
  */
-#include "../../base/int.h"
 #include "../board.h"
 
 enum { LEVELS = 256, ONE = 65536 };
@@ -51,7 +50,7 @@ static const int32_t added[VIEW_COLOURS][3][3] = {
     [VIEW_TRITAN] = { { -8528, -20140, 28668 }, { 155, 22655, -22810 } },
 };
 
-/* The level whose light is nearest, the darker of two. */
+/* The level whose light is nearest, the darker of two; of what is beyond the ends the end. */
 static uint32_t level_of(int32_t light)
 {
     int lo = 0, hi = LEVELS - 1;
@@ -78,7 +77,7 @@ uint32_t view_colour(enum view_colours colours, uint32_t rgb)
     for (int c = 0; c < 3; c++) {
         const int32_t *share = added[colours][c];
         int64_t more = rounded(share[0] * light[0] + share[1] * light[1] + share[2] * light[2]);
-        out = out << 8 | level_of((int32_t)int64_clamp(light[c] + more, 0, linear[LEVELS - 1]));
+        out = out << 8 | level_of((int32_t)(light[c] + more));
     }
     return out;
 }
