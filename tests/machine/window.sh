@@ -150,6 +150,40 @@ play_at 2
 play_at 3
 play_at 2 601 777
 
+# How a player sees the picture is the window's: neither a screenshot nor the demo knows of it.
+seen_as() { # BYTES-AT-LEAST BYTES-AT-MOST: the window is seen/*.png below the words, but for so many bytes
+    local n
+    expected_rgb "$(echo seen/*.png)" 1 240 320 want.rgb && without_words want.rgb 240 320 0 0 240 8 &&
+        without_words got.rgb 240 320 0 0 240 8 || return 1
+    n=$(cmp -l got.rgb want.rgb | wc -l)
+    [ "$n" -ge "$1" ] && [ "$n" -le "$2" ] || { echo "$n bytes differ"; return 1; }
+}
+view_at() { # SETTINGS LEAST MOST OPTIONS-OF-RENDER...
+    local shot frame
+    rm -rf "$scratch/view" && mkdir -p "$scratch/view" "$scratch/data/curtain" && cd "$scratch/view" || exit 2
+    tr , '\n' <<<"$1" >"$scratch/data/curtain/curtain.conf"
+    start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --stage one --record one.demo || return
+    rounds 20
+    for key in p period F12; do
+        xdotool key --delay 100 $key
+        rounds 5
+    done
+    check "$1: a screenshot" soon grep -q "^wrote " "$scratch/err"
+    shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
+    check "$1: the window" window_rgb got.rgb
+    stop
+    rm "$scratch/data/curtain/curtain.conf"
+    frame=$("$curtain" hash "$play_rom" --demo one.demo | tail -1 | cut -d' ' -f1)
+    check "$1: frame $frame" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" -o plain
+    check "$1: the same seen so" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" "${@:4}" -o seen
+    check "$1: the window shows it" seen_as "$2" "$3"
+    check "$1: the screenshot is the plain picture" cmp "$shot" "$(echo plain/*.png)"
+    check "$1: the demo holds" "$curtain" verify "$play_rom" one.demo
+}
+view_at "dim = half,colours = protan,flashes = soft" 0 0 --dim half --colours protan --flashes soft
+view_at "dim = most,colours = tritan" 0 0 --dim most --colours tritan
+view_at "hitbox = yes" 60 156 # its 52 pixels, of three bytes each, where they are other than the ship's
+
 # Keys start the game: from the title through the menus into the stage.
 cd "$scratch" || exit 2
 if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --record keys.demo; then

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/board/view.h"
+#include "../../src/board/board.h"
 #include "../../src/cab/host/config.h"
 
 static char err[256];

@@ -14,7 +14,7 @@
 #define CAB_CANVAS_H
 
 #include "../../../fb/fb.h"
-#include "../../board/view.h"
+#include "../../board/board.h"
 
 enum canvas_colour {
     CANVAS_DARK, /* the background of text */
