@@ -212,6 +212,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
+$(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 

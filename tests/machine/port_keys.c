@@ -2,8 +2,7 @@
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed
  * then, to the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture
- * shown, a line: a hash of it without its first 8 rows, where the cabinet writes its words, and its last 16, where it
- * draws the bar of time. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
+ * shown, a line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
  * picture.ppm.
  * floor: tests
  */
@@ -75,7 +74,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 
     if (ppm && atoi(ppm) == ++shown)
         write_ppm(pix, pitch, w, h, rgb);
-    for (int y = whole ? 0 : 8; y < (whole ? h : h - 16); y++)
+    for (int y = 0; y < (whole ? h : h - 26); y++)
         for (int x = 0; x < w; x++)
             hash = (hash ^ rgb[pix[y * pitch + x]]) * 1099511628211u;
     printf("%016" PRIx64 "\n", hash);

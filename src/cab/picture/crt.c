@@ -12,9 +12,9 @@ enum {
     ONE = 4096,   /* the distance of two lines */
     DARK = 208,   /* of 256, that a dark colour loses between two lines */
     BRIGHT = 112, /* and a bright one */
-    LIFT = 84,    /* of 256: how much the colours of middle brightness are lifted */
-    DIM = 0xD0,   /* of a stripe's other colours */
-    DIM_NARROW = 0xE0
+    LIFT = 96,    /* of 256: how much the colours of middle brightness are lifted */
+    DIM = 0xDC,   /* of a stripe's other colours */
+    DIM_NARROW = 0xE8
 };
 
 void crt_colours(uint32_t out[256], const uint32_t rgb[256])

@@ -15,21 +15,19 @@ static uint32_t mix(uint32_t a, uint32_t b, uint32_t share)
     return red_blue | green;
 }
 
-/* Of the small picture every pixel is `whole` times itself; the middle of a large pixel is then between two of these,
- * in 256ths. */
-static void place_pixel(struct scale_axis *a, int i, int small, int large, int whole)
+/* A large pixel covers `small` parts of the small picture, of which each pixel has `large`. What of that is beyond the
+ * pixel in which it begins is the share of the next one; a smaller picture would have more than two in it. */
+static void place_pixel(struct scale_axis *a, int i, int small, int large)
 {
-    const int64_t middle = ((int64_t)(2 * i + 1) * small * whole * 128) / large - 128;
-    const int most = small * whole - 1, at = (int)int64_clamp(middle >> 8, 0, most), next = int_min(at + 1, most);
+    const int64_t begin = (int64_t)i * small, border = (begin / large + 1) * large, end = begin + small;
 
-    a->from[i] = (uint16_t)(at / whole);
-    a->share[i] = middle < 0 || at / whole == next / whole ? 0 : (uint16_t)(middle & 255);
+    a->from[i] = (uint16_t)(begin / large);
+    a->share[i] =
+        end > border && begin / large + 1 < small ? (uint16_t)int64_min((end - border) * 256 / small, 255) : 0;
 }
 
 bool scale_open(struct scale_axis *a, int small, int large)
 {
-    const int whole = int_max(1, large / small);
-
     *a = (struct scale_axis){ .n = large };
     a->from = malloc((size_t)large * sizeof *a->from);
     a->share = malloc((size_t)large * sizeof *a->share);
@@ -38,7 +36,7 @@ bool scale_open(struct scale_axis *a, int small, int large)
         return false;
     }
     for (int i = 0; i < large; i++)
-        place_pixel(a, i, small, large, whole);
+        place_pixel(a, i, small, large);
     return true;
 }
 
