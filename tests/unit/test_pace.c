@@ -45,17 +45,17 @@ static void test_screens(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof rates / sizeof *rates; i++)
         for (int late = 0; late <= 1500; late += 500)
-            holds(screen(rates[i], rates[i], late), 8);
+            holds(screen(rates[i], rates[i], late), 4);
 }
 
 /* A rate that the host tells wrong is found out: 59 for 59.94, 144 for 143.86. */
 static void test_told_wrong(void **state)
 {
     (void)state;
-    holds(screen(59.94, 59, 500), 16);
-    holds(screen(59.94, 60, 500), 16);
-    holds(screen(143.86, 144, 500), 16);
-    holds(screen(60, 61, 500), 16);
+    holds(screen(59.94, 59, 500), 4);
+    holds(screen(59.94, 60, 500), 4);
+    holds(screen(143.86, 144, 500), 4);
+    holds(screen(60, 61, 500), 4);
 }
 
 /* A screen that does not wait, or is faster than it says, is waited for here: there are 60 ticks, not more. */

@@ -76,7 +76,9 @@ void plat_poll(struct plat_input *in)
     in->focus = true;
     in->mouse_x = in->mouse_y = -1;
     in->quit = port.presses == PRESSES;
-    if (port.now < port.press)
+    const bool down = port.now >= port.press;
+    port.now += WORK; /* all that is done before the picture is handed in */
+    if (!down)
         return;
     port.down = true;
     in->keys[KEY_Z >> 3] |= 1 << (KEY_Z & 7);
@@ -106,7 +108,6 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
         for (int x = 0; x < w; x++)
             hash = (hash ^ rgb[pix[y * pitch + x]]) * 1099511628211u;
     port.still = port.still ? port.still : hash;
-    port.now += WORK;
     const double shown = refresh_after(port.now);
     if (port.down && hash != port.still) {
         seen(shown);
