@@ -109,7 +109,7 @@ refuse "no display at all is refused" "there is no display" env -u DISPLAY -u WA
 refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDEODRIVER=x11 "$probe" show 64 64 1
 
 # ---- a game: the picture played is the picture rendered ----
-# While paused our own words stand on the first 8 lines; below them every pixel of the window must be the picture's.
+# While paused our own words stand on the last 8 lines; above them every pixel of the window must be the picture's.
 window_rgb() { xwd -silent -id "$win" -out window.xwd && convert xwd:window.xwd -depth 8 "rgb:$1"; }
 expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, centred on black
     convert "$1" -scale "${2}00%" -background black -gravity center -extent "${3}x$4" -depth 8 "rgb:$5"
@@ -120,7 +120,7 @@ without_words() { # FILE WIN_W WIN_H LEFT TOP W H
         -depth 8 "rgb:$1"
 }
 shows() { # SHOT SCALE WIN_W WIN_H
-    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2))
+    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2 + 312 * $2))
     window_rgb got.rgb && expected_rgb "$1" "$2" "$3" "$4" want.rgb &&
         without_words got.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) &&
         without_words want.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) && cmp got.rgb want.rgb

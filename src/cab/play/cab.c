@@ -257,6 +257,7 @@ static bool frame(void)
     overlay_lap(&cab.overlay, SPLIT_DRAW);
     cab_picture_show(&cab.picture);
     cab_look_back();
+    pace_worked(&cab.pace, cab.window.handed - now);
     overlay_lap(&cab.overlay, SPLIT_SHOW);
     overlay_end(&cab.overlay);
     if (cab.quit)

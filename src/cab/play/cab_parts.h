@@ -56,6 +56,7 @@ struct cab_window {
     uint8_t *border_rgba; /* malloc */
     bool border_read;
     uint32_t border_crc;     /* of the ROM it was read from */
+    uint64_t handed;         /* usec: when the last picture was handed to the port */
     int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it does at once */
     bool composes;           /* this picture will be composed */
     bool cannot;             /* the port has no plat_paint, or there is no memory */
