@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "demo_parts.h"
+#include "demo_text.h"
 #include "../host/files.h"
 
 /* ---- room ---- */

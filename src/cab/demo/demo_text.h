@@ -13,7 +13,7 @@
 #include <stdint.h>
 
 #define DEMO_TEXT_BEGIN "-----BEGIN CURTAIN DEMO-----"
-#define DEMO_TEXT_END "-----END CURTAIN DEMO-----"
+#define DEMO_TEXT_END   "-----END CURTAIN DEMO-----"
 
 enum { DEMO_TEXT_LINE = 72 };
 

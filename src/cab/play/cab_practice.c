@@ -40,6 +40,7 @@ static void power_anew(struct board_start start)
     cab.timebar_left = cab.slow_frames = 0;
     memset(cab.pads, 0, sizeof cab.pads);
     practice_began(&cab.practice, &start);
+    cab_report_ready();
     if (cab.slow > 1)
         cab_mark_assisted();
     cab_log_lines(board_last(cab_live()));

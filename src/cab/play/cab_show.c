@@ -8,6 +8,7 @@
 #include "cab_parts.h"
 #include "../host/files.h"
 #include "../overlay/message.h"
+#include "../overlay/page.h"
 #include "../pack/png.h"
 #include "timebar.h"
 
@@ -19,9 +20,14 @@ bool cab_picture_open(struct picture *p, const struct board *b)
 {
     int w, h;
     board_screen(b, &w, &h);
-    p->memory = calloc(2, fb_size(w, h));
     p->scratch = malloc(board_scratch(b) + 1);
-    if (!p->memory || !p->scratch)
+    return p->scratch && cab_picture_alloc(p, w, h);
+}
+
+bool cab_picture_alloc(struct picture *p, int w, int h)
+{
+    p->memory = calloc(2, fb_size(w, h));
+    if (!p->memory)
         return false;
     fb_init(&p->fb, p->memory, w, h);
     fb_init(&p->composed, (char *)p->memory + fb_size(w, h), w, h);
@@ -75,7 +81,6 @@ static struct canvas copy_picture(struct picture *p)
 /* The message over the picture; "": none. */
 static void message_text(char *text, size_t size)
 {
-    const struct board_fault *f = cab_fault();
     uint32_t at = board_frame(cab_live());
 
     text[0] = 0;
@@ -86,14 +91,37 @@ static void message_text(char *text, size_t size)
         snprintf(text, size, "go to frame %s_", cab.prompt.digits);
     else if (cab.notice_left)
         snprintf(text, size, "%s", cab.notice);
-    else if (f)
-        snprintf(text, size, "%s\n\n%s", f->message, f->trace);
     else if (cab.rewinding)
         snprintf(text, size, "rewind  frame %u", (unsigned)at);
     else if (cab.paused)
         snprintf(text, size, "paused at frame %u", (unsigned)at);
     else if (cab.slow > 1)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
+}
+
+/* Is there something to be read at leisure: a fault, or a change that was not taken in? */
+static bool shows_page(void)
+{
+    return cab.session.state == SESSION_PLAYING && !cab.prompt.open && !cab.rewinding &&
+           (cab.notice_left < 0 || (cab_fault() && !cab.notice_left));
+}
+
+/* Returns the row after it. */
+static int draw_page(const struct canvas *canvas)
+{
+    const struct board_fault *f = cab_fault();
+    char foot[FILES_PATH + 64] = "The game goes on as it was.";
+    struct page page = { "What changed is not taken in", cab.notice, "", foot, cab.fault_top, 0 };
+
+    if (cab.notice_left >= 0) {
+        page.title = "A script has stopped the game";
+        page.text = f->message;
+        page.more = f->trace;
+        snprintf(foot, sizeof foot, "%s%s", cab.report.where[0] ? "A report is in " : "", cab.report.where);
+    }
+    int y = page_draw(canvas, &page);
+    cab.fault_most = page.most;
+    return y;
 }
 
 /* What a player who has just come presses: below a menu before a game, and below a demo. "": neither is there, or there
@@ -138,7 +166,8 @@ static void draw_progress(const struct canvas *canvas)
 
 void cab_picture_show(struct picture *p)
 {
-    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
+    char text[sizeof cab.notice + 32], hint[160];
+    const bool page = shows_page();
 
     if (screens_are_open(&cab.screens)) {
         struct canvas canvas = copy_picture(p);
@@ -148,13 +177,16 @@ void cab_picture_show(struct picture *p)
         return;
     }
     message_text(text, sizeof text);
-    hint_text(text, hint, sizeof hint);
-    if (!text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
+    hint_text(page ? " " : text, hint, sizeof hint);
+    if (!page && !text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
         plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
         return;
     }
     struct canvas canvas = copy_picture(p);
-    int y0 = text[0] ? message_draw(&canvas, 0, text) : 0, y1 = console_draw(&cab.console, &canvas);
+    int y0 = page      ? draw_page(&canvas)
+             : text[0] ? message_draw(&canvas, 0, text)
+                       : 0,
+        y1 = console_draw(&cab.console, &canvas);
     overlay_draw(&cab.overlay, &canvas, y0, cab_timebar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
                  cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
     if (cab.session.state != SESSION_PLAYING)
