@@ -214,7 +214,11 @@ static enum result help(const struct args *a)
 
     if (topic && strcmp(topic, "lua") == 0)
         return help_lua(a->n_words > 1 ? a->words[1] : NULL);
-    if (topic && command < 0) {
+    if (topic && strcmp(topic, "config") == 0 && a->n_words == 1) {
+        config_guide(say);
+        return report_stdout(RESULT_DONE);
+    }
+    if (topic && command < 0 && strcmp(topic, "config") != 0) {
         const char *meant = args_near_command(topic);
         if (meant)
             return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (did you mean %s?)", topic, meant);
