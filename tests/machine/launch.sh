@@ -68,7 +68,8 @@ check '... and there is no report of it' test ! -e "$XDG_DATA_HOME/curtain/repor
 
 # One mistake after another.
 waits "echo 'x = = 3' >g/main.lua" \
-    "echo 'y = = 4' >g/main.lua; keys 60 >&7; shown 120; echo 'y = nothing.here' >g/main.lua; keys 60 >&7; shown 180; right"
+    "echo 'y = = 4' >g/main.lua; keys 60 >&7; shown 120
+     echo 'y = nothing.here' >g/main.lua; keys 60 >&7; shown 180; right"
 same 'mistake after mistake: it ends well' 0 $code
 same '... each is said' $'main.lua:1: unexpected symbol near \'=\'\nmain.lua:1: undeclared global "nothing"' \
     "$(grep -o 'main.lua:1:.*' err | grep -v metamethod | grep -v chunk | uniq)"

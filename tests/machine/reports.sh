@@ -36,8 +36,8 @@ check 'its name has game and date' eval 'echo "$today" | grep -qx "probe-20[0-9]
 check 'the log says where' grep -qx "curtain: a report is in $(newest)" err
 check 'it has what happened' has 'a fault, in frame 161' 'main.lua:4: undeclared global "nothing"' 'stack traceback:' \
     "in function <main.lua:2>"
-check 'it has versions' has "$("$curtain" version | sed -n '1s/curtain \([^ ]*\) (core \([0-9]*\), \(.*\))/\1, core version \2, \3/p')" \
-    "$(uname -s)" "$("$curtain" list g | sed -n 's/^game /game hash /p')"
+version=$("$curtain" version | sed -n '1s/curtain \([^ ]*\) (core \([0-9]*\), \(.*\))/\1, core version \2, \3/p')
+check 'it has versions' has "$version" "$(uname -s)" "$("$curtain" list g | sed -n 's/^game /game hash /p')"
 check 'it has the settings' has 'volume = 70' 'fullscreen = no'
 same 'its demo holds' "$(newest): holds, 161 frames, ends in the fault it was recorded with" \
     "$("$curtain" verify g "$(newest)")"
@@ -79,7 +79,8 @@ for signal in SEGV BUS FPE ILL ABRT; do
     killed $signal
     same "SIG$signal ends it as ever" $((128 + $(kill -l $signal))) $code
     same "SIG$signal: one report more" $((before + 1)) "$(count)"
-    check "SIG$signal: which the log names" grep -qx "curtain: crashed (SIG$signal); a report is in $reports/probe-.*txt" err
+    check "SIG$signal: which the log names" \
+        grep -qx "curtain: crashed (SIG$signal); a report is in $reports/probe-.*txt" err
     file=$(sed -n 's/.* a report is in //p' err)
     check "SIG$signal: it says so" grep -q "a crash: SIG$signal, in frame 100" "$file"
     same "SIG$signal: its demo holds" "$file: holds, 100 frames" "$("$curtain" verify g "$file")"

@@ -38,8 +38,9 @@ struct cab_options {
     const char *wrong; /* a sentence, without cart */
 };
 
-/* Plays until quit. RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file; RESULT_HOST: the host failed. With these a
- * line that says why has gone to plat_log; after a script fault its traceback too. */
+/* Plays until quit. RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file;
+ * RESULT_HOST: the host failed. With these a line that says why has gone to plat_log; after a script fault its
+ * traceback too. */
 enum result cab_play(const struct cab_options *options);
 
 #endif

@@ -259,7 +259,7 @@ void cab_picture_show(struct picture *p);
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
 bool cab_timebar_shown(void);
 
-/* Saves the board's picture, without the overlay, in the user's pictures under the first free number, and says where. */
+/* Saves the board's picture, without the overlay, in the user's pictures under the first free number; says where. */
 void cab_screenshot(const struct picture *p);
 
 /* ---- cab_keys.c ---- */
