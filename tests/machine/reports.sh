@@ -73,6 +73,7 @@ killed() {
     wait $player 2>/dev/null
     code=$?
 }
+reported() { sed -n 's/^curtain: crashed ([A-Z]*); a report is in //p' err; }
 played | head -n 100 | ./player play g --seed 7 --record straight.demo >none 2>none
 for signal in SEGV BUS FPE ILL ABRT; do
     before=$(count)
@@ -81,7 +82,7 @@ for signal in SEGV BUS FPE ILL ABRT; do
     same "SIG$signal: one report more" $((before + 1)) "$(count)"
     check "SIG$signal: which the log names" \
         grep -qx "curtain: crashed (SIG$signal); a report is in $reports/probe-.*txt" err
-    file=$(sed -n 's/.* a report is in //p' err)
+    file=$(reported)
     check "SIG$signal: it says so" grep -q "a crash: SIG$signal, in frame 100" "$file"
     same "SIG$signal: its demo holds" "$file: holds, 100 frames" "$("$curtain" verify g "$file")"
 done
@@ -89,8 +90,12 @@ check 'nobody else may read it' test "$(stat -c %a "$file")" = 600
 "$curtain" hash g --demo "$file" >one
 "$curtain" hash g --demo straight.demo >two
 same 'the run is the one that was played' "$(sed -n 101p two)" "$(sed -n 101p one)"
+keys 30 | ./player play g --seed 7 >out 2>err
+same 'the next start says so' "curtain: Curtain crashed when it last ran: a report is in $file" "$(cat err)"
+keys 30 | ./player play g --seed 7 >out 2>err
+same '... once' '' "$(cat err)"
 killed SEGV --record own.demo
-check 'with a recording of its own, too' eval '"$curtain" verify g "$(sed -n "s/.* a report is in //p" err)"'
+check 'with a recording of its own, too' eval '"$curtain" verify g "$(reported)"'
 
 # In the middle of a run that was gone back in, the report ends where the player was.
 rm -f in && mkfifo in
@@ -102,7 +107,7 @@ for _ in $(seq 20000); do [ "$(wc -l <out)" -ge 130 ] && break; sleep 0.025; don
 kill -SEGV $player
 exec 7>&-
 wait $player 2>/dev/null
-file=$(sed -n 's/.* a report is in //p' err)
+file=$(reported)
 at=$(sed -n 's/^what .* in frame //p' "$file")
 check 'gone back: it says where' test "$at" -lt 100
 same '... its demo has no end mark' 2 "$("$curtain" verify g "$file" >none 2>said; echo $?)"

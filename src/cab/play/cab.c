@@ -373,6 +373,7 @@ bool cab_power(void)
     practice_init(&cab.practice, o->cart, &cab.start);
     if (!o->demo)
         practice_began(&cab.practice, &cab.start);
+    cab_report_last_crash();
     cab_report_ready();
     cab_check_recording(!cab.session.err[0]);
     if (cab.slow > 1 && !o->demo)

@@ -145,6 +145,9 @@ void cab_report_ready(void);
 /* Writes a report of a live run's fault, and a line that says where it is; once for each fault. */
 void cab_report_write(const struct board_fault *fault);
 
+/* Tells, once, of a crash that ended Curtain when it last ran. */
+void cab_report_last_crash(void);
+
 void cab_report_close(void);
 
 /* ---- cab_run.c ---- */

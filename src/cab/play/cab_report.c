@@ -19,29 +19,39 @@
 #include "../version.h"
 
 #define REPORTS "user:reports"
+#define TOLD    REPORTS "/told" /* has the name of the last crash's report that a player was told of */
 
-enum { MOST_REPORTS = 20 };
+enum { MOST_REPORTS = 20, CRASH_NOTICE = 600 /* frames */ };
 
 /* ---- old ones ---- */
 
-struct oldest {
+/* The oldest of the reports there are, or the newest. */
+struct found {
+    bool newest;
     int n;
     int64_t time;
     char name[256];
 };
 
+static bool comes_before(const struct found *f, const struct plat_file *file)
+{
+    if (file->time != f->time)
+        return file->time < f->time;
+    return strcmp(file->name, f->name) < 0;
+}
+
 static void look_at(void *user, const struct plat_file *file)
 {
-    struct oldest *o = user;
+    struct found *f = user;
     size_t n = strlen(file->name);
 
-    if (file->folder || n < 4 || n >= sizeof o->name || strcmp(file->name + n - 4, ".txt") != 0)
+    if (file->folder || n < 4 || n >= sizeof f->name || strcmp(file->name + n - 4, ".txt") != 0)
         return;
-    o->n++;
-    if (o->n > 1 && (file->time > o->time || (file->time == o->time && strcmp(file->name, o->name) > 0)))
+    f->n++;
+    if (f->n > 1 && comes_before(f, file) == f->newest)
         return;
-    o->time = file->time;
-    memcpy(o->name, file->name, n + 1);
+    f->time = file->time;
+    memcpy(f->name, file->name, n + 1);
 }
 
 /* Makes room for one more. */
@@ -50,11 +60,11 @@ static void remove_oldest(void)
     char path[sizeof REPORTS + 256];
 
     for (;;) {
-        struct oldest o = { 0 };
-        plat_list(REPORTS, look_at, &o);
-        if (o.n < MOST_REPORTS)
+        struct found f = { 0 };
+        plat_list(REPORTS, look_at, &f);
+        if (f.n < MOST_REPORTS)
             return;
-        snprintf(path, sizeof path, "%s/%s", REPORTS, o.name);
+        snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
         if (!plat_remove(path))
             return;
     }
@@ -97,7 +107,8 @@ static void date(char *out, size_t size, const char *format)
         snprintf(out, size, "undated");
 }
 
-static void add_versions(struct report *r)
+/* when: what the date is of. */
+static void add_versions(struct report *r, const char *when)
 {
     char text[256];
 
@@ -107,7 +118,7 @@ static void add_versions(struct report *r)
     plat_system(text, sizeof text);
     add(r, "system    %s\n", text);
     date(text, sizeof text, "%Y-%m-%d %H:%M:%S %z");
-    add(r, "begun     %s\n", text);
+    add(r, "%-9s %s\n", when, text);
 }
 
 static void add_game(struct report *r)
@@ -204,7 +215,7 @@ static void crashed(const char *what, void (*out)(const void *bytes, size_t n))
     write_report(out, "a crash: ", what, NULL);
 }
 
-void cab_report_ready(void)
+static void make_ready(const char *when)
 {
     struct report *r = &cab.report;
     size_t size = demo_dump_size(&cab.session.now->writer);
@@ -215,13 +226,44 @@ void cab_report_ready(void)
     r->size = memory ? (size > r->size ? size : r->size) : 0;
     r->n = 0;
     add_game(r);
-    add_versions(r);
+    add_versions(r, when);
     add_settings(r);
     clean_lines(r->known);
     r->n = strlen(r->known);
     make_stem(r);
     remove_oldest();
     plat_crash(r->stem, crashed);
+}
+
+void cab_report_ready(void)
+{
+    make_ready("begun");
+}
+
+/* Is it a report of a crash? */
+static bool is_of_crash(const char *name)
+{
+    char path[sizeof REPORTS + 256], text[512];
+
+    snprintf(path, sizeof path, "%s/%s", REPORTS, name);
+    long n = plat_load(path, text, sizeof text - 1);
+    text[n > 0 ? n : 0] = 0;
+    return strstr(text, "\nwhat      a crash") != NULL;
+}
+
+void cab_report_last_crash(void)
+{
+    struct found f = { .newest = true };
+    char told[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH];
+
+    plat_list(REPORTS, look_at, &f);
+    plat_load(TOLD, told, sizeof told - 1);
+    if (!f.name[0] || strcmp(told, f.name) == 0 || !is_of_crash(f.name))
+        return;
+    plat_save(TOLD, f.name, strlen(f.name));
+    snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
+    cab_notice(CRASH_NOTICE, "Curtain crashed when it last ran: a report is in %s", files_shown(path, shown));
+    cab_say("curtain: %s", cab.notice);
 }
 
 void cab_report_close(void)
@@ -282,9 +324,9 @@ void cab_report_write(const struct board_fault *fault)
 
     if (cab.session.demo || !r->memory)
         return;
+    make_ready("written"); /* the settings may be others by now */
     if (!r->where[0] || r->frame != frame || strcmp(r->message, fault->message) != 0) {
         r->where[0] = 0;
-        make_stem(r);
         if (!save(r, fault, err, sizeof err)) {
             cab_say("curtain: %s", err);
             return;
