@@ -39,15 +39,20 @@ static void sound_keys(const struct keys_read *k)
         set_sound(false, cab.speaker.volume + LOUDER);
 }
 
-static void cabinet_keys(const struct keys_read *k)
+/* The keys that work over a screen, too. */
+static void host_keys(const struct keys_read *k)
 {
-    if (k->pressed & 1 << CAB_QUIT) {
-        cab.quit = !cab.practice.open;
-        cab.practice.open = false;
-    }
+    if (k->pressed & 1 << CAB_QUIT)
+        cab.quit = true;
     if (k->pressed & 1 << CAB_FULLSCREEN)
         reopen();
+    if (k->pressed & 1 << CAB_SCREENSHOT)
+        cab_screenshot(&cab.picture);
     sound_keys(k);
+}
+
+static void clock_keys(const struct keys_read *k)
+{
     if (k->pressed & 1 << CAB_PAUSE)
         cab.paused = !cab.paused;
     if (k->pressed & 1 << CAB_STEP)
@@ -56,8 +61,6 @@ static void cabinet_keys(const struct keys_read *k)
         cab_mark_assisted();
         cab.slow = cab.slow == MAX_SLOW ? 1 : cab.slow * 2;
     }
-    if (k->pressed & 1 << CAB_SCREENSHOT)
-        cab_screenshot(&cab.picture);
 }
 
 /* The keys that move in time. */
@@ -125,7 +128,7 @@ static void take_pads(const struct keys_read *k)
 /* While the console is open it has all keys. Scores are saved before a line can touch them. */
 static void console_keys(const struct plat_input *in, struct keys_read *k)
 {
-    bool stands = !cab_fault() && !cab.attracting && !cab.practice.open && cab.session.state == SESSION_PLAYING;
+    bool stands = !cab_fault() && !cab.attracting && cab.session.state == SESSION_PLAYING;
     if (k->pressed & 1 << CAB_CONSOLE)
         cab_save_nvram();
     console_poll(&cab.console, in, k, stands ? cab_live() : NULL, !cab.session.demo);
@@ -143,6 +146,7 @@ void cab_poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab.stands = false;
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
@@ -154,12 +158,20 @@ void cab_poll(struct keys_read *k)
         memset(k, 0, sizeof *k);
         return;
     }
+    cab.stands = cab_screen_keys(&in, k);
+    if (cab.stands) {
+        host_keys(k);
+        memset(k->pads, 0, sizeof k->pads);
+        k->held = k->pressed = 0;
+        return;
+    }
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);
     take_pads(k);
-    cabinet_keys(k);
+    host_keys(k);
+    clock_keys(k);
     cab_practice_keys(k);
-    if (cab.practice.open)
+    if (screens_are_open(&cab.screens))
         return;
     time_keys(k);
     if (k->pressed & 1 << CAB_GOTO && !cab.attracting)

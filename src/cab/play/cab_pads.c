@@ -107,7 +107,7 @@ static void seat_event(const struct seats_event *e)
 /* START ends the pause that a lost controller began, and the game does not get it. */
 static void go_on(const struct keys_read *k)
 {
-    if (!cab.unplugged)
+    if (!cab.unplugged || screens_are_open(&cab.screens))
         return;
     for (int p = 0; p < PADS; p++) {
         if (k->pads_fresh[p] & PAD_START) {

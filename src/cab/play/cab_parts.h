@@ -17,6 +17,7 @@
 #include "../pads/press.h"
 #include "../pads/seats.h"
 #include "practice.h"
+#include "../screens/screen.h"
 #include "session.h"
 #include "../host/speaker.h"
 
@@ -59,6 +60,9 @@ struct cab {
     uint32_t nvram_saved; /* board_nvram's count when it was last saved */
     bool no_scores;       /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
+    struct screens screens;
+    bool stands;          /* the board does in this frame, for a screen is open or was */
+    bool focus;           /* at the last poll */
     uint16_t pads[PADS];  /* buttons held since the last tick, before press */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
     struct seats seats;
@@ -95,6 +99,9 @@ extern struct cab cab;
 /* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
  * is wanted: a practice run starts with a blank one. */
 uint8_t *cab_load_nvram(struct board_start *start);
+
+/* Gives a start the settings' language, if the game has it. */
+void cab_take_lang(struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
 void cab_save_nvram(void);
@@ -157,10 +164,38 @@ void cab_seek_or_reload(uint64_t now);
 
 uint64_t cab_seed_from_clock(void);
 
-/* Handles the keys that open the menu and retry; runs a frame of the open menu, which reads player 1's pad while the
- * board stands still. */
+/* Handles the keys that open the menu and retry; does what was chosen in a frame of the open menu. */
 void cab_practice_keys(const struct keys_read *k);
-void cab_menu(const struct keys_read *k);
+void cab_practice_screen(void);
+
+/* Opens the practice menu, if this run may be left for it. Begins the game anew, from its title. */
+void cab_open_practice(void);
+void cab_begin_anew(void);
+
+/* ---- cab_screens.c, screen_*.c: the cabinet's own screens ---- */
+
+/* Is something on that leaving would throw away? */
+bool cab_run_is_on(void);
+
+/* Makes so what cab.config says; to be called after any change of it. */
+void cab_apply_settings(void);
+
+/* Writes the settings that differ from their file's into it; says so where it cannot. */
+void cab_save_settings(void);
+
+/* The game asks for a screen: only in a live run's new ticks. */
+void cab_asked(enum board_ask what);
+
+void cab_open_menu(void);
+void cab_open_settings(void);
+void cab_open_keys(void);
+
+/* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
+ * is left in k->pressed are the cabinet's keys that none of them took. */
+bool cab_screen_keys(const struct plat_input *in, struct keys_read *k);
+
+/* The line below a screen: what to press. */
+void cab_screens_foot(char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 

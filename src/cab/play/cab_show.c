@@ -140,9 +140,10 @@ void cab_picture_show(struct picture *p)
 {
     char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
 
-    if (cab.practice.open) {
+    if (screens_are_open(&cab.screens)) {
         struct canvas canvas = copy_picture(p);
-        practice_draw(&cab.practice, &canvas);
+        cab_screens_foot(hint, sizeof hint);
+        screens_draw(&cab.screens, &canvas, hint);
         plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
         return;
     }
