@@ -109,11 +109,11 @@ static void go_on(const struct keys_read *k)
 {
     if (!cab.unplugged || screens_are_open(&cab.screens))
         return;
+    for (int i = 0; i < cab.seats.events; i++)
+        cab.paused = cab.paused && !cab.seats.event[i].start;
     for (int p = 0; p < PADS; p++) {
-        if (k->pads_fresh[p] & PAD_START) {
-            cab.stale[p] |= PAD_START;
-            cab.paused = false;
-        }
+        cab.paused = cab.paused && !(k->pads_fresh[p] & PAD_START);
+        cab.stale[p] |= k->pads_fresh[p] & PAD_START;
     }
     if (cab.paused)
         return;
