@@ -50,7 +50,8 @@ static const struct {
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
-    [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
+    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME]]", 0, 2,
+                       "this; of a command; of the settings and their file; of the Lua API" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
 };
@@ -123,8 +124,7 @@ static const struct {
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
-    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER,
-                     "backgrounds darker: none, quarter, half, most (by three quarters)" },
+    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER, "backgrounds darker: none, quarter, half, most (by three quarters)" },
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_RENDER, "full, soft: flashes of the screen at a quarter" },
     [OPTION_COLOURS] = { "--colours", "WORD", FOR_RENDER,
                          "for eyes that tell fewer apart: normal, protan, deutan, tritan" },

@@ -10,8 +10,8 @@
 struct demo_dump {
     uint8_t *memory; /* demo_dump_size bytes, taken before */
     size_t size;
-    uint32_t frames;            /* the present: what is recorded behind it is left out */
-    bool ticking;               /* a tick has begun there and did not come back: its pads belong to it */
+    uint32_t frames;             /* the present: what is recorded behind it is left out */
+    bool ticking;                /* a tick has begun there and did not come back: its pads belong to it */
     enum board_fault_kind fault; /* of the last frame, or of power-on */
     void (*out)(void *user, const uint8_t *bytes, size_t n);
     void *user;

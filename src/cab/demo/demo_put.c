@@ -165,7 +165,7 @@ static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t 
 }
 
 void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
-                         uint32_t *crc)
+                     uint32_t *crc)
 {
     uint32_t runs = 0, end = first + n;
 

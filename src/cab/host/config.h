@@ -95,4 +95,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
 /* Hands out a line a setting, for `curtain help play`. */
 void config_help(void (*line)(const char *));
 
+/* The lines of `curtain help config`: the file by its real path, every setting, an example. */
+void config_guide(void (*line)(const char *));
+
 #endif

@@ -66,7 +66,7 @@ void cab_seats_poll(const struct plat_input *in)
 
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
-    seats_poll(&cab.seats, cab_cart()->m.players, in->controllers, plugged);
+    seats_poll(&cab.seats, cab.session.now ? cab_cart()->m.players : 1, in->controllers, plugged);
 }
 
 const char *cab_controller_name(const struct plat_controller *c)
@@ -107,13 +107,13 @@ static void seat_event(const struct seats_event *e)
 /* START ends the pause that a lost controller began, and the game does not get it. */
 static void go_on(const struct keys_read *k)
 {
-    if (!cab.unplugged)
+    if (!cab.unplugged || screens_are_open(&cab.screens))
         return;
+    for (int i = 0; i < cab.seats.events; i++)
+        cab.paused = cab.paused && !cab.seats.event[i].start;
     for (int p = 0; p < PADS; p++) {
-        if (k->pads_fresh[p] & PAD_START) {
-            cab.stale[p] |= PAD_START;
-            cab.paused = false;
-        }
+        cab.paused = cab.paused && !(k->pads_fresh[p] & PAD_START);
+        cab.stale[p] |= k->pads_fresh[p] & PAD_START;
     }
     if (cab.paused)
         return;
