@@ -9,12 +9,12 @@ local x, dot = 0, sprite.put { sprite = 'dot', x = 0, y = 0 }
 task.go(function()
   while true do
     x = x + step + (pad.down 'fire' and 5 or 0)
-    dot.x, dot.y = x // 30 % 240, 3 + x % 30
+    dot.x, dot.y = x // 30 % 240, 60 + x % 30
     wait(1)
   end
 end)
 LUA
-sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua
+sed -i 's/screen = { w = 64, h = 64/screen = { w = 256, h = 128/' g/rom.lua
 echo 'return 1' >g/step.lua
 cp -R g changed
 echo 'return 3' >changed/step.lua
@@ -115,7 +115,7 @@ task.go(function()
   end
 end)
 LUA
-sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua
+sed -i 's/screen = { w = 64, h = 64/screen = { w = 256, h = 128/' g/rom.lua
 sed -i "s/^task/local song = require 'song'\n&/; s/music.play(require 'song')/music.play(song)/" g/main.lua
 echo 'return "tide"' >g/song.lua
 cp -R g before
