@@ -53,7 +53,9 @@ same 'the demo is of the changed game, from its first frame' "one.demo: holds, $
 unchanged
 
 edited 100 'echo "return = 3" >g/step.lua' --record two.demo
-same 'an error of syntax: the old game goes on' "$(part straight 200 290)" "$(part out 200 290)"
+same 'an error of syntax: the old game goes on, below what is told' "$(part straight 200 290 | sort -u | wc -l)" \
+    "$(part out 200 290 | sort -u | wc -l)"
+check '... which is seen' test -z "$(comm -12 <(part straight 200 290 | sort) <(part out 200 290 | sort))"
 same '... with file and line' 'curtain: not taken in: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
 unchanged
 same '... and the demo is of the old game' "two.demo: holds, $(($(wc -l <out) - 1)) frames" \
