@@ -1,5 +1,5 @@
 /*
- * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM -> picture, and RAM x ROM -> sound.
+ * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM x view -> picture, and RAM x ROM -> sound.
  * floor: board
  *
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
@@ -160,12 +160,36 @@ const struct board_out *board_last(const struct board *b);
 /* Screen size in pixels. */
 void board_screen(const struct board *b, int *w, int *h);
 
+/* How a player wants to see the picture. It is given to draw beside RAM and reaches no tick: neither RAM nor a hash or
+ * demo knows of it. */
+
+/* How much darker backgrounds and back sprites are: not at all, by a quarter, a half, three quarters. */
+enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, VIEW_DIMS };
+
+/* Whom the colours are for: those who see all, or lack the cones for long (protanopia), middle (deuteranopia) or short
+ * waves (tritanopia). */
+enum view_colours { VIEW_ALL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
+
+enum { VIEW_SOFT = 4 /* a soft flash has a VIEW_SOFTth of its share */ };
+
+/* All zero: the picture as it is. */
+struct view {
+    enum view_dim dim;
+    bool soft_flashes; /* of `screen.flash` alone */
+    enum view_colours colours;
+    const uint8_t *shades; /* CART_SHADES bytes (cart.h), for a ROM that has none of its own; NULL: such a ROM's
+                              backgrounds are not dimmed */
+};
+
+/* The colour (0xRRGGBB) shown for one. Greys stay as they are. */
+uint32_t view_colour(enum view_colours colours, uint32_t rgb);
+
 /* Bytes board_draw needs to build its lists in. */
 size_t board_scratch(const struct board *b);
 
-/* Draws the picture and its 256 colours (0xRRGGBB); returns how many sprites it drew. Reads b, writes only fb, rgb and
- * scratch. fb is fb_init'ed w x h. */
-uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+/* Draws the picture and its 256 colours (0xRRGGBB) as the view says, NULL: as it is; returns how many sprites it drew.
+ * Reads b and view, writes only fb, rgb and scratch. fb is fb_init'ed w x h. */
+uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* The sound of the frame just ticked: BOARD_SOUND stereo frames of 48 kHz, left first. Reads b, writes only out, so
  * that leaving it out changes nothing; the same bytes everywhere. tables: board_sound_tables() bytes, aligned to 8,
@@ -239,6 +263,12 @@ void board_trace(const struct board *b, int i, slots_visit *visit, void *context
 size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);
+
+/* What the last tick handed out stands outside the snapshot, and a restore clears it. For who goes back a frame and is
+ * to find it as it was: put aside beside the snapshot, and put back after its restore. */
+size_t board_output_size(void);
+void board_output_save(const struct board *b, void *buf);
+void board_output_restore(struct board *b, const void *buf);
 
 /* The nvram image, *size bytes, portable between hosts; *changed counts the writes since power-on. */
 const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);

@@ -188,6 +188,20 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
     }
 }
 
+bool inspect_ship(const struct board *b, int player, struct inspect_body *out)
+{
+    const struct player *p = &b->player;
+    int dx, dy;
+
+    if (!p->in[player] || p->flags[player] & PLAYER_HIDDEN)
+        return false;
+    screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    *out = player_body(b, (uint32_t)player);
+    out->x += dx * 65536;
+    out->y += dy * 65536;
+    return true;
+}
+
 /* ---- kinds ---- */
 
 static void measure(const struct shape_columns *k, uint32_t i, struct inspect_shape_of *out)

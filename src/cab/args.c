@@ -12,6 +12,7 @@
 #include "../base/err.h"
 #include "../base/int.h"
 #include "../base/pads.h"
+#include "host/views.h"
 
 enum {
     FOR_PLAY = 1 << COMMAND_PLAY,
@@ -49,7 +50,8 @@ static const struct {
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
-    [COMMAND_HELP] = { "help", "[COMMAND | lua [NAME]]", 0, 2, "this; of a command; of the Lua API" },
+    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME]]", 0, 2,
+                       "this; of a command; of the settings and their file; of the Lua API" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
 };
@@ -73,6 +75,9 @@ enum option {
     OPTION_EVERY,
     OPTION_PARTS,
     OPTION_TRACE,
+    OPTION_DIM,
+    OPTION_FLASHES,
+    OPTION_COLOURS,
     OPTION_SHEET,
     OPTION_WAV,
     OPTION_NOTES,
@@ -119,6 +124,10 @@ static const struct {
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
+    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER, "backgrounds darker: none, quarter, half, most (by three quarters)" },
+    [OPTION_FLASHES] = { "--flashes", "WORD", FOR_RENDER, "full, soft: flashes of the screen at a quarter" },
+    [OPTION_COLOURS] = { "--colours", "WORD", FOR_RENDER,
+                         "for eyes that tell fewer apart: normal, protan, deutan, tritan" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
@@ -401,6 +410,17 @@ static bool set_string(const char **to, enum option o, const char *value, char *
     return true;
 }
 
+static bool set_word(int *to, enum option o, const char *const *words, const char *value, char *err, size_t err_size)
+{
+    char list[128];
+
+    *to = views_find(words, value);
+    if (*to >= 0)
+        return true;
+    views_list(words, list, sizeof list);
+    return err_set(err, err_size, "%s: expected %s, got \"%s\"", options[o].name, list, value);
+}
+
 static bool set_switch(bool *to)
 {
     *to = true;
@@ -436,6 +456,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_presses(a, value, err, err_size);
     case OPTION_FRAMES:
         return args_frames(a, value, err, err_size);
+    case OPTION_DIM:
+        return set_word(&a->dim, o, views_dim, value, err, err_size);
+    case OPTION_FLASHES:
+        return set_word(&a->flashes, o, views_flashes, value, err, err_size);
+    case OPTION_COLOURS:
+        return set_word(&a->colours, o, views_colours, value, err, err_size);
     case OPTION_SEED:
         a->seeded = true;
         return set_number(a, o, value, err, err_size);
@@ -509,8 +535,13 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
     return err_set(err, err_size, "unknown option %s (curtain help lists them)", name);
 }
 
+static uint64_t bit(enum option o)
+{
+    return (uint64_t)1 << o;
+}
+
 /* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
-static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned *seen, char *err, size_t err_size)
+static bool read_option(struct args *a, int argc, char **argv, int *i, uint64_t *seen, char *err, size_t err_size)
 {
     const char *word = argv[*i], *equals = strchr(word, '='), *value = NULL;
     size_t n = equals ? (size_t)(equals - word) : strlen(word);
@@ -527,7 +558,7 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned 
     }
     if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER && o != OPTION_TRACE)
         return err_set(err, err_size, "%s is given twice", options[o].name);
-    *seen |= 1u << o;
+    *seen |= bit(o);
     return set(a, o, value, err, err_size);
 }
 
@@ -543,7 +574,7 @@ static void goes_with(unsigned set_of, char *out, size_t size)
 }
 
 /* Each of these makes another command of verify. */
-static bool check_verify(unsigned seen, char *err, size_t err_size)
+static bool check_verify(uint64_t seen, char *err, size_t err_size)
 {
     static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD };
     const char *first = NULL;
@@ -576,12 +607,12 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-static bool check_options(const struct args *a, unsigned seen, char *err, size_t err_size)
+static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     char with[64];
-    const unsigned practice = 1u << OPTION_LIVES | 1u << OPTION_REGISTER | 1u << OPTION_INVINCIBLE;
-    const unsigned fixed = practice | 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE |
-                           1u << OPTION_DIFFICULTY | 1u << OPTION_LANG | 1u << OPTION_PRESS;
+    const uint64_t practice = bit(OPTION_LIVES) | bit(OPTION_REGISTER) | bit(OPTION_INVINCIBLE);
+    const uint64_t fixed = practice | bit(OPTION_SEED) | bit(OPTION_DIP) | bit(OPTION_STAGE) | bit(OPTION_DIFFICULTY) |
+                           bit(OPTION_LANG) | bit(OPTION_PRESS);
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(seen >> o & 1))
@@ -600,7 +631,7 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
 }
 
 /* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */
-static bool check_command(const struct args *a, unsigned seen, char *err, size_t err_size)
+static bool check_command(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     const char *word = a->words[0], *meant = args_near_command(word);
     bool fits = a->n_words == 1;
@@ -651,7 +682,7 @@ static bool short_enough(int argc, char **argv, char *err, size_t err_size)
 
 bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size)
 {
-    unsigned seen = 0;
+    uint64_t seen = 0;
     bool only_words = false;
 
     *a = (struct args){ .words = argv, .every = 1 };

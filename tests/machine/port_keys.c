@@ -2,9 +2,11 @@
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, @X,Y for the mouse there with
  * its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to the end of the line; at its end the
- * port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its first 8
- * rows, where the cabinet writes its words, and its last 16, where it draws the bar of time. With KEYS_WHOLE set the
- * hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm.
+ * port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its last 26
+ * rows, where the cabinet draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole
+ * picture; with KEYS_PPM=N picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for
+ * which pictures can be composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next
+ * refresh of a screen of that rate.
  * floor: tests
  */
 #include <inttypes.h>
@@ -56,34 +58,59 @@ void plat_poll(struct plat_input *in)
     }
 }
 
-static void write_ppm(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
+static void write_ppm(const uint32_t *colour, int w, int h)
 {
     FILE *f = fopen("picture.ppm", "wb");
 
     if (!f)
         exit(3);
     fprintf(f, "P6 %d %d 255\n", w, h);
-    for (int y = 0; y < h; y++)
-        for (int x = 0; x < w; x++)
-            for (int shift = 16; shift >= 0; shift -= 8)
-                fputc((int)(rgb[pix[y * pitch + x]] >> shift & 255), f);
+    for (int i = 0; i < w * h; i++)
+        for (int shift = 16; shift >= 0; shift -= 8)
+            fputc((int)(colour[i] >> shift & 255), f);
     fclose(f);
+}
+
+/* The first n of w x h colours are hashed. */
+static void shown(const uint32_t *colour, int w, int h, int n)
+{
+    static int pictures;
+    uint64_t hash = 14695981039346656037u; /* FNV-1a, 64 bits */
+    const char *ppm = getenv("KEYS_PPM"), *vsync = getenv("KEYS_VSYNC");
+
+    if (ppm && atoi(ppm) == ++pictures)
+        write_ppm(colour, w, h);
+    for (int i = 0; i < n; i++)
+        hash = (hash ^ colour[i]) * 1099511628211u;
+    printf("%016" PRIx64 "\n", hash);
+    fflush(stdout);
+    if (vsync) {
+        const uint64_t hz = (uint64_t)atoi(vsync), refresh = now * hz / 1000000 + 1;
+        now = (refresh * 1000000 + hz - 1) / hz;
+    }
 }
 
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
-    static int shown;
-    uint64_t hash = 14695981039346656037u; /* FNV-1a, 64 bits */
-    const char *ppm = getenv("KEYS_PPM");
-    bool whole = getenv("KEYS_WHOLE") != NULL;
+    static uint32_t colour[1024 * 1024];
 
-    if (ppm && atoi(ppm) == ++shown)
-        write_ppm(pix, pitch, w, h, rgb);
-    for (int y = whole ? 0 : 8; y < (whole ? h : h - 16); y++)
-        for (int x = 0; x < w; x++)
-            hash = (hash ^ rgb[pix[y * pitch + x]]) * 1099511628211u;
-    printf("%016" PRIx64 "\n", hash);
-    fflush(stdout);
+    plat_rgb(colour, w, pix, pitch, w, h, rgb);
+    shown(colour, w, h, getenv("KEYS_WHOLE") ? w * h : w * (h - 26));
+}
+
+bool plat_window(struct plat_window *out)
+{
+    const char *size = getenv("KEYS_WINDOW"), *vsync = getenv("KEYS_VSYNC");
+
+    *out = (struct plat_window){ .refresh = vsync ? atoi(vsync) * 1000 : 0, .waits = vsync };
+    return size && sscanf(size, "%dx%d", &out->w, &out->h) == 2;
+}
+
+bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+{
+    (void)pitch; /* the cabinet's are w */
+    shown(rgb, w, h, w * h);
+    return true;
 }
 
 uint64_t plat_usec(void)

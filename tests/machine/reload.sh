@@ -9,7 +9,7 @@ local x, dot = 0, sprite.put { sprite = 'dot', x = 0, y = 0 }
 task.go(function()
   while true do
     x = x + step + (pad.down 'fire' and 5 or 0)
-    dot.x, dot.y = x // 30 % 240, 13 + x % 30
+    dot.x, dot.y = x // 30 % 240, 3 + x % 30
     wait(1)
   end
 end)

@@ -205,7 +205,7 @@ static void expect_holds(const struct demo *d, const struct cart *cart)
     replay_close(&replay);
 }
 
-enum { CONSOLE = 1, FILES = 2 };
+enum { CONSOLE = 1, FILES = 2, FREE = 4 /* nothing is recorded: there is practice */ };
 
 static struct rom_image image;
 static struct cart cart;
@@ -242,6 +242,11 @@ static void one_run(uint64_t seed, unsigned mode, int polls)
     for (int i = 0; i < cart.m.n_dips; i++)
         o.start.dip[i] = cart.m.dips[i].value;
     snprintf(record, sizeof record, "%s/run.demo", root);
+    if (mode & FREE) {
+        play(&o);
+        rom_image_free(&image);
+        return;
+    }
     o.record = record;
     play(&o);
     read_demo(record, &d);
@@ -277,6 +282,13 @@ static void test_console(void **state)
     many(CONSOLE);
 }
 
+static void test_practice(void **state)
+{
+    (void)state;
+    many(FREE);
+    many(FREE | CONSOLE | FILES);
+}
+
 static void test_files(void **state)
 {
     (void)state;
@@ -287,7 +299,7 @@ static void test_files(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_hands), cmocka_unit_test(test_console),
-                                        cmocka_unit_test(test_files) };
+                                        cmocka_unit_test(test_files), cmocka_unit_test(test_practice) };
 
     if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "cabinet") || chdir(root) != 0)
         return 2;

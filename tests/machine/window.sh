@@ -109,7 +109,7 @@ refuse "no display at all is refused" "there is no display" env -u DISPLAY -u WA
 refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDEODRIVER=x11 "$probe" show 64 64 1
 
 # ---- a game: the picture played is the picture rendered ----
-# While paused our own words stand on the first 8 lines; below them every pixel of the window must be the picture's.
+# While paused our own words stand on the last 8 lines; above them every pixel of the window must be the picture's.
 window_rgb() { xwd -silent -id "$win" -out window.xwd && convert xwd:window.xwd -depth 8 "rgb:$1"; }
 expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, centred on black
     convert "$1" -scale "${2}00%" -background black -gravity center -extent "${3}x$4" -depth 8 "rgb:$5"
@@ -120,7 +120,7 @@ without_words() { # FILE WIN_W WIN_H LEFT TOP W H
         -depth 8 "rgb:$1"
 }
 shows() { # SHOT SCALE WIN_W WIN_H
-    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2))
+    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2 + 312 * $2))
     window_rgb got.rgb && expected_rgb "$1" "$2" "$3" "$4" want.rgb &&
         without_words got.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) &&
         without_words want.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) && cmp got.rgb want.rgb
@@ -149,6 +149,40 @@ play_at 1
 play_at 2
 play_at 3
 play_at 2 601 777
+
+# How a player sees the picture is the window's: neither a screenshot nor the demo knows of it.
+seen_as() { # BYTES-AT-LEAST BYTES-AT-MOST: the window is seen/*.png below the words, but for so many bytes
+    local n
+    expected_rgb "$(echo seen/*.png)" 1 240 320 want.rgb && without_words want.rgb 240 320 0 0 240 8 &&
+        without_words got.rgb 240 320 0 0 240 8 || return 1
+    n=$(cmp -l got.rgb want.rgb | wc -l)
+    [ "$n" -ge "$1" ] && [ "$n" -le "$2" ] || { echo "$n bytes differ"; return 1; }
+}
+view_at() { # SETTINGS LEAST MOST OPTIONS-OF-RENDER...
+    local shot frame
+    rm -rf "$scratch/view" && mkdir -p "$scratch/view" "$scratch/data/curtain" && cd "$scratch/view" || exit 2
+    tr , '\n' <<<"$1" >"$scratch/data/curtain/curtain.conf"
+    start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --stage one --record one.demo || return
+    rounds 20
+    for key in p period F12; do
+        xdotool key --delay 100 $key
+        rounds 5
+    done
+    check "$1: a screenshot" soon grep -q "^wrote " "$scratch/err"
+    shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
+    check "$1: the window" window_rgb got.rgb
+    stop
+    rm "$scratch/data/curtain/curtain.conf"
+    frame=$("$curtain" hash "$play_rom" --demo one.demo | tail -1 | cut -d' ' -f1)
+    check "$1: frame $frame" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" -o plain
+    check "$1: the same seen so" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" "${@:4}" -o seen
+    check "$1: the window shows it" seen_as "$2" "$3"
+    check "$1: the screenshot is the plain picture" cmp "$shot" "$(echo plain/*.png)"
+    check "$1: the demo holds" "$curtain" verify "$play_rom" one.demo
+}
+view_at "dim = half,colours = protan,flashes = soft" 0 0 --dim half --colours protan --flashes soft
+view_at "dim = most,colours = tritan" 0 0 --dim most --colours tritan
+view_at "hitbox = yes" 60 156 # its 52 pixels, of three bytes each, where they are other than the ship's
 
 # Keys start the game: from the title through the menus into the stage.
 cd "$scratch" || exit 2

@@ -5,9 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include "../../src/board/board.h"
 #include "../../src/cab/host/config.h"
-
-enum { BOMB = 5, STEP = PADS * PAD_BUTTONS + CAB_STEP };
 
 static char err[256];
 static int lines;
@@ -176,7 +175,8 @@ static void bad_bindings_change_nothing(void **state)
 static void a_settings_file(void **state)
 {
     static const char text[] =
-        "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5";
+        "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5\n"
+        "dim = half\nflashes = soft\ncolours = tritan\nhitbox = yes";
     struct config c;
     (void)state;
     config_defaults(&c);
@@ -194,6 +194,10 @@ static void a_settings_file(void **state)
     assert_int_equal(c.focus[1], 1);
     assert_int_equal(c.one_hand[0], HAND_RIGHT);
     assert_int_equal(c.one_hand[1], HAND_LEFT);
+    assert_int_equal(c.dim, VIEW_DIM_HALF);
+    assert_int_equal(c.flashes, 1);
+    assert_int_equal(c.colours, VIEW_TRITAN);
+    assert_int_equal(c.hitbox, 1);
     assert_int_equal(c.keys.code[4][0], 44);
     assert_int_equal(c.keys.code[4][1], 0x100 | PLAT_TRIGGER_LEFT);
     assert_int_equal(c.keys.code[4][2], 0);
@@ -218,7 +222,11 @@ static void bad_settings(void **state)
     REFUSE("volume = 101", "x.conf:1: volume: expected a number from 0 to 100, got \"101\"");
     REFUSE("\n\nscale = 2x", "x.conf:3: scale: expected a number from 0 to 16, got \"2x\"");
     REFUSE("scale =", "x.conf:1: scale: expected a number from 0 to 16, got \"\"");
-    REFUSE("mute = 1", "x.conf:1: mute: expected no or yes, got \"1\"");
+    REFUSE("dim = 2", "x.conf:1: dim: expected none, quarter, half or most, got \"2\"");
+    REFUSE("dim = half\nflashes =", "x.conf:2: flashes: expected full or soft, got \"\"");
+    REFUSE("colours = Protan", "x.conf:1: colours: expected normal, protan, deutan or tritan, got \"Protan\"");
+    REFUSE("hitbox = always", "x.conf:1: hitbox: expected yes or no, got \"always\"");
+    REFUSE("mute = 1", "x.conf:1: mute: expected yes or no, got \"1\"");
     REFUSE("focus = held", "x.conf:1: focus: expected hold or toggle, got \"held\"");
     REFUSE("one_hand2 = yes", "x.conf:1: one_hand2: expected no, left or right, got \"yes\"");
     REFUSE("hello", "x.conf:1: expected name = value, got \"hello\"");
@@ -307,18 +315,18 @@ static void lists_are_written_and_read(void **state)
     keys_defaults(&k);
     assert_true(keys_bind(&k, "step", "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0", err, sizeof err));
     assert_true(keys_bind(&k, "slow", "none", err, sizeof err));
-    keys_list(&k, STEP, text, sizeof text);
+    keys_text(&k, "step", text, sizeof text);
     assert_string_equal(text, "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0");
-    keys_list(&k, STEP + 1, text, sizeof text);
+    keys_text(&k, "slow", text, sizeof text);
     assert_string_equal(text, "none");
     memset(&again, 0, sizeof again);
     for (int i = 0; i < KEYS_ACTIONS; i++) {
-        keys_list(&k, i, text, sizeof text);
+        keys_text(&k, keys_action(i), text, sizeof text);
         assert_true(keys_bind(&again, keys_action(i), text, err, sizeof err));
-        assert_non_null(keys_does(i));
+        assert_non_null(keys_meaning(i));
     }
     assert_memory_equal(k.code, again.code, sizeof k.code);
-    keys_list(&k, STEP, text, 6);
+    keys_text(&k, "step", text, 6);
     assert_string_equal(text, "alt+k");
 }
 
@@ -373,11 +381,11 @@ static void switches_are_added_and_dropped(void **state)
     keys_defaults(&k);
     assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x pad.east q");
     keys_drop(&k, "p1.bomb", switch_code("pad.east"));
     keys_drop(&k, "p1.bomb", switch_code("f1"));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x q");
     assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
@@ -385,7 +393,7 @@ static void switches_are_added_and_dropped(void **state)
     assert_string_equal(err, "p1.bomb has 6 switches, which is all it can have");
     for (int i = 1; i < 7; i++)
         keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "none");
 }
 

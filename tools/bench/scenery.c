@@ -8,7 +8,7 @@
 enum { ROUNDS = 200, VIEW_LAYERS = 3 };
 
 /* Layers from the back: the names of their maps. */
-static const struct view {
+static const struct landscape {
     const char *what, *map[VIEW_LAYERS], *plane;
     bool lines, blend;
 } VIEWS[] = {
@@ -59,7 +59,7 @@ static uint16_t map_named(const struct board *b, const char *name)
     return (uint16_t)(name ? cart_find_map(&b->cart, name) + 1 : 0);
 }
 
-static void show(struct board *b, const struct view *v)
+static void show(struct board *b, const struct landscape *v)
 {
     struct bg *g = &b->bg;
 
@@ -162,7 +162,7 @@ static void look_prices(struct stand *s)
         for (int i = 0; i < LOOK_COUNT; i++) {
             LOOKS[i].set(s->b);
             double from = bench_now();
-            board_draw(s->b, &s->fb, rgb, s->scratch);
+            board_draw(s->b, NULL, &s->fb, rgb, s->scratch);
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
@@ -189,7 +189,7 @@ void scenery_prices(void)
             for (int k = 0; k <= round % 8; k++)
                 bg_step(&s.b->bg);
             double from = bench_now();
-            board_draw(s.b, &s.fb, rgb, s.scratch);
+            board_draw(s.b, NULL, &s.fb, rgb, s.scratch);
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }

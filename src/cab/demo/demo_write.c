@@ -8,265 +8,25 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../base/bytes.h"
-#include "../../base/hash.h"
 #include "demo_parts.h"
 #include "../host/files.h"
 
-/* ---- writing ---- */
-
-struct sink {
-    uint8_t *p;
-    size_t n, room;
-    size_t record; /* where the open one starts */
-    bool bad;      /* no memory */
-};
-
-static uint8_t *put(struct sink *s, size_t n)
-{
-    static uint8_t waste[256]; /* where bytes go when there is no memory for them */
-
-    if (s->n + n > s->room) {
-        size_t room = s->room * 2 + n + 1024;
-        uint8_t *grown = s->bad ? NULL : realloc(s->p, room);
-        if (!grown) {
-            s->bad = true;
-            return waste;
-        }
-        s->p = grown;
-        s->room = room;
-    }
-    s->n += n;
-    return s->p + s->n - n;
-}
-
-static void write8(struct sink *s, uint32_t v)
-{
-    *put(s, 1) = (uint8_t)v;
-}
-
-static void write16(struct sink *s, uint32_t v)
-{
-    bytes_put16(put(s, 2), (uint16_t)v);
-}
-
-static void write32(struct sink *s, uint32_t v)
-{
-    bytes_put32(put(s, 4), v);
-}
-
-static void write64(struct sink *s, uint64_t v)
-{
-    bytes_put64(put(s, 8), v);
-}
-
-static void write_str(struct sink *s, const char *str)
-{
-    size_t n = strlen(str);
-
-    write8(s, (uint32_t)n);
-    memcpy(put(s, n), str, n);
-}
-
-static void open_record(struct sink *s, uint32_t kind)
-{
-    s->record = s->n;
-    write32(s, kind);
-    write32(s, 0);
-}
-
-static void close_record(struct sink *s, uint32_t *crc)
-{
-    if (!s->bad) {
-        size_t n = s->n - s->record;
-        bytes_put32(s->p + s->record + 4, (uint32_t)(n - RECORD_HEAD));
-        *crc = hash_crc32_add(*crc, s->p + s->record, n);
-    }
-    write32(s, *crc);
-}
-
-/* How often p[0] stands at the start of n bytes, at most 130. */
-static size_t run_of(const uint8_t *p, size_t n)
-{
-    size_t run = 1;
-
-    while (run < n && run < 130 && p[run] == p[0])
-        run++;
-    return run;
-}
-
-static void write_nvram(struct sink *s, const uint8_t *p, size_t n)
-{
-    for (size_t i = 0; i < n;) {
-        size_t run = run_of(p + i, n - i), plain = 0;
-        if (run >= 3) {
-            write8(s, (uint32_t)run + 125);
-            write8(s, p[i]);
-            i += run;
-            continue;
-        }
-        while (i + plain < n && plain < 128 && run_of(p + i + plain, n - i - plain) < 3)
-            plain++;
-        write8(s, (uint32_t)plain - 1);
-        memcpy(put(s, plain), p + i, plain);
-        i += plain;
-    }
-}
-
-static void write_practice(struct sink *s, const struct practice *p)
-{
-    write_str(s, p->section);
-    write32(s, (uint32_t)p->lives);
-    write8(s, p->invincible);
-    write8(s, (uint32_t)p->registers);
-    for (int i = 0; i < p->registers; i++) {
-        write_str(s, p->reg[i].name);
-        write32(s, (uint32_t)p->reg[i].value);
-    }
-}
-
-static void write_header(struct sink *s, const struct demo *d, uint32_t *crc)
-{
-    memcpy(put(s, 4), DEMO_MAGIC, 4);
-    write32(s, DEMO_FORMAT);
-    open_record(s, KIND_HEADER);
-    write32(s, d->core);
-    write64(s, d->game_hash);
-    write64(s, d->rom_hash);
-    write_str(s, d->id);
-    write_str(s, d->lua);
-    write64(s, d->start.seed);
-    for (int i = 0; i < MAX_DIPS; i++)
-        write32(s, (uint32_t)d->start.dip[i]);
-    write32(s, (uint32_t)d->start.difficulty);
-    write_practice(s, &d->start.practice);
-    write_str(s, d->start.lang);
-    write8(s, (uint32_t)d->parts);
-    for (int i = 0; i < d->parts; i++)
-        write_str(s, d->part[i]);
-    write32(s, (uint32_t)d->start.nvram_size);
-    write_nvram(s, d->nvram, d->start.nvram_size);
-    close_record(s, crc);
-}
-
-static uint32_t pads_run(const struct demo *d, uint32_t f, uint32_t end)
-{
-    uint32_t run = 1;
-
-    while (f + run < end && memcmp(d->pads[f], d->pads[f + run], sizeof d->pads[f]) == 0)
-        run++;
-    return run;
-}
-
-/* The checksum of a part after frame f: before the first tick it is the first row's. */
-static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
-{
-    const uint16_t *checksums = demo_checksums(d, f);
-
-    return checksums ? checksums[part] : (uint16_t)demo_row(d, 0)[part];
-}
-
-static void write_checksums(struct sink *s, const struct demo *d, uint32_t f)
-{
-    uint64_t other = 0;
-
-    for (int i = 0; i < d->parts; i++)
-        other |= (uint64_t)(checksum_of(d, f, i) != checksum_of(d, f - 1, i)) << i;
-    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
-        write8(s, other >> 8 * i & 0xff);
-    for (int i = 0; i < d->parts; i++)
-        if (other >> i & 1)
-            write16(s, checksum_of(d, f, i));
-}
-
-/* Frames [first, first + n), their checksums and, unless row is NULL, the hashes after them. */
-static void write_second(struct sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
-                         uint32_t *crc)
-{
-    uint32_t runs = 0, end = first + n;
-
-    for (uint32_t f = first; f < end; f += pads_run(d, f, end))
-        runs++;
-    open_record(s, KIND_SECOND);
-    write32(s, first);
-    write8(s, n);
-    write8(s, runs);
-    write8(s, row != NULL);
-    write8(s, 0);
-    for (uint32_t f = first, run; f < end; f += run) {
-        run = pads_run(d, f, end);
-        write16(s, run);
-        write16(s, d->pads[f][0]);
-        write16(s, d->pads[f][1]);
-    }
-    for (uint32_t f = first + 1; f < end; f++)
-        write_checksums(s, d, f);
-    for (int i = 0; row && i < d->parts; i++)
-        write64(s, row[i]);
-    close_record(s, crc);
-}
-
-/* The markers from *told on, up to and with a frame. */
-static void write_markers(struct sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc)
-{
-    for (; *told < d->n_markers && d->markers[*told].frame <= frame; ++*told) {
-        const struct demo_marker *m = &d->markers[*told];
-        open_record(s, KIND_MARKER);
-        write32(s, m->frame);
-        write8(s, (uint32_t)m->marker.kind);
-        write_str(s, m->marker.name);
-        if (m->marker.value)
-            write32(s, (uint32_t)m->marker.value);
-        close_record(s, crc);
-    }
-}
-
-static void write_flags(struct sink *s, unsigned flags, uint32_t *crc)
-{
-    open_record(s, KIND_FLAGS);
-    write32(s, flags);
-    close_record(s, crc);
-}
-
-static void write_end(struct sink *s, const struct demo *d, uint32_t *crc)
-{
-    open_record(s, KIND_END);
-    write32(s, d->frames);
-    write32(s, (uint32_t)d->fault);
-    close_record(s, crc);
-}
-
-/* Header, flags, and what lies before the last whole row; *frames and *told are what was written. */
-static void write_rows(struct sink *s, const struct demo *d, uint32_t *frames, uint32_t *told, uint32_t *crc)
-{
-    *crc = *frames = *told = 0;
-    write_header(s, d, crc);
-    if (d->flags)
-        write_flags(s, d->flags, crc);
-    for (uint32_t i = 0; i < d->seconds; i++) {
-        uint32_t f = demo_row_frame(d, i);
-        write_second(s, d, *frames, f - *frames, demo_row(d, i), crc);
-        write_markers(s, d, told, f, crc);
-        *frames = f;
-    }
-}
-
 bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size)
 {
-    struct sink s = { 0 };
+    struct demo_sink s = { 0 };
     uint32_t frames, told, crc;
 
     if (d->checksum_parts != UINT64_MAX) {
         snprintf(err, err_size, "%s: there are no prints of every part to write", path);
         return false;
     }
-    write_rows(&s, d, &frames, &told, &crc);
+    demo_put_rows(&s, d, &frames, &told, &crc);
     if (d->complete && d->frames > frames) { /* a fault has no row */
-        write_second(&s, d, frames, d->frames - frames, NULL, &crc);
-        write_markers(&s, d, &told, d->frames, &crc);
+        demo_put_second(&s, d, frames, d->frames - frames, NULL, &crc);
+        demo_put_markers(&s, d, &told, d->frames, &crc);
     }
     if (d->complete)
-        write_end(&s, d, &crc);
+        demo_put_end(&s, d, &crc);
     bool ok = !s.bad && files_save(path, s.p, s.n, err, err_size);
     if (s.bad)
         snprintf(err, err_size, "%s: out of memory", path);
@@ -291,7 +51,7 @@ static bool out_of_memory(struct demo_writer *w)
 }
 
 /* Hands the bytes to the file (whole: as its new content) and frees them. */
-static bool deliver(struct demo_writer *w, struct sink *s, bool whole)
+static bool deliver(struct demo_writer *w, struct demo_sink *s, bool whole)
 {
     bool ok = !s->bad;
 
@@ -309,11 +69,11 @@ static bool deliver(struct demo_writer *w, struct sink *s, bool whole)
 /* The file as it should be now, up to the last whole second. */
 static bool write_all(struct demo_writer *w)
 {
-    struct sink s = { 0 };
+    struct demo_sink s = { 0 };
 
     if (!w->path[0])
         return true;
-    write_rows(&s, &w->demo, &w->written, &w->told, &w->crc);
+    demo_put_rows(&s, &w->demo, &w->written, &w->told, &w->crc);
     return deliver(w, &s, true);
 }
 
@@ -408,13 +168,13 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
 static bool append_second(struct demo_writer *w, bool hashed)
 {
     struct demo *d = &w->demo;
-    struct sink s = { 0 };
+    struct demo_sink s = { 0 };
 
     if (!w->path[0])
         return true;
-    write_second(&s, d, w->written, d->frames - w->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &w->crc);
+    demo_put_second(&s, d, w->written, d->frames - w->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &w->crc);
     w->written = d->frames;
-    write_markers(&s, d, &w->told, d->frames, &w->crc);
+    demo_put_markers(&s, d, &w->told, d->frames, &w->crc);
     return deliver(w, &s, false);
 }
 
@@ -454,16 +214,24 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
     return add_row(w) ? append_second(w, true) : out_of_memory(w);
 }
 
+void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS])
+{
+    struct demo *d = &w->demo;
+
+    if (w->on && d->frames < DEMO_MAX_FRAMES && demo_room_frames(d, 1))
+        memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
+}
+
 bool demo_flag(struct demo_writer *w, unsigned flags)
 {
-    struct sink s = { 0 };
+    struct demo_sink s = { 0 };
 
     if (!w->on || (w->demo.flags | flags) == w->demo.flags)
         return true;
     w->demo.flags |= flags;
     if (!w->path[0])
         return true;
-    write_flags(&s, w->demo.flags, &w->crc);
+    demo_put_flags(&s, w->demo.flags, &w->crc);
     return deliver(w, &s, false);
 }
 
@@ -499,7 +267,7 @@ static bool take_points(struct demo *d, const struct board *b)
 bool demo_end(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
-    struct sink s = { 0 };
+    struct demo_sink s = { 0 };
     const struct board_fault *fault = board_last(b)->fault;
 
     if (!w->on)
@@ -519,8 +287,8 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     d->fault = fault ? fault->kind : FAULT_NONE;
     if (!w->path[0])
         return true;
-    write_markers(&s, d, &w->told, d->frames, &w->crc);
-    write_end(&s, d, &w->crc);
+    demo_put_markers(&s, d, &w->told, d->frames, &w->crc);
+    demo_put_end(&s, d, &w->crc);
     return deliver(w, &s, false);
 }
 

@@ -22,6 +22,9 @@
 
 #define CONFIG_FILE "user:curtain.conf"
 
+enum scaling { SCALING_WHOLE, SCALING_SMOOTH };
+enum panels { PANELS_OVER, PANELS_BESIDE };
+
 enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
 
 struct config {
@@ -33,9 +36,18 @@ struct config {
     int sounds;                                      /* percent, of volume */
     int resample;                                    /* 0 or 1 */
     int fullscreen;                                  /* 0 or 1 */
-    int autofire[PADS], focus[PADS], one_hand[PADS]; /* of each player; enum keys_hand */
+    int turn;                                        /* enum quarter */
+    int scaling;                                     /* enum scaling */
+    int crt;                                         /* 0 or 1 */
+    int border;                                      /* 0 or 1 */
+    int vsync;                                       /* 0 or 1 */
+    int run_ahead;                                   /* frames: 0 or 1 */
+    int panels;                                      /* enum panels */
     int speed;                                       /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
     int away;                                        /* 0 or 1: stop when the window loses the keys */
+    int dim, flashes, colours;                       /* as in views.h */
+    int hitbox;                                      /* 0 or 1 */
+    int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
     char lang[16];                                   /* of games that have it; "": none */
 };
 
@@ -81,5 +93,8 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
 
 /* Hands out a line a setting, for `curtain help play`. */
 void config_help(void (*line)(const char *));
+
+/* The lines of `curtain help config`: the file by its real path, every setting, an example. */
+void config_guide(void (*line)(const char *));
 
 #endif

@@ -14,6 +14,7 @@
 #define CAB_CANVAS_H
 
 #include "../../../fb/fb.h"
+#include "../../board/board.h"
 
 enum canvas_colour {
     CANVAS_DARK, /* the background of text */
@@ -48,6 +49,9 @@ struct canvas {
  * nearest other entry. fb and rgb are a copy, not the picture that screenshots are made of; fb's clip is opened. */
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
 
+/* The canvas's own colours as such a view shows them; the picture's are so already. */
+void canvas_view(const struct canvas *canvas, enum view_colours colours);
+
 /* Draws one line, its top left corner at (x, y). A tab is two blanks; a byte or UTF-8 character that is not printable
  * ASCII is one question mark. Returns the x after it. */
 int canvas_text(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
@@ -66,6 +70,9 @@ int canvas_fit(const char *text, int columns);
  * that the face does not have is a box. Returns the x after it, a gap included. */
 int canvas_say(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
 
+/* The same for the first n bytes of text. */
+int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n);
+
 /* The same with a dark rim one pixel wide, to be read on any picture without a band. */
 int canvas_say_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
 
@@ -75,8 +82,8 @@ int canvas_say_within(const struct canvas *canvas, int x, int y, enum canvas_col
 /* The width of a line in px, from its first pixel to its last: no gap after it. 0 of an empty one. */
 int canvas_say_width(const char *text);
 
-/* How many bytes of text fit on one line of so many px: up to a \n, or to where the line is broken, after a blank if
- * there is one in the second half. At least one character, unless the line is empty. */
+/* How many bytes of text fit on one line of so many px: up to a \n, or to where the line is broken, after a blank or
+ * a slash if there is one in the second half. At least one character, unless the line is empty. */
 int canvas_say_fit(const char *text, int width);
 
 /* Draws text in lines of at most `width` px, the first at (x, y) and CANVAS_LINE_H apart; returns how many. With a
@@ -93,6 +100,7 @@ void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, en
  * circle of radius r, or a box of half sizes a and b, round (x, y). A shape that holds no pixel's middle, and a circle
  * of a radius below 1 px, draw the pixel of (x, y). */
 void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c);
+void canvas_disc(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c); /* filled */
 void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, int32_t b, enum canvas_colour c);
 
 /* The same of a capsule: all within r of a bar from (x - hx, y - hy) to (x + hx, y + hy). Its pixel is drawn as that

@@ -10,7 +10,7 @@ enum { MAX_SLOW = 4, LOUDER = 10 /* percent, a press */ };
 
 static void reopen(void)
 {
-    cab.want.fullscreen = !cab.want.fullscreen;
+    cab.config.fullscreen = !cab.config.fullscreen;
     cab.quit = !cab_open_window() || cab.quit;
 }
 
@@ -125,6 +125,16 @@ static void take_pads(const struct keys_read *k)
     }
 }
 
+void cab_scroll(int *top, int most, uint16_t pad, int wheel)
+{
+    static const uint64_t every = 3; /* frames a line, while held */
+    bool step = cab.frames % every == 0;
+
+    *top += (step && pad & PAD_DOWN ? 1 : 0) - (step && pad & PAD_UP ? 1 : 0) - 3 * wheel;
+    *top = *top > most ? most : *top;
+    *top = *top < 0 ? 0 : *top;
+}
+
 /* While the console is open it has all keys. Scores are saved before a line can touch them. */
 static void console_keys(const struct plat_input *in, struct keys_read *k)
 {
@@ -146,6 +156,7 @@ void cab_poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab_window_mouse(&in.mouse_x, &in.mouse_y);
     cab.stands = false;
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
@@ -168,6 +179,8 @@ void cab_poll(struct keys_read *k)
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);
     take_pads(k);
+    if (cab_fault())
+        cab_scroll(&cab.fault_top, cab.fault_most, k->pads[0], in.wheel);
     host_keys(k);
     clock_keys(k);
     cab_practice_keys(k);

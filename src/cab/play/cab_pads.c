@@ -66,7 +66,7 @@ void cab_seats_poll(const struct plat_input *in)
 
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
-    seats_poll(&cab.seats, cab_cart()->m.players, in->controllers, plugged);
+    seats_poll(&cab.seats, cab.session.now ? cab_cart()->m.players : 1, in->controllers, plugged);
 }
 
 const char *cab_controller_name(const struct plat_controller *c)

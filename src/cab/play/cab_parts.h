@@ -1,7 +1,8 @@
 /*
  * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
- * time, reload), cab_practice.c (the practice menu), cab_show.c (window and picture), cab_keys.c (switches), cab_pads.c
- * (controllers, and how players press).
+ * time, reload), cab_practice.c (the practice menu), cab_show.c (the picture and what is over it), cab_window.c (the
+ * window), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
+ * players press).
  * floor: cab
  */
 #ifndef CAB_CAB_PARTS_H
@@ -10,10 +11,15 @@
 #include "../overlay/prompt.h"
 #include "cab.h"
 #include "../host/config.h"
+#include "../host/files.h"
 #include "../overlay/console.h"
 #include "../host/folder.h"
+#include "../host/pace.h"
+#include "../picture/compose.h"
+#include "../run/ahead.h"
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
+#include "../pack/shade.h"
 #include "../pads/press.h"
 #include "../pads/seats.h"
 #include "practice.h"
@@ -32,20 +38,67 @@ enum {
     CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
 };
 
-/* fb, rgb: the board's picture as it drew it. composed, composed_rgb: a copy with the overlay drawn on it. */
+/* fb, rgb: the board's picture as it drew it, by the view of the settings. composed, composed_rgb: a copy with the
+ * overlay drawn on it. */
 struct picture {
     struct fb fb, composed;
     void *memory;
     void *scratch;
     uint32_t rgb[256], composed_rgb[256];
+    struct shade_kept shades;
+    bool ahead; /* fb is the picture of the frame after the present one */
+};
+
+/* The window, and how the last picture was shown in it. */
+struct cab_window {
+    struct compose compose;
+    struct border border; /* of the ROM; rgba NULL: it has none */
+    uint8_t *border_rgba; /* malloc */
+    bool border_read;
+    uint32_t border_crc;     /* of the ROM it was read from */
+    uint64_t handed;         /* usec: when the last picture was handed to the port */
+    int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it does at once */
+    bool composes;           /* this picture will be composed */
+    bool cannot;             /* the port has no plat_paint, or there is no memory */
+    bool composed;           /* the last one was */
+    enum quarter shown_turn; /* if not, how it was turned */
+    int w, h;                /* its size, not turned; 0: none was shown */
+    uint8_t *turned;         /* malloc */
+    size_t turned_room;
+    struct fb side; /* beside the picture */
+    void *side_memory;
+    bool has_side;
+};
+
+/* A folder that is waited for. */
+struct waiting {
+    bool on;
+    bool looks; /* it has changed: it is read in the next frame, once the picture says so */
+    char why[FILES_ERR], more[sizeof((struct board_fault *)0)->trace];
+    int top, most; /* lines scrolled, and the most */
+};
+
+/* What a report is made of. */
+struct report {
+    char known[4096]; /* lines that are written before there is anything to report */
+    size_t n;
+    char stem[128];  /* the name, without its number */
+    uint8_t *memory; /* of demo_dump; NULL: reports are without a demo */
+    size_t size;
+    char *text; /* of a fault's; malloc */
+    size_t used, room;
+    bool failed;            /* there was not enough memory */
+    char where[FILES_PATH]; /* the path of the last one; "": none */
+    uint32_t frame;         /* and what it was of */
+    char message[sizeof((struct board_fault *)0)->message];
 };
 
 /* The cabinet's state. It is one static struct because the host's own timer may call frame(), without a context. */
 struct cab {
     struct cab_options options;
     struct board_start start;
-    uint8_t *nvram; /* what start.nvram points to, if the cabinet loaded it; malloc */
-    struct config config;
+    uint8_t *nvram;             /* what start.nvram points to, if the cabinet loaded it; malloc */
+    struct config config, kept; /* as it is now; as it is in the file, or goes there */
     struct plat_want want;
     char title[sizeof((struct manifest *)0)->title];
     struct session session;
@@ -54,11 +107,18 @@ struct cab {
     bool attracting;
     struct speaker speaker;
     struct picture picture;
-    uint64_t base;        /* usec: when frame 0 was due */
-    uint64_t frames;      /* counted from base: the next one that is due */
-    int since_save;       /* frames since nvram was last looked at */
-    uint32_t nvram_saved; /* board_nvram's count when it was last saved */
-    bool no_scores;       /* the score file could not be read: it is left as it is */
+    struct cab_window window;
+    struct pace pace;
+    uint64_t frames; /* of the cabinet, since the beginning */
+    struct ahead ahead;
+    uint16_t last_pads[PADS]; /* of the last tick */
+    bool ticked;              /* the live board did, in this frame */
+    int since_save;           /* frames since nvram was last looked at */
+    uint32_t nvram_saved;     /* board_nvram's count when it was last saved */
+    struct waiting waiting;
+    struct report report;
+    int fault_top, fault_most; /* lines of a fault's page that are scrolled, and the most */
+    bool no_scores;            /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct screens screens;
     bool stands;          /* the board does in this frame, for a screen is open or was */
@@ -86,7 +146,7 @@ struct cab {
     uint32_t differs; /* the value of session.differs that was last reported */
     int since_check;  /* frames since the folder was last looked at */
     bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
-    char notice[DEMO_PATH + 128];
+    char notice[FILES_PATH + 256];
     int notice_left;     /* frames; -1: until a reload works */
     bool fault_reported; /* of the fault that the board has now */
     bool quit;
@@ -95,6 +155,10 @@ struct cab {
 extern struct cab cab;
 
 /* ---- cab.c ---- */
+
+/* Powers the session with cab.options and opens its window. False: it cannot be, a line has said why, and cab.result
+ * tells; or it is waited for. */
+bool cab_power(void);
 
 /* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
  * is wanted: a practice run starts with a blank one. */
@@ -105,6 +169,27 @@ void cab_take_lang(struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
 void cab_save_nvram(void);
+
+/* ---- cab_wait.c ---- */
+
+/* Shows why the game's folder cannot be played, and waits for a change of it. False: there is no window. */
+bool cab_wait(const char *why, const char *more);
+
+/* A frame of that. */
+void cab_wait_frame(void);
+
+/* ---- cab_report.c ---- */
+
+/* Makes ready what a crash would leave: to be called when a board was powered, and when settings changed. */
+void cab_report_ready(void);
+
+/* Writes a report of a live run's fault, and a line that says where it is; once for each fault. */
+void cab_report_write(const struct board_fault *fault);
+
+/* Tells, once, of a crash that ended Curtain when it last ran. */
+void cab_report_last_crash(void);
+
+void cab_report_close(void);
 
 /* ---- cab_run.c ---- */
 
@@ -127,8 +212,9 @@ const struct board_fault *cab_fault(void);
 /* Flags the recording: slow motion or steps were used. */
 void cab_mark_assisted(void);
 
-/* Finds a name "ID-N.what" that no file in the current folder has. */
-void cab_free_name(char name[CAB_NAME], const char *what);
+/* Finds a name "ID-N.what" that no file of a folder has: where is what stands before it, "pictures:", or "" for the
+ * current one. */
+void cab_free_name(char name[CAB_NAME], const char *where, const char *what);
 
 /* Writes to the log what scripts printed in the last tick. */
 void cab_log_lines(const struct board_out *out);
@@ -199,15 +285,14 @@ void cab_screens_foot(char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 
-/* Allocates the pictures of a board. False: not enough memory. */
+/* Looks a frame ahead if that is wanted, and goes back: between them everything is drawn. */
+void cab_look_ahead(void);
+void cab_look_back(void);
+
+/* Allocates the pictures of a board, or pictures of a size that no board draws. False: not enough memory. */
 bool cab_picture_open(struct picture *p, const struct board *b);
+bool cab_picture_alloc(struct picture *p, int w, int h);
 void cab_picture_close(struct picture *p);
-
-/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
-int cab_sound_rate(void);
-
-/* Opens the window, or changes it, as cab.want and the game's manifest say. False: there is none. */
-bool cab_open_window(void);
 
 /* Draws the board that is to be seen; shows the picture with the overlay on it. */
 void cab_picture_draw(struct picture *p);
@@ -216,10 +301,34 @@ void cab_picture_show(struct picture *p);
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
 bool cab_timebar_shown(void);
 
-/* Saves the board's picture, without the overlay, under the first free number. */
-void cab_screenshot(const struct picture *p);
+/* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
+ * number, and says where. */
+void cab_screenshot(struct picture *p);
+
+/* ---- cab_window.c ---- */
+
+/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
+int cab_sound_rate(void);
+
+/* Opens the window, or changes it, as cab.config and the game's manifest say: at any time. False: there is none. */
+bool cab_open_window(void);
+void cab_window_close(void);
+
+/* To be called before a picture of w x h is shown: looks how large the window is. Afterwards cab_window_side is what can
+ * be drawn on beside the picture, in its colours; NULL: there is no room, or it is not wanted. */
+void cab_window_begin(int w, int h);
+struct fb *cab_window_side(void);
+
+/* Shows a picture; side: and what stands beside it. */
+void cab_window_show(const struct fb *fb, const uint32_t rgb[256], bool side);
+
+/* From what plat_input says to a pixel of the picture; -1, -1: none. */
+void cab_window_mouse(int *x, int *y);
 
 /* ---- cab_keys.c ---- */
+
+/* Scrolls a page by up and down of a pad, and by the mouse's wheel. */
+void cab_scroll(int *top, int most, uint16_t pad, int wheel);
 
 /* Reads the switches and carries out the cabinet's own keys. */
 void cab_poll(struct keys_read *k);

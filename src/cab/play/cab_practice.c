@@ -41,6 +41,7 @@ static void power_anew(struct board_start start)
     memset(cab.pads, 0, sizeof cab.pads);
     cab_pads_power();
     practice_began(&cab.practice, &start);
+    cab_report_ready();
     if (cab.slow > 1)
         cab_mark_assisted();
     cab_log_lines(board_last(cab_live()));

@@ -9,6 +9,7 @@
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
 #include "../host/clean.h"
+#include "../host/files.h"
 
 enum {
     LOOK_EVERY = 15,  /* frames between two looks at the game's folder */
@@ -20,7 +21,7 @@ enum {
 
 void cab_say(const char *format, ...)
 {
-    char line[2048];
+    char line[2 * FILES_PATH + 256];
     va_list args;
 
     va_start(args, format);
@@ -74,11 +75,11 @@ void cab_mark_assisted(void)
     cab_check_recording(session_mark_assisted(&cab.session));
 }
 
-void cab_free_name(char name[CAB_NAME], const char *what)
+void cab_free_name(char name[CAB_NAME], const char *where, const char *what)
 {
     int i = 1;
     do
-        snprintf(name, CAB_NAME, "%s-%d.%s", cab_cart()->m.id, i++, what);
+        snprintf(name, CAB_NAME, "%s%s-%d.%s", where, cab_cart()->m.id, i++, what);
     while (plat_size(name) >= 0);
 }
 
@@ -116,6 +117,8 @@ void cab_report_fault(void)
         clean_lines(fault.trace);
         if (fault.trace[0])
             plat_log(fault.trace);
+        cab.fault_top = 0;
+        cab_report_write(cab_fault());
     }
     cab.fault_reported = true;
 }
@@ -223,6 +226,8 @@ void cab_tick(void)
         return;
     if (!cab.session.demo)
         cab_pads_tick(pads);
+    memcpy(cab.last_pads, pads, sizeof pads);
+    cab.ticked = true;
     cab_check_recording(session_tick(&cab.session, pads));
     report_difference();
     handle_output();
@@ -270,15 +275,18 @@ void cab_rewind(uint32_t frames)
 void cab_take_over(void)
 {
     static char name[CAB_NAME];
+    char shown[FILES_PATH];
 
     if (!cab.session.demo) {
         cab_notice(CAB_NOTICE_FRAMES, "nothing to take over: it is you who plays");
         return;
     }
-    cab_free_name(name, "demo");
+    cab_free_name(name, "", "demo");
     bool given = cab.options.record != NULL;
     cab_check_recording(session_take_over(&cab.session, given ? cab.options.record : name));
-    cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", given ? cab.options.record : name);
+    if (given || !plat_path(name, shown, sizeof shown))
+        snprintf(shown, sizeof shown, "%s", given ? cab.options.record : name);
+    cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", shown);
     cab_say("curtain: %s: %s", cab_game(), cab.notice);
     cab.paused = false;
     cab.timebar_left = 0;
@@ -288,8 +296,8 @@ void cab_take_over(void)
 
 static void report_reload_failure(void)
 {
-    cab_notice(-1, "not taken in: %s", cab.session.err);
-    cab_say("curtain: %s", cab.notice);
+    cab_notice(-1, "%s", cab.session.err);
+    cab_say("curtain: not taken in: %s", cab.session.err);
 }
 
 void cab_reload(void)
@@ -324,11 +332,13 @@ void cab_check_folder(void)
 static void finish_reload(void)
 {
     const struct manifest *m = &cab_cart()->m;
+    const int w = cab.picture.fb.w, h = cab.picture.fb.h;
 
     if (cab.attracting) /* its board reads the ROM that is freed */
         cab_attract_end();
     cab.fault_reported = false;
     practice_reloaded(&cab.practice, cab_cart());
+    cab_report_ready();
     cab_picture_close(&cab.picture);
     if (!cab_picture_open(&cab.picture, cab_live())) {
         plat_log("curtain: not enough memory for the picture");
@@ -336,8 +346,7 @@ static void finish_reload(void)
         cab.quit = true;
         return;
     }
-    if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0 ||
-        cab.want.rate != cab_sound_rate())
+    if (w != m->screen_w || h != m->screen_h || strcmp(cab.title, m->title) != 0 || cab.want.rate != cab_sound_rate())
         cab.quit = !cab_open_window() || cab.quit;
     cab_say("curtain: %s: reloaded", cab_game());
     if (cab.session.gone[0])

@@ -15,20 +15,16 @@ bool cab_run_is_on(void)
 void cab_apply_settings(void)
 {
     const struct config *c = &cab.config;
-    const bool window = cab.want.fullscreen != (c->fullscreen != 0) || cab.want.scale != c->scale;
     const int slow = 1 << c->speed;
 
+    cab_pads_apply();
     cab.speaker.volume = c->volume;
     cab.speaker.muted = c->mute;
     speaker_levels(&cab.speaker, c->music, c->sounds);
     if (slow != cab.slow)
         cab_mark_assisted();
     cab.slow = slow;
-    cab_pads_apply();
-    cab.want.scale = c->scale;
-    cab.want.fullscreen = c->fullscreen;
-    if (window || (!c->mute && !cab.want.rate && cab_sound_rate()))
-        cab.quit = !cab_open_window() || cab.quit;
+    cab.quit = !cab_open_window() || cab.quit;
 }
 
 static void open_asked(enum board_ask what)

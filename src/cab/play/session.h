@@ -44,6 +44,8 @@ struct session {
     enum session_state state;
     uint32_t from, to;        /* frames: of the seek or reload */
     uint32_t differs;         /* the first frame of a playback found not to be as it was recorded; 0: none */
+    volatile uint32_t at;     /* the frame that the tick under way began in, for a report of a crash in it */
+    volatile bool ticking;    /* one is */
     bool rewound;             /* a live run went back once: scores do not count any more */
     char gone[64];            /* the piece of music that played when a reload took its name away; "" */
     char err[DEMO_PATH + 64]; /* one sentence: why the last session_* call failed */

@@ -74,8 +74,9 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
     if (chosen)
         canvas_rect(canvas, to.x, to.y, to.w, LINE, CANVAS_WHITE);
     snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
-    const int room = to.w - 2 * EDGE,
-              right = canvas_say_width(value) < room * 2 / 3 ? canvas_say_width(value) : room * 2 / 3;
+    const int room = to.w - 2 * EDGE, beside = room - canvas_say_width(row.label) - 2 * EDGE;
+    const int most = beside > room / 2 ? beside : room / 2, wide = canvas_say_width(value);
+    const int right = wide < most ? wide : most;
     const int x = to.x + to.w - EDGE - right;
     canvas_say_within(canvas, to.x + EDGE, to.y + LETTER, chosen ? CANVAS_DARK : label_ink(&row), row.label,
                       x - to.x - 2 * EDGE);
