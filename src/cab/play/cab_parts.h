@@ -35,6 +35,7 @@
 
 enum {
     CAB_NAME = 96,
+    CAB_NOTICE_STAYS = INT32_MAX, /* until it is taken away */
     CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
 };
 
@@ -275,6 +276,7 @@ void cab_asked(enum board_ask what);
 void cab_open_menu(void);
 void cab_open_settings(void);
 void cab_open_keys(void);
+void cab_open_controllers(void);
 
 /* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
  * is left in k->pressed are the cabinet's keys that none of them took. */

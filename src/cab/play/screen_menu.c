@@ -6,7 +6,7 @@
 #include <string.h>
 #include "cab_parts.h"
 
-enum entry { GO_ON, PLAY_ON, SETTINGS, KEYS, PRACTICE, ANEW, LEAVE, ENTRIES };
+enum entry { GO_ON, PLAY_ON, SETTINGS, KEYS, CONTROLLERS, PRACTICE, ANEW, LEAVE, ENTRIES };
 
 /* The entries that there are, in their order; returns how many. */
 static int entries(enum entry list[ENTRIES])
@@ -39,13 +39,14 @@ static int rows(void *of)
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    static const char *const labels[] = { "go on",    "play on from here", "settings", "keys",
-                                          "practice", "begin anew",        "leave" };
+    static const char *const labels[] = { "go on",       "play on from here", "settings",   "keys",
+                                          "controllers", "practice",          "begin anew", "leave" };
     static const char *const helps[] = {
         "",
         "from this frame on it is you who plays, and a recording of your own",
         "picture, sound, how you play",
         "every key and button, and what it does",
+        "who plays with which, and what is pressed on it",
         "any stage, mark or phase by itself, as often as you like",
         "this run ends, and the game begins at its title",
         "",
@@ -86,6 +87,9 @@ static void accept(void *of, int at)
         break;
     case KEYS:
         cab_open_keys();
+        break;
+    case CONTROLLERS:
+        cab_open_controllers();
         break;
     case PRACTICE:
         screens_close_all(&cab.screens);
