@@ -54,6 +54,8 @@ static const struct {
                           "release, core version, Lua release, compiler and flags (also --version)" },
 };
 
+#define BIT(option) ((uint64_t)1 << (option)) /* in a set of options */
+
 enum option {
     OPTION_RECORD,
     OPTION_DEMO,
@@ -78,10 +80,13 @@ enum option {
     OPTION_NOTES,
     OPTION_PLAY,
     OPTION_OUT,
+    OPTION_RESUME,
+    OPTION_NO_RESUME,
     OPTION_NEAREST,
     OPTION_BISECT,
     OPTION_RESTAMP,
     OPTION_RERECORD,
+    OPTION_JSON,
     OPTION_NULL,
     OPTION_VERBOSE,
     OPTION_HELP,
@@ -126,6 +131,9 @@ static const struct {
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
     [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK | FOR_SOUND,
                      "where to write: render: folder (else the current one); pack: ROM file; sound: WAV file" },
+    [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
+    [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
+                           "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
@@ -139,6 +147,10 @@ static const struct {
                           "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
                           "moments "
                           "and length are known to be the same; 1: not; 2: not written" },
+    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY,
+                      "print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
+                      "moments, "
+                      "hashes (docs/demos.md)" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
@@ -463,6 +475,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->restamp);
     case OPTION_RERECORD:
         return set_switch(&a->rerecord);
+    case OPTION_JSON:
+        return set_switch(&a->json);
+    case OPTION_RESUME:
+        return set_switch(&a->resume);
+    case OPTION_NO_RESUME:
+        return set_switch(&a->no_resume);
     case OPTION_NULL:
         return set_switch(&a->null);
     case OPTION_VERBOSE:
@@ -510,7 +528,7 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
 }
 
 /* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
-static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned *seen, char *err, size_t err_size)
+static bool read_option(struct args *a, int argc, char **argv, int *i, uint64_t *seen, char *err, size_t err_size)
 {
     const char *word = argv[*i], *equals = strchr(word, '='), *value = NULL;
     size_t n = equals ? (size_t)(equals - word) : strlen(word);
@@ -527,7 +545,7 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, unsigned 
     }
     if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER && o != OPTION_TRACE)
         return err_set(err, err_size, "%s is given twice", options[o].name);
-    *seen |= 1u << o;
+    *seen |= BIT(o);
     return set(a, o, value, err, err_size);
 }
 
@@ -543,9 +561,9 @@ static void goes_with(unsigned set_of, char *out, size_t size)
 }
 
 /* Each of these makes another command of verify. */
-static bool check_verify(unsigned seen, char *err, size_t err_size)
+static bool check_verify(uint64_t seen, char *err, size_t err_size)
 {
-    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD };
+    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD, OPTION_JSON };
     const char *first = NULL;
 
     for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
@@ -555,6 +573,18 @@ static bool check_verify(unsigned seen, char *err, size_t err_size)
             return err_set(err, err_size, "%s does not go with %s", options[ways[i]].name, first);
         first = options[ways[i]].name;
     }
+    return true;
+}
+
+/* A run that was left is gone on with as it was begun. */
+static bool check_resume(const struct args *a, uint64_t seen, char *err, size_t err_size)
+{
+    static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
+                                          OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
+
+    for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
+        if (seen & BIT(others[i]))
+            return err_set(err, err_size, "--resume does not go with %s", options[others[i]].name);
     return true;
 }
 
@@ -576,12 +606,12 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-static bool check_options(const struct args *a, unsigned seen, char *err, size_t err_size)
+static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     char with[64];
-    const unsigned practice = 1u << OPTION_LIVES | 1u << OPTION_REGISTER | 1u << OPTION_INVINCIBLE;
-    const unsigned fixed = practice | 1u << OPTION_SEED | 1u << OPTION_DIP | 1u << OPTION_STAGE |
-                           1u << OPTION_DIFFICULTY | 1u << OPTION_LANG | 1u << OPTION_PRESS;
+    const uint64_t practice = BIT(OPTION_LIVES) | BIT(OPTION_REGISTER) | BIT(OPTION_INVINCIBLE);
+    const uint64_t fixed = practice | BIT(OPTION_SEED) | BIT(OPTION_DIP) | BIT(OPTION_STAGE) | BIT(OPTION_DIFFICULTY) |
+                           BIT(OPTION_LANG) | BIT(OPTION_PRESS);
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(seen >> o & 1))
@@ -596,11 +626,11 @@ static bool check_options(const struct args *a, unsigned seen, char *err, size_t
         if (!a->stage && practice >> o & 1)
             return err_set(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
     }
-    return check_verify(seen, err, err_size);
+    return check_verify(seen, err, err_size) && check_resume(a, seen, err, err_size);
 }
 
 /* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */
-static bool check_command(const struct args *a, unsigned seen, char *err, size_t err_size)
+static bool check_command(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     const char *word = a->words[0], *meant = args_near_command(word);
     bool fits = a->n_words == 1;
@@ -651,7 +681,7 @@ static bool short_enough(int argc, char **argv, char *err, size_t err_size)
 
 bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size)
 {
-    unsigned seen = 0;
+    uint64_t seen = 0;
     bool only_words = false;
 
     *a = (struct args){ .words = argv, .every = 1 };
