@@ -159,12 +159,15 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame);
 /* Ends: writes what is left and the end mark, with the board's fault if it has one. demo stays until demo_free. */
 bool demo_end(struct demo_writer *w, const struct board *b);
 
-/* Saves the recording as a whole demo that ends at the present, where b is, and goes on recording. False and one
- * sentence. */
-bool demo_save_now(const struct demo_writer *w, const struct board *b, const char *path, char *err, size_t err_size);
+/* The recording as the file of a whole demo that ends at the present, where b is: malloc'ed. It goes on recording.
+ * NULL: no memory, or recording has stopped. */
+uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size);
 
 /* Gives everything back, recording or not; the file stays as it is. */
 void demo_drop(struct demo_writer *w);
+
+/* A demo's file, malloc'ed, in the newest format; NULL: no memory. It has every part's checksums. */
+uint8_t *demo_bytes(const struct demo *d, size_t *size);
 
 /* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence, also for one
  * that does not have every part's checksums: that has to be replayed first. */

@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../base/err.h"
 #include "demo_parts.h"
 #include "../host/files.h"
 
@@ -301,24 +300,20 @@ static bool end_copy(struct demo *d, const struct board *b, const uint64_t hashe
     return true;
 }
 
-bool demo_save_now(const struct demo_writer *w, const struct board *b, const char *path, char *err, size_t err_size)
+uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size)
 {
     struct demo d = w->demo;
     const size_t row = sizeof d.track[0] * (size_t)d.parts;
 
     if (!w->on)
-        return err_set(err, err_size, "%s: nothing is recorded", path);
+        return NULL;
     d.track = copy_of(d.track, d.seconds * row, row);
     d.markers = copy_of(d.markers, d.n_markers * sizeof d.markers[0], PADS * sizeof d.markers[0]);
     d.room_markers = d.n_markers + PADS;
-    bool good = d.track && d.markers && end_copy(&d, b, w->hashes);
-    if (good)
-        good = demo_save(&d, path, err, err_size);
-    else
-        snprintf(err, err_size, "%s: out of memory", path);
+    uint8_t *bytes = d.track && d.markers && end_copy(&d, b, w->hashes) ? demo_bytes(&d, size) : NULL;
     free(d.track);
     free(d.markers);
-    return good;
+    return bytes;
 }
 
 void demo_drop(struct demo_writer *w)

@@ -236,15 +236,11 @@ void demo_write_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames
     }
 }
 
-bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size)
+uint8_t *demo_bytes(const struct demo *d, size_t *size)
 {
     struct demo_sink s = { 0 };
     uint32_t frames, told, crc;
 
-    if (d->checksum_parts != UINT64_MAX) {
-        snprintf(err, err_size, "%s: there are no prints of every part to write", path);
-        return false;
-    }
     demo_write_rows(&s, d, &frames, &told, &crc);
     if (d->complete && d->frames > frames) { /* a fault has no row */
         demo_write_second(&s, d, frames, d->frames - frames, NULL, &crc);
@@ -252,9 +248,25 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
     }
     if (d->complete)
         demo_write_end(&s, d, &crc);
-    bool ok = !s.bad && files_save(path, s.p, s.n, err, err_size);
-    if (s.bad)
-        snprintf(err, err_size, "%s: out of memory", path);
+    *size = s.n;
+    if (!s.bad)
+        return s.p;
     free(s.p);
+    return NULL;
+}
+
+bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size)
+{
+    size_t size;
+
+    if (d->checksum_parts != UINT64_MAX) {
+        snprintf(err, err_size, "%s: there are no prints of every part to write", path);
+        return false;
+    }
+    uint8_t *bytes = demo_bytes(d, &size);
+    bool ok = bytes && files_save(path, bytes, size, err, err_size);
+    if (!bytes)
+        snprintf(err, err_size, "%s: out of memory", path);
+    free(bytes);
     return ok;
 }
