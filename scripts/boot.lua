@@ -4,7 +4,8 @@
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local boot = {}
 
-local PLAYED, PRACTISED = { "GO ON", "START OVER", "QUIT" }, { "GO ON", "AGAIN" } -- items of the pause menu
+-- Items of the pause menu.
+local PLAYED, PRACTISED = { "GO ON", "START OVER", "SETTINGS", "QUIT" }, { "GO ON", "AGAIN", "SETTINGS" }
 
 local screens = {} -- a game's own, by name
 local over, left   -- the last player is out; the item of the pause menu by which this game is left
@@ -32,6 +33,10 @@ local function pause(p, items)
   stand(function()
     sys.cue("pause")
     local i = show("pause", p, items)
+    while items[i] == "SETTINGS" do
+      board.ask("settings")
+      i = show("pause", p, items, i)
+    end
     if i ~= 1 then left = items[i] end
   end)
 end

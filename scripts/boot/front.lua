@@ -31,6 +31,7 @@ local function places(a)
   if a.music then list[#list + 1] = "music" end
   local unlocks = rawget(sys, "unlock")
   if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
+  list[#list + 1], list[#list + 2] = "replays", "settings"
   return list
 end
 
@@ -62,6 +63,8 @@ local function wait_for_players(a, show)
     what, players = show("title", ATTRACT, list, what)
     if what == nil then
       attract(a, show)
+    elseif what == "replays" or what == "settings" then
+      board.ask(what)
     elseif what ~= "start" then
       expect_place(what, list)
       show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)

@@ -4,8 +4,9 @@ local page = sys.read("menu/page")
 
 local ROOM = 8 -- columns beside the widest item
 
--- p: who pressed START; items: texts, the first of which goes on. Returns the number of one.
-return function(p, items)
+-- p: who pressed START; items: texts, the first of which goes on; last: the number of the one that was chosen before.
+-- Returns the number of one.
+return function(p, items, last)
   local words, widest = {}, sys.cells(text.lang("PAUSE"))
   for i, item in ipairs(items) do
     words[i] = text.lang(item)
@@ -20,7 +21,7 @@ return function(p, items)
     page.rule(row + 2, age, col + 1, w - 2)
   end
   local i = page.list {
-    items = words, row = row + 4, col = col, cols = w, p = p, back = 1, limit = forever, draw = draw,
+    items = words, row = row + 4, col = col, cols = w, p = p, chosen = last, back = 1, limit = forever, draw = draw,
   }
   page.close(window)
   return i

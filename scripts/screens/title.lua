@@ -2,7 +2,9 @@
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
-local WORDS = { scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS" }
+local WORDS = {
+  scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", replays = "REPLAYS", settings = "SETTINGS",
+}
 local DROP = 24 -- px from above that the logo comes
 
 -- The name of a game without a logo, its letters apart where there is room.
@@ -70,10 +72,9 @@ end
 -- The number of what is chosen from the list; 0: back, nil: nobody answers.
 local function choose(items, row, chosen)
   if #items == 1 then return 1 end
-  local gap = page.low and #items > 4 and 1 or 2
-  return page.list {
-    items = items, row = row - (page.low and 2 or 0), chosen = chosen, back = 0, gap = gap, keys = true,
-  }
+  local gap = #items > 4 and 1 or 2
+  local top = math.min(row - (page.low and 2 or 0), page.row + page.rows - 2 - gap * #items)
+  return page.list { items = items, row = top, chosen = chosen, back = 0, gap = gap, keys = true }
 end
 
 -- words: where one can go, "start" first; last: where one comes from, or nil. Returns where to, and how many play; nil

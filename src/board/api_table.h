@@ -55,6 +55,7 @@ enum api_type {
     A_MEET,  /* which of two bullets that meet goes */
     A_EMIT,  /* a pattern of the step emit */
     A_DOWN,  /* how many bars of a cast must be emptied */
+    A_ASK,   /* a screen of the host */
 };
 
 /* What is declared under a name. */

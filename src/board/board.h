@@ -70,7 +70,10 @@ struct board_start {
     size_t nvram_size;    /* at most NVRAM_MOST */
 };
 
-enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT };
+enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT, REQUEST_ASK };
+
+/* Screens of the host that a script can ask for. */
+enum board_ask { ASK_SETTINGS, ASK_REPLAYS, ASK_PRACTICE, ASK_KEYS, ASKS };
 
 /* Markers by which a player finds their way in a run; and what PRACTICE_LIST tells. Telling one changes no RAM. */
 enum board_marker_kind {
@@ -120,8 +123,9 @@ struct board_full {
 /* What a tick hands the cabinet; good until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
-    char attract[64]; /* the demo lump's name, with REQUEST_ATTRACT */
-    const char *log;  /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
+    char attract[64];   /* the demo lump's name, with REQUEST_ATTRACT */
+    enum board_ask ask; /* with REQUEST_ASK */
+    const char *log;    /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
                              lines end in \n */
     size_t log_size;
     struct board_marker marker[BOARD_MARKERS];
@@ -171,6 +175,10 @@ enum { BOARD_SOUND = 800 };
 bool board_has_sound(const struct board *b);
 size_t board_sound_tables(void);
 void board_sound_open(void *tables);
+
+/* How loud who listens with these tables wants music, and all other sounds: 0 to 100 percent of what the game says.
+ * With 100 and 100, as board_sound_open leaves it, it is the game's to the bit. */
+void board_sound_levels(void *tables, int music, int sounds);
 void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND]);
 
 /* What the slot-th voice of sounds plays after a tick; false: there are no more. */

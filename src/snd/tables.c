@@ -177,6 +177,7 @@ void snd_tables_make(struct snd_tables *t)
     for (int i = 0; i < FEEDBACK_ROWS; i++)
         make_feedback(t, i);
     memcpy(t->feedback[FEEDBACK_ROWS], t->feedback[FEEDBACK_ROWS - 1], sizeof t->feedback[0]);
+    t->music = t->sounds = 100;
 }
 
 /* Harmonics up to 28 kHz: what folds back lies above 20 kHz, where nobody hears it. */

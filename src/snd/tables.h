@@ -34,6 +34,7 @@ struct snd_tables {
     int16_t pan[257];               /* of equal power: left is pan[256 - p], right pan[p]; Q15 */
     int64_t work[2][WAVE_LONG / 2]; /* what the sums were made in */
     int32_t sine30[WAVE_LONG];
+    int32_t music, sounds; /* percent: how loud whoever listens wants them; 100 and 100 when made */
 };
 
 /* Fills all of it: some milliseconds. */

@@ -9,12 +9,13 @@
 #include "api_parts.h"
 
 /* The only parameter of each entry here. */
-enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0 };
+enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
 static const struct api_param name_opt[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL } };
 static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param chip_req[] = { { "chip", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param demo_req[] = { { "demo", A_STR, REQ, 1, 63, NULL, NULL } };
+static const struct api_param what_req[] = { { "what", A_ASK, REQ, 0, 0, NULL, NULL } };
 static const struct api_param frames_req[] = { { "n", A_INT, REQ, 1, 60, "frames", NULL } };
 static const struct api_param value_req[] = { { "v", A_ANY, REQ, 0, 0, NULL, NULL } };
 
@@ -122,6 +123,14 @@ static int board_attract(lua_State *L, struct board *b, struct api_value *v)
 {
     b->output->out.request = REQUEST_ATTRACT;
     strcpy(b->output->out.attract, lua_tostring(L, v[ARG_DEMO].at));
+    return 0;
+}
+
+static int board_ask_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    b->output->out.request = REQUEST_ASK;
+    b->output->out.ask = (enum board_ask)v[ARG_WHAT].i;
     return 0;
 }
 
@@ -233,6 +242,10 @@ static const struct api_entry entries[] = {
     { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count", "live things of a chip (\"bullets\")" },
     { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count", "how often a chip had no room" },
     { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL, "asks the cabinet to show a demo" },
+    { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
+      "asks the host for one of its screens; the board stands until it is closed; in a demo, and where there is no "
+      "such "
+      "screen, nothing happens" },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
       "hit-stop: after this frame, field and tasks stand for n frames; what is pressed meanwhile counts as of the "
       "first "

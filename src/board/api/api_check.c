@@ -306,7 +306,8 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                          *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
                                                                                                     "fan",   "arc",
                                                                                                     "stack", "line" },
-                         *const downs[] = { "all", "any" };
+                         *const downs[] = { "all", "any" },
+                         *const asks[] = { "settings", "replays", "practice", "keys" };
 
 /* By FIRES_. */
 const struct api_entry *const api_fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
@@ -324,7 +325,8 @@ static const struct word_list {
               [A_SHOOT] = { fire_words, FIRES_SHOTS + 1 },
               [A_MEET] = { meets, 4 },
               [A_EMIT] = { emits, EMIT_PATTERNS },
-              [A_DOWN] = { downs, 2 } };
+              [A_DOWN] = { downs, 2 },
+              [A_ASK] = { asks, ASKS } };
 
 /* One word of the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -461,6 +463,7 @@ static check *const CHECKS[] = {
     [A_MEET] = check_word,
     [A_EMIT] = check_word,
     [A_DOWN] = check_word,
+    [A_ASK] = check_word,
 };
 
 void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v)

@@ -48,6 +48,7 @@ static const char *type_words(const struct api_param *p)
         [A_MEET] = "none, first, second or both",
         [A_EMIT] = "one, ring, fan, arc, stack or line",
         [A_DOWN] = "all or any",
+        [A_ASK] = "settings, replays, practice or keys",
     };
 
     if (p->type == A_ANY && p->unit) /* what looks at it itself */

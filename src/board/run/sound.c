@@ -503,6 +503,14 @@ void board_sound_open(void *tables)
     snd_tables_make(tables);
 }
 
+void board_sound_levels(void *tables, int music, int sounds)
+{
+    struct snd_tables *t = tables;
+
+    t->music = music;
+    t->sounds = sounds;
+}
+
 void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND])
 {
     if (board_has_sound(b))

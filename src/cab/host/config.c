@@ -8,26 +8,51 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct setting {
-    const char *name;
-    size_t at; /* an int of struct config */
-    int lo, hi, standard;
-    bool yes_no;
-    const char *help;
-} settings[] = {
-    { "scale", offsetof(struct config, scale), 0, 16, 0, false, "window pixels a picture pixel; 0: what fits" },
-    { "volume", offsetof(struct config, volume), 0, 100, 100, false, "percent" },
-    { "mute", offsetof(struct config, mute), 0, 1, 0, true, "start without sound" },
-    { "resample", offsetof(struct config, resample), 0, 1, 1, true,
+static const char *const no_yes[] = { "no", "yes", NULL };
+static const char *const aways[] = { "go-on", "stop", NULL };
+static const char *const speeds[] = { "full", "half", "quarter", NULL };
+
+#define AT(field) offsetof(struct config, field)
+static const struct config_setting settings[] = {
+    { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits" },
+    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen" },
+    { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent" },
+    { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent" },
+    { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent" },
+    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound" },
+    { "resample", "follow our clock", "sound", AT(resample), 0, 1, 1, no_yes, 1,
       "no: sound to the bit, and the card's clock leads" },
-    { "fullscreen", offsetof(struct config, fullscreen), 0, 1, 0, true, "start in fullscreen" },
+    { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,
+      "stop: the game waits when another window has the keys" },
+    { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording" },
 };
+#undef AT
 
 enum { SETTINGS = sizeof settings / sizeof *settings };
 
-static int *value_of(struct config *c, const struct setting *s)
+const struct config_setting *config_setting(int i)
 {
-    return (int *)(void *)((char *)c + s->at);
+    return i >= 0 && i < SETTINGS ? &settings[i] : NULL;
+}
+
+int config_value(const struct config *c, const struct config_setting *s)
+{
+    return *(const int *)(const void *)((const char *)c + s->at);
+}
+
+void config_put(struct config *c, const struct config_setting *s, int value)
+{
+    *(int *)(void *)((char *)c + s->at) = value < s->lo ? s->lo : value > s->hi ? s->hi : value;
+}
+
+void config_text(const struct config *c, const struct config_setting *s, char *out, size_t size)
+{
+    const int v = config_value(c, s);
+
+    if (s->words)
+        snprintf(out, size, "%s", s->words[v]);
+    else
+        snprintf(out, size, "%d", v);
 }
 
 void config_defaults(struct config *c)
@@ -35,7 +60,7 @@ void config_defaults(struct config *c)
     keys_defaults(&c->keys);
     memset(c->lang, 0, sizeof c->lang);
     for (int i = 0; i < SETTINGS; i++)
-        *value_of(c, &settings[i]) = settings[i].standard;
+        config_put(c, &settings[i], settings[i].standard);
 }
 
 static bool number(const char *s, int lo, int hi, int *v)
@@ -48,10 +73,39 @@ static bool number(const char *s, int lo, int hi, int *v)
     return true;
 }
 
-static bool yes_no(const char *s, int *v)
+static bool word(const char *s, const char *const *words, int *v)
 {
-    *v = strcmp(s, "yes") == 0;
-    return *v || strcmp(s, "no") == 0;
+    for (*v = 0; words[*v]; ++*v)
+        if (strcmp(s, words[*v]) == 0)
+            return true;
+    return false;
+}
+
+/* "yes or no", "whole, smooth or none" */
+static void list_words(const char *const *words, char *out, size_t size)
+{
+    size_t n = 0;
+
+    for (int i = 0; words[i] && n < size; i++)
+        n += (size_t)snprintf(out + n, size - n, "%s%s", i == 0 ? "" : words[i + 1] ? ", " : " or ", words[i]);
+}
+
+static bool set_value(struct config *c, const struct config_setting *s, const char *value, char *err, size_t err_size)
+{
+    char words[128];
+    int v;
+
+    if (s->words ? word(value, s->words, &v) : number(value, s->lo, s->hi, &v)) {
+        config_put(c, s, v);
+        return true;
+    }
+    if (s->words) {
+        list_words(s->words, words, sizeof words);
+        snprintf(err, err_size, "%s: expected %s, got \"%s\"", s->name, words, value);
+    } else {
+        snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", s->name, s->lo, s->hi, value);
+    }
+    return false;
 }
 
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
@@ -66,18 +120,9 @@ static bool set_lang(struct config *c, const char *value, char *err, size_t err_
 
 static bool set(struct config *c, const char *name, const char *value, char *err, size_t err_size)
 {
-    for (int i = 0; i < SETTINGS; i++) {
-        const struct setting *s = &settings[i];
-        if (strcmp(name, s->name) != 0)
-            continue;
-        if (s->yes_no ? yes_no(value, value_of(c, s)) : number(value, s->lo, s->hi, value_of(c, s)))
-            return true;
-        if (s->yes_no)
-            snprintf(err, err_size, "%s: expected yes or no, got \"%s\"", name, value);
-        else
-            snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", name, s->lo, s->hi, value);
-        return false;
-    }
+    for (int i = 0; i < SETTINGS; i++)
+        if (strcmp(name, settings[i].name) == 0)
+            return set_value(c, &settings[i], value, err, err_size);
     if (strcmp(name, "lang") == 0)
         return set_lang(c, value, err, err_size);
     if (keys_known(name))
@@ -153,13 +198,18 @@ bool config_load(struct config *c, char *err, size_t err_size)
 
 void config_help(void (*line)(const char *))
 {
-    char text[128], value[32];
+    char text[320], value[192], words[128], standard[32];
+    struct config c;
+
+    config_defaults(&c);
     for (int i = 0; i < SETTINGS; i++) {
-        const struct setting *s = &settings[i];
-        if (s->yes_no)
-            snprintf(value, sizeof value, "%s", s->standard ? "yes (or no)" : "no (or yes)");
+        const struct config_setting *s = &settings[i];
+        config_text(&c, s, standard, sizeof standard);
+        if (s->words)
+            list_words(s->words, words, sizeof words);
         else
-            snprintf(value, sizeof value, "%d (%d to %d)", s->standard, s->lo, s->hi);
+            snprintf(words, sizeof words, "%d to %d", s->lo, s->hi);
+        snprintf(value, sizeof value, "%s (%s)", standard, words);
         snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
         line(text);
     }

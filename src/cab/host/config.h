@@ -12,8 +12,8 @@
  *
  * A line is `name = value`; # starts a comment, blank lines are skipped. A name is one of the table in config.c or an
  * action of keys.h. What is not mentioned keeps its default, the last of two equal names counts. A line that is not
- * right is refused with file and line, and then nothing of the file counts. The file is CONFIG_FILE; Curtain never
- * writes it.
+ * right is refused with file and line, and then nothing of the file counts. The file is CONFIG_FILE. The settings
+ * screen writes what was changed there into it, and leaves the rest as it is, comments included.
  */
 #ifndef CAB_CONFIG_H
 #define CAB_CONFIG_H
@@ -29,10 +29,37 @@ struct config {
     int scale;      /* 0 to 16 */
     int volume;     /* percent */
     int mute;       /* 0 or 1 */
+    int music;      /* percent, of volume */
+    int sounds;     /* percent, of volume */
     int resample;   /* 0 or 1 */
     int fullscreen; /* 0 or 1 */
+    int speed;      /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
+    int away;       /* 0 or 1: stop when the window loses the keys */
     char lang[16];  /* of games that have it; "": none */
 };
+
+/* A setting that has a number or a word: all but lang and the keys. */
+struct config_setting {
+    const char *name;  /* in the file */
+    const char *label; /* on the screen */
+    const char *group; /* of settings on the screen; those of a group follow one another */
+    size_t at;         /* an int of struct config */
+    int lo, hi, standard;
+    const char *const *words; /* of its values from 0 on, NULL-ended; NULL: it is a number */
+    int step;                 /* of a number, on the screen */
+    const char *help;         /* a sentence without its full stop */
+};
+
+/* The i-th setting, from 0 on; NULL: there are no more. */
+const struct config_setting *config_setting(int i);
+
+int config_value(const struct config *c, const struct config_setting *s);
+
+/* Sets a value, which is brought into the setting's range. */
+void config_put(struct config *c, const struct config_setting *s, int value);
+
+/* Writes a setting's value as the file has it: "80", "yes". */
+void config_text(const struct config *c, const struct config_setting *s, char *out, size_t size);
 
 void config_defaults(struct config *c);
 
@@ -42,6 +69,13 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 
 /* Defaults, and what CONFIG_FILE says if there is one. False and one sentence for a file that is not right. */
 bool config_load(struct config *c, char *err, size_t err_size);
+
+/* Writes what differs between CONFIG_FILE and *c into it: the last line of each such name, or a new one at the end.
+ * False and one sentence: the file is as it was. One that is not right is left alone. */
+bool config_save(const struct config *c, char *err, size_t err_size);
+
+/* The same, of a text: a new one, malloc'ed, ending in NUL. NULL and one sentence. */
+char *config_edit(const struct config *c, const char *text, size_t size, char *err, size_t err_size);
 
 /* Hands out a line a setting, for `curtain help play`. */
 void config_help(void (*line)(const char *));

@@ -56,7 +56,9 @@ static const struct action {
     { "louder", "equals", "and more" },
     { "screenshot", "f12", "a PNG into the current folder" },
     { "fullscreen", "f11 alt+enter", "fullscreen, window" },
-    { "quit", "escape", "leave" },
+    { "quit", "ctrl+q", "leave at once" },
+    { "menu", "escape pad.guide", "the cabinet's menu" },
+    { "help", "f1", "all keys, and what they do" },
     { "shapes", "h", "hit shapes and graze rings, over the picture" },
     { "gauges", "g", "how full every part is, and Lua's memory" },
     { "split", "v", "where the time of a frame goes" },
@@ -222,14 +224,42 @@ static void name_of(unsigned code, char *out, size_t size)
         snprintf(out, size, "key%u", code);
 }
 
-void keys_first(const struct keys *k, const char *action, char *out, size_t size)
+/* The same of any code; "none" for 0. */
+static void chord_name(unsigned code, char *out, size_t size)
 {
-    unsigned code = k->code[find(action)][0];
     const char *with = code & WITH_ALT ? "alt+" : code & WITH_CTRL ? "ctrl+" : "";
 
     snprintf(out, size, "%s", code ? with : "none");
     if (code && size > strlen(with))
         name_of(code & ~(unsigned)(WITH_ALT | WITH_CTRL), out + strlen(with), size - strlen(with));
+}
+
+void keys_first(const struct keys *k, const char *action, char *out, size_t size)
+{
+    chord_name(k->code[find(action)][0], out, size);
+}
+
+void keys_list(const struct keys *k, int action, char *out, size_t size)
+{
+    char name[WORD + 8];
+    size_t n = 0;
+
+    snprintf(out, size, "none");
+    for (int i = 0; i < KEYS_EACH && n < size; i++)
+        if (k->code[action][i]) {
+            chord_name(k->code[action][i], name, sizeof name);
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? " " : "", name);
+        }
+}
+
+const char *keys_action(int action)
+{
+    return actions[action].name;
+}
+
+const char *keys_does(int action)
+{
+    return actions[action].help;
 }
 
 void keys_defaults(struct keys *k)

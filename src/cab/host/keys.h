@@ -42,6 +42,8 @@ enum cab_key {
     CAB_SCREENSHOT,
     CAB_FULLSCREEN,
     CAB_QUIT,
+    CAB_MENU,
+    CAB_HELP,
     CAB_SHAPES, /* the overlay's panels, in their order */
     CAB_GAUGES,
     CAB_SPLIT,
@@ -76,6 +78,13 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
 
 /* Writes the name of an action's first switch, "enter", or "none". */
 void keys_first(const struct keys *k, const char *action, char *out, size_t size);
+
+/* Writes all switches of an action as keys_bind takes them: "z pad.south", or "none". */
+void keys_list(const struct keys *k, int action, char *out, size_t size);
+
+/* The name of an action, and what it does in a few words ("": as the one of player 1). */
+const char *keys_action(int action);
+const char *keys_does(int action);
 
 /* True when there is such an action. */
 bool keys_known(const char *action);

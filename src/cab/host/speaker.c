@@ -34,7 +34,15 @@ enum {
 
 void speaker_open(struct speaker *s, int volume, bool muted, bool exact)
 {
-    *s = (struct speaker){ .volume = volume, .muted = muted, .exact = exact, .pace = 1 };
+    *s = (struct speaker){ .volume = volume, .music = 100, .sounds = 100, .muted = muted, .exact = exact, .pace = 1 };
+}
+
+void speaker_levels(struct speaker *s, int music, int sounds)
+{
+    s->music = music;
+    s->sounds = sounds;
+    if (s->memory)
+        board_sound_levels(s->memory, music, sounds);
 }
 
 /* ---- blocks ---- */
@@ -52,6 +60,7 @@ static bool ready(struct speaker *s)
         return false;
     }
     board_sound_open(tables);
+    board_sound_levels(tables, s->music, s->sounds);
     resample_open(r);
     s->memory = tables;
     s->resample = r;

@@ -46,7 +46,8 @@ struct speaker_seen {
 };
 
 struct speaker {
-    int volume; /* percent */
+    int volume;        /* percent */
+    int music, sounds; /* percent of it */
     bool muted;
     bool exact;                /* blocks are played as they are: the rate is not adjusted, the card's clock leads */
     bool meter;                /* levels are wanted, be it muted or not */
@@ -79,6 +80,9 @@ struct speaker_time {
 };
 
 void speaker_open(struct speaker *s, int volume, bool muted, bool exact);
+
+/* How loud music and the other sounds are from the next frame on: percent of the volume, 100 at first. */
+void speaker_levels(struct speaker *s, int music, int sounds);
 
 /* Takes the sound of the frame that the board has just ticked; slow: sixtieths it is to last. Does nothing for a
  * board without sound, or muted. */

@@ -2,10 +2,13 @@
  * canvas.h - draws text, boxes, lines and circles over a copy of the game's picture, in colours of the cabinet's own.
  * floor: cab
  *
- * A game's font may lack letters and its palette may be faded to black, so the font is built in (printable ASCII, 3 x 5
- * pixels, and one row below for descenders), and the colours replace the least used palette entries. A picture is
- * opened once, and everything drawn over it uses that canvas: a second canvas_open would replace the colours of the
- * first.
+ * A game's font may lack letters and its palette may be faded to black, so two faces are built in, and the colours
+ * replace the least used palette entries. A picture is opened once, and everything drawn over it uses that canvas: a
+ * second canvas_open would replace the colours of the first.
+ *
+ * The small face (canvas_text) is for panels: printable ASCII, 3 x 5 pixels, and one row below for descenders. The
+ * larger one (canvas_say) is for what is read at leisure, menus and sentences: capitals 7 px high, widths of their
+ * own, UTF-8, and what letters.h lists.
  */
 #ifndef CAB_CANVAS_H
 #define CAB_CANVAS_H
@@ -26,7 +29,13 @@ enum canvas_colour {
 
 enum {
     CANVAS_CELL_W = 4, /* px a character, the gaps included */
-    CANVAS_CELL_H = 7
+    CANVAS_CELL_H = 7,
+
+    /* The larger face, in px. */
+    CANVAS_SAY_UP = 3,  /* rows above a capital's top, for its accent; y of canvas_say is that top */
+    CANVAS_SAY_H = 9,   /* from there down to the last row of a g */
+    CANVAS_LINE_H = 12, /* from line to line, so that no two touch */
+    CANVAS_SAY_GAP = 1, /* between two letters */
 };
 
 struct canvas {
@@ -52,6 +61,27 @@ int canvas_width(const char *text);
 /* How many bytes of text fit on one line of so many columns: up to a \n, or to where the line is broken, after a blank
  * if there is one in the second half. At least one, unless the line is empty. */
 int canvas_fit(const char *text, int columns);
+
+/* The larger face: draws one line, the left end of its capitals' top row at (x, y). A tab is two blanks; a character
+ * that the face does not have is a box. Returns the x after it, a gap included. */
+int canvas_say(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
+
+/* The same with a dark rim one pixel wide, to be read on any picture without a band. */
+int canvas_say_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
+
+/* The same cut to `width` px, with an ellipsis in place of what does not fit. */
+int canvas_say_within(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int width);
+
+/* The width of a line in px, from its first pixel to its last: no gap after it. 0 of an empty one. */
+int canvas_say_width(const char *text);
+
+/* How many bytes of text fit on one line of so many px: up to a \n, or to where the line is broken, after a blank if
+ * there is one in the second half. At least one character, unless the line is empty. */
+int canvas_say_fit(const char *text, int width);
+
+/* Draws text in lines of at most `width` px, the first at (x, y) and CANVAS_LINE_H apart; returns how many. With a
+ * canvas of NULL it only counts. */
+int canvas_say_lines(const struct canvas *canvas, int x, int y, int width, enum canvas_colour c, const char *text);
 
 /* All are clipped to the picture and take any values. A rectangle is filled; a frame is its outline, one pixel wide,
  * inside it; w or h below 1 draws nothing. A line includes both its ends. */

@@ -217,6 +217,7 @@ static void report_sound(void)
 
 static void finish(void)
 {
+    screens_close_all(&cab.screens);
     cab_save_nvram();
     practice_close(&cab.practice);
     if (cab_fault())
@@ -250,7 +251,7 @@ static bool frame(void)
         cab_menu(&k);
     else if (cab.session.state != SESSION_PLAYING)
         cab_seek_or_reload(now);
-    else if (cab.console.open)
+    else if (cab.console.open || screens_are_open(&cab.screens))
         memset(cab.pads, 0, sizeof cab.pads);
     else
         run(time.sixtieths, &k, now);
@@ -293,13 +294,12 @@ static void want_window(void)
                                    .fullscreen = o->fullscreen || cab.config.fullscreen };
 }
 
-/* The settings' language, if the game has it. */
-static void take_lang(void)
+void cab_take_lang(struct board_start *start)
 {
     struct words words;
 
     if (cart_lang(cab.options.cart, cab.config.lang, &words))
-        snprintf(cab.start.lang, sizeof cab.start.lang, "%s", cab.config.lang);
+        snprintf(start->lang, sizeof start->lang, "%s", cab.config.lang);
 }
 
 enum result cab_play(const struct cab_options *options)
@@ -308,14 +308,15 @@ enum result cab_play(const struct cab_options *options)
     memset(&cab, 0, sizeof cab);
     cab.options = *options;
     cab.start = options->start;
-    cab.slow = 1;
     if (!config_load(&cab.config, err, sizeof err)) {
         cab_say("curtain: %s", err);
         return RESULT_REFUSED;
     }
     speaker_open(&cab.speaker, cab.config.volume, options->mute || cab.config.mute, !cab.config.resample);
+    speaker_levels(&cab.speaker, cab.config.music, cab.config.sounds);
+    cab.slow = 1 << cab.config.speed;
     if (!cab.start.lang[0] && !options->demo)
-        take_lang();
+        cab_take_lang(&cab.start);
     if (!options->seeded && !options->demo)
         cab.start.seed = cab_seed_from_clock();
     cab.nvram = cab_load_nvram(&cab.start);
@@ -330,6 +331,8 @@ enum result cab_play(const struct cab_options *options)
     if (!options->demo)
         practice_began(&cab.practice, &cab.start);
     cab_check_recording(!cab.session.err[0]);
+    if (cab.slow > 1 && !options->demo)
+        cab_mark_assisted();
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
         cab_report_fault();

@@ -41,10 +41,8 @@ static void sound_keys(const struct keys_read *k)
 
 static void cabinet_keys(const struct keys_read *k)
 {
-    if (k->pressed & 1 << CAB_QUIT) {
-        cab.quit = !cab.practice.open;
-        cab.practice.open = false;
-    }
+    if (k->pressed & 1 << CAB_QUIT)
+        cab.quit = true;
     if (k->pressed & 1 << CAB_FULLSCREEN)
         reopen();
     sound_keys(k);
@@ -150,6 +148,11 @@ void cab_poll(struct keys_read *k)
               k); /* also while the prompt is open: the key that closes it must not be read afterwards */
     if (prompt_keys(&in)) {
         memset(k, 0, sizeof *k);
+        return;
+    }
+    if (cab_screen_keys(&in, k)) {
+        memset(k->pads, 0, sizeof k->pads);
+        k->held = k->pressed = 0;
         return;
     }
     console_keys(&in, k);

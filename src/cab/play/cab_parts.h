@@ -14,6 +14,7 @@
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
 #include "practice.h"
+#include "../screens/screen.h"
 #include "session.h"
 #include "../host/speaker.h"
 
@@ -56,6 +57,8 @@ struct cab {
     uint32_t nvram_saved; /* board_nvram's count when it was last saved */
     bool no_scores;       /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
+    struct screens screens;
+    bool focus;           /* at the last poll */
     uint16_t pads[PADS];  /* held since the last tick */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
     bool paused, step;
@@ -87,6 +90,9 @@ extern struct cab cab;
 /* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
  * is wanted: a practice run starts with a blank one. */
 uint8_t *cab_load_nvram(struct board_start *start);
+
+/* Gives a start the settings' language, if the game has it. */
+void cab_take_lang(struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
 void cab_save_nvram(void);
@@ -153,6 +159,34 @@ uint64_t cab_seed_from_clock(void);
  * board stands still. */
 void cab_practice_keys(const struct keys_read *k);
 void cab_menu(const struct keys_read *k);
+
+/* Opens the practice menu, if this run may be left for it. Begins the game anew, from its title. */
+void cab_open_practice(void);
+void cab_begin_anew(void);
+
+/* ---- cab_screens.c, screen_*.c: the cabinet's own screens ---- */
+
+/* Is something on that leaving would throw away? */
+bool cab_run_is_on(void);
+
+/* Makes so what cab.config says; to be called after any change of it. */
+void cab_apply_settings(void);
+
+/* Writes the settings that differ from their file's into it; says so where it cannot. */
+void cab_save_settings(void);
+
+/* The game asks for a screen: only in a live run's new ticks. */
+void cab_asked(enum board_ask what);
+
+void cab_open_menu(void);
+void cab_open_settings(void);
+void cab_open_keys(void);
+
+/* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands. */
+bool cab_screen_keys(const struct plat_input *in, const struct keys_read *k);
+
+/* The line below a screen: what to press. */
+void cab_screens_foot(char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 

@@ -1,6 +1,7 @@
 /*
  * cab_practice.c - the practice menu and the retry key. Each attempt is a power-on.
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -68,21 +69,38 @@ static void retry(void)
         cab_notice(CAB_NOTICE_FRAMES, "nothing to try again: choose a piece first");
 }
 
-void cab_practice_keys(const struct keys_read *k)
+void cab_open_practice(void)
 {
-    bool menu = k->pressed & 1 << CAB_PRACTICE, again = k->pressed & 1 << CAB_RETRY;
-
-    if (!(menu || again) || !may_practise())
+    if (!may_practise())
         return;
     if (cab.attracting)
         cab_attract_end();
-    if (again)
+    practice_open(&cab.practice, cab.slow);
+    cab.practice.hitbox = cab.overlay.on[OVERLAY_SHAPES];
+}
+
+void cab_begin_anew(void)
+{
+    struct board_start start = cab.practice.home;
+
+    snprintf(start.lang, sizeof start.lang, "%s", cab.options.start.lang);
+    if (!start.lang[0])
+        cab_take_lang(&start);
+    if (!cab.options.seeded)
+        start.seed = cab_seed_from_clock();
+    power_anew(start);
+}
+
+void cab_practice_keys(const struct keys_read *k)
+{
+    if (k->pressed & 1 << CAB_RETRY && may_practise()) {
+        if (cab.attracting)
+            cab_attract_end();
         retry();
-    else if (cab.practice.open)
+    } else if (k->pressed & 1 << CAB_PRACTICE && cab.practice.open) {
         cab.practice.open = false;
-    else {
-        practice_open(&cab.practice, cab.slow);
-        cab.practice.hitbox = cab.overlay.on[OVERLAY_SHAPES];
+    } else if (k->pressed & 1 << CAB_PRACTICE) {
+        cab_open_practice();
     }
 }
 

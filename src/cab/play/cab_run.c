@@ -185,6 +185,8 @@ static void handle_output(void)
         cab.quit = true;
     else if (out->request == REQUEST_ATTRACT && !cab.session.demo)
         attract_begin(out->attract);
+    else if (out->request == REQUEST_ASK)
+        cab_asked(out->ask);
 }
 
 /* Reports, once, that a playback is not the run that was recorded. */
@@ -209,7 +211,7 @@ static bool at_end(void)
 
 void cab_tick(void)
 {
-    if (cab.quit)
+    if (cab.quit || screens_are_open(&cab.screens))
         return;
     if (cab.attracting) {
         attract_tick();

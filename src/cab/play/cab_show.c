@@ -140,9 +140,13 @@ void cab_picture_show(struct picture *p)
 {
     char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
 
-    if (cab.practice.open) {
+    if (cab.practice.open || screens_are_open(&cab.screens)) {
         struct canvas canvas = copy_picture(p);
-        practice_draw(&cab.practice, &canvas);
+        cab_screens_foot(hint, sizeof hint);
+        if (cab.practice.open)
+            practice_draw(&cab.practice, &canvas);
+        else
+            screens_draw(&cab.screens, &canvas, hint);
         plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
         return;
     }

@@ -360,7 +360,7 @@ static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
     return l0 | l1;
 }
 
-/* Volume, place and the gain of music at the beginning of block b. */
+/* Volume, place and the gain of music at the beginning of block b, and how loud the listener wants it. */
 static struct wave_sides sides_at(const struct note *n, int b)
 {
     const struct voices *s = n->s;
@@ -373,7 +373,9 @@ static struct wave_sides sides_at(const struct note *n, int b)
         pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
     }
     if (i % VOICES < VOICES_MUSIC)
-        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN;
+        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN * n->t->music / 100;
+    else
+        vol = vol * n->t->sounds / 100;
     return (struct wave_sides){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
 }
 

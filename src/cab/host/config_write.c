@@ -1,0 +1,131 @@
+/*
+ * config_write.c - see config.h: the settings written back. A file is edited line by line, so that what its owner wrote
+ * stays: a line's comment too.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/err.h"
+#include "config.h"
+#include "files.h"
+
+/* A text that grows. */
+struct text {
+    char *at; /* malloc; NULL: no memory */
+    size_t n;
+};
+
+/* Puts s in place of `gone` bytes at `at`. */
+static void splice(struct text *t, size_t at, size_t gone, const char *s)
+{
+    const size_t n = strlen(s);
+    char *larger = t->at ? realloc(t->at, t->n + n + 1) : NULL;
+
+    if (!larger) {
+        free(t->at);
+        t->at = NULL;
+        return;
+    }
+    t->at = larger;
+    memmove(larger + at + n, larger + at + gone, t->n - at - gone + 1);
+    memcpy(larger + at, s, n);
+    t->n = t->n + n - gone;
+}
+
+/* Is this line, of n bytes, one of that name? Then its value is from *from to *to. */
+static bool is_of(const char *line, size_t n, const char *name, size_t *from, size_t *to)
+{
+    const char *hash = memchr(line, '#', n), *equals;
+    const size_t end = hash ? (size_t)(hash - line) : n, len = strlen(name);
+    size_t at = 0;
+
+    while (at < end && strchr(" \t", line[at]))
+        at++;
+    if (end - at < len || memcmp(line + at, name, len) != 0)
+        return false;
+    at += len;
+    equals = memchr(line + at, '=', end - at);
+    if (!equals || strspn(line + at, " \t") < (size_t)(equals - line) - at)
+        return false;
+    *from = (size_t)(equals - line) + 1;
+    *to = end;
+    while (*to > *from && strchr(" \t\r", line[*to - 1]))
+        --*to;
+    return true;
+}
+
+/* Gives `name` a value: in its last line, or in a new one. */
+static void set_line(struct text *t, const char *name, const char *value)
+{
+    char words[CONFIG_LINE];
+    size_t from = 0, to = 0, at = 0;
+    bool found = false;
+
+    for (size_t i = 0; t->at && i < t->n;) {
+        const char *end = memchr(t->at + i, '\n', t->n - i);
+        const size_t n = end ? (size_t)(end - (t->at + i)) : t->n - i;
+        size_t a, b;
+        if (is_of(t->at + i, n, name, &a, &b)) {
+            found = true;
+            at = i;
+            from = a;
+            to = b;
+        }
+        i += n + 1;
+    }
+    if (found) {
+        snprintf(words, sizeof words, " %s", value);
+        splice(t, at + from, to - from, words);
+        return;
+    }
+    snprintf(words, sizeof words, "%s%s = %s\n", t->at && t->n > 0 && t->at[t->n - 1] != '\n' ? "\n" : "", name, value);
+    splice(t, t->n, 0, words);
+}
+
+char *config_edit(const struct config *c, const char *text, size_t size, char *err, size_t err_size)
+{
+    struct text t = { malloc(size + 1), size };
+    struct config was;
+    char value[CONFIG_LINE];
+    const struct config_setting *s;
+
+    config_defaults(&was);
+    if (!config_read(&was, CONFIG_FILE, text, size, err, err_size)) {
+        free(t.at);
+        return NULL;
+    }
+    if (t.at) {
+        memcpy(t.at, text, size);
+        t.at[size] = 0;
+    }
+    for (int i = 0; (s = config_setting(i)) != NULL; i++) {
+        config_text(c, s, value, sizeof value);
+        if (config_value(c, s) != config_value(&was, s))
+            set_line(&t, s->name, value);
+    }
+    if (strcmp(c->lang, was.lang) != 0)
+        set_line(&t, "lang", c->lang);
+    for (int i = 0; i < KEYS_ACTIONS; i++)
+        if (memcmp(c->keys.code[i], was.keys.code[i], sizeof c->keys.code[i]) != 0) {
+            keys_list(&c->keys, i, value, sizeof value);
+            set_line(&t, keys_action(i), value);
+        }
+    if (!t.at)
+        err_set(err, err_size, "%s: out of memory", CONFIG_FILE);
+    return t.at;
+}
+
+bool config_save(const struct config *c, char *err, size_t err_size)
+{
+    uint8_t *text = NULL;
+    size_t size = 0;
+
+    if (files_size(CONFIG_FILE) >= 0 &&
+        !files_read(CONFIG_FILE, CONFIG_FILE, CONFIG_BYTES, &text, &size, err, err_size))
+        return false;
+    char *now = config_edit(c, text ? (const char *)text : "", size, err, err_size);
+    free(text);
+    const bool good = now && files_save(CONFIG_FILE, now, strlen(now), err, err_size);
+    free(now);
+    return good;
+}

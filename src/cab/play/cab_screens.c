@@ -1,0 +1,101 @@
+/*
+ * cab_screens.c - the cabinet's own screens in a run: who opens them, what they read, and what settings do at once.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "cab_parts.h"
+#include "../../../platform/platform.h"
+
+bool cab_run_is_on(void)
+{
+    return !cab.session.demo && !cab_fault() && board_frame(cab_live()) > 0 && !board_last(cab_live())->menu;
+}
+
+/* Other settings than these are read where they are used. */
+void cab_apply_settings(void)
+{
+    const struct config *c = &cab.config;
+    const bool window = cab.want.fullscreen != (c->fullscreen != 0) || cab.want.scale != c->scale;
+    const int slow = 1 << c->speed;
+
+    cab.speaker.volume = c->volume;
+    cab.speaker.muted = c->mute;
+    speaker_levels(&cab.speaker, c->music, c->sounds);
+    if (slow != cab.slow)
+        cab_mark_assisted();
+    cab.slow = slow;
+    cab.want.scale = c->scale;
+    cab.want.fullscreen = c->fullscreen;
+    if (window || (!c->mute && !cab.want.rate && cab_sound_rate()))
+        cab.quit = !cab_open_window() || cab.quit;
+}
+
+static void open_asked(enum board_ask what)
+{
+    switch (what) {
+    case ASK_SETTINGS:
+        cab_open_settings();
+        break;
+    case ASK_KEYS:
+        cab_open_keys();
+        break;
+    case ASK_PRACTICE:
+        cab_open_practice();
+        break;
+    default:
+        cab_open_menu();
+    }
+}
+
+void cab_asked(enum board_ask what)
+{
+    if (!cab.session.demo && !cab.attracting && cab.session.state == SESSION_PLAYING)
+        open_asked(what);
+}
+
+/* Who goes away does not want to play: a change from focus to none stops, and a host that never has focus runs. */
+static void heed_focus(const struct plat_input *in)
+{
+    const bool left = cab.focus && !in->focus;
+
+    cab.focus = in->focus;
+    if (!left || !cab.config.away || cab.attracting || cab.practice.open || cab.console.open || cab.prompt.open)
+        return;
+    if (cab.session.demo)
+        cab.paused = true;
+    else if (!cab_fault())
+        cab_open_menu();
+}
+
+bool cab_screen_keys(const struct plat_input *in, const struct keys_read *k)
+{
+    const bool were = screens_are_open(&cab.screens);
+
+    if (were)
+        screens_poll(&cab.screens, in, k);
+    else
+        heed_focus(in);
+    if (!were && !screens_are_open(&cab.screens) && !cab.console.open && k->pressed & (uint32_t)1 << CAB_HELP)
+        cab_open_keys();
+    else if (!were && !screens_are_open(&cab.screens) && !cab.console.open && k->pressed & (uint32_t)1 << CAB_MENU) {
+        if (cab.practice.open)
+            cab.practice.open = false;
+        else
+            cab_open_menu();
+    }
+    if (!were && !screens_are_open(&cab.screens))
+        return false;
+    for (int i = 0; i < PADS; i++)
+        cab.stale[i] = k->pads[i];
+    memset(cab.pads, 0, sizeof cab.pads);
+    return true;
+}
+
+void cab_screens_foot(char *text, size_t size)
+{
+    char yes[32], no[32];
+
+    keys_first(&cab.config.keys, "p1.fire", yes, sizeof yes);
+    keys_first(&cab.config.keys, "p1.bomb", no, sizeof no);
+    snprintf(text, size, "%s: choose  %s: back", yes, no);
+}

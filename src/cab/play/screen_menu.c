@@ -1,0 +1,115 @@
+/*
+ * screen_menu.c - the small menu that Escape opens: the way to all other screens, and out. It never throws a run away
+ * unasked.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "cab_parts.h"
+
+enum entry { GO_ON, PLAY_ON, SETTINGS, KEYS, PRACTICE, ANEW, LEAVE, ENTRIES };
+
+/* The entries that there are, in their order; returns how many. */
+static int entries(enum entry list[ENTRIES])
+{
+    int n = 0;
+
+    for (int e = 0; e < ENTRIES; e++) {
+        const bool playback = cab.session.demo != NULL;
+        if (e == PLAY_ON ? playback : e == PRACTICE || e == ANEW ? !playback : true)
+            list[n++] = (enum entry)e;
+    }
+    return n;
+}
+
+static enum entry entry_at(int at)
+{
+    enum entry list[ENTRIES];
+
+    entries(list);
+    return list[at];
+}
+
+static int rows(void *of)
+{
+    enum entry list[ENTRIES];
+
+    (void)of;
+    return entries(list);
+}
+
+static void row(void *of, int at, struct screen_row *row)
+{
+    static const char *const labels[] = { "go on",    "play on from here", "settings", "keys",
+                                          "practice", "begin anew",        "leave" };
+    static const char *const helps[] = {
+        "",
+        "from this frame on it is you who plays, and a recording of your own",
+        "picture, sound, how you play",
+        "every key and button, and what it does",
+        "any stage, mark or phase by itself, as often as you like",
+        "this run ends, and the game begins at its title",
+        "",
+    };
+    const enum entry e = entry_at(at);
+
+    (void)of;
+    snprintf(row->label, sizeof row->label, "%s", labels[e]);
+    snprintf(row->help, sizeof row->help, "%s", helps[e]);
+}
+
+static void leave(void *of)
+{
+    (void)of;
+    cab.quit = true;
+}
+
+static void begin_anew(void *of)
+{
+    (void)of;
+    screens_close_all(&cab.screens);
+    cab_begin_anew();
+}
+
+static void accept(void *of, int at)
+{
+    (void)of;
+    switch (entry_at(at)) {
+    case GO_ON:
+        screens_close_all(&cab.screens);
+        break;
+    case PLAY_ON:
+        screens_close_all(&cab.screens);
+        cab_take_over();
+        break;
+    case SETTINGS:
+        cab_open_settings();
+        break;
+    case KEYS:
+        cab_open_keys();
+        break;
+    case PRACTICE:
+        screens_close_all(&cab.screens);
+        cab_open_practice();
+        break;
+    case ANEW:
+        if (cab_run_is_on())
+            screens_ask(&cab.screens, "The run that is on ends, and is lost.", "begin anew", begin_anew, NULL);
+        else
+            begin_anew(NULL);
+        break;
+    default:
+        if (cab_run_is_on())
+            screens_ask(&cab.screens, "A run is on. Leave it, and lose it?", "leave", leave, NULL);
+        else
+            leave(NULL);
+    }
+}
+
+static const struct screen menu = { .title = "menu", .small = true, .rows = rows, .row = row, .accept = accept };
+
+void cab_open_menu(void)
+{
+    if (cab.attracting)
+        cab_attract_end();
+    screens_open(&cab.screens, &menu, NULL);
+}

@@ -1,0 +1,176 @@
+/*
+ * screen_settings.c - the settings on the screen: the table of config.c, the language, and the way to the keys. A change
+ * takes effect at once; the file is written when the screen is left.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "cab_parts.h"
+#include "../../../platform/platform.h"
+
+enum { MOST_ROWS = 96 };
+
+enum kind { GROUP, VALUE, LANGUAGE, TO_KEYS };
+
+static struct {
+    struct {
+        enum kind kind;
+        const struct config_setting *setting; /* of VALUE, and the first of a GROUP */
+    } row[MOST_ROWS];
+    int rows;
+    struct config before; /* as it was when the screen was opened */
+} list;
+
+static void add(enum kind kind, const struct config_setting *s)
+{
+    if (list.rows == MOST_ROWS)
+        return;
+    list.row[list.rows].kind = kind;
+    list.row[list.rows++].setting = s;
+}
+
+static void make_list(void)
+{
+    const struct config_setting *s, *before = NULL;
+
+    list.rows = 0;
+    for (int i = 0; (s = config_setting(i)) != NULL; i++, before = s) {
+        if (!before || strcmp(before->group, s->group) != 0)
+            add(GROUP, s);
+        add(VALUE, s);
+    }
+    if (cab_cart()->langs > 0)
+        add(LANGUAGE, NULL);
+    add(TO_KEYS, NULL);
+}
+
+/* ---- language ---- */
+
+/* The language's number, from 1 on; 0: the words that scripts have. */
+static int lang_number(const char *name)
+{
+    for (int i = 0; i < cab_cart()->langs; i++)
+        if (strcmp(cart_lang_name(cab_cart(), i), name) == 0)
+            return i + 1;
+    return 0;
+}
+
+static void change_lang(int by)
+{
+    const int n = cab_cart()->langs + 1, to = (lang_number(cab.config.lang) + (by < 0 ? -1 : 1) + n) % n;
+
+    snprintf(cab.config.lang, sizeof cab.config.lang, "%s", to ? cart_lang_name(cab_cart(), to - 1) : "");
+}
+
+/* ---- rows ---- */
+
+static int rows(void *of)
+{
+    (void)of;
+    return list.rows;
+}
+
+static void describe_value(const struct config_setting *s, struct screen_row *row)
+{
+    config_text(&cab.config, s, row->value, sizeof row->value);
+    snprintf(row->label, sizeof row->label, "%s", s->label);
+    snprintf(row->help, sizeof row->help, "%s", s->help);
+    row->changes = true;
+}
+
+static void describe(void *of, int at, struct screen_row *row)
+{
+    (void)of;
+    switch (list.row[at].kind) {
+    case GROUP:
+        snprintf(row->label, sizeof row->label, "%s", list.row[at].setting->group);
+        row->heading = true;
+        break;
+    case VALUE:
+        describe_value(list.row[at].setting, row);
+        break;
+    case LANGUAGE:
+        snprintf(row->label, sizeof row->label, "language");
+        snprintf(row->value, sizeof row->value, "%s", cab.config.lang[0] ? cab.config.lang : "the game's own");
+        snprintf(row->help, sizeof row->help,
+                 "a run keeps its language: another one is there when the game begins anew");
+        row->changes = true;
+        break;
+    case TO_KEYS:
+        snprintf(row->label, sizeof row->label, "keys and buttons");
+        snprintf(row->help, sizeof row->help, "what each does, and how to change it");
+        break;
+    }
+}
+
+/* The next value, round the ends for words; numbers stop there. */
+static void change_value(const struct config_setting *s, int by)
+{
+    const int v = config_value(&cab.config, s), n = s->hi - s->lo + 1;
+
+    if (s->words)
+        config_put(&cab.config, s, s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n);
+    else
+        config_put(&cab.config, s, v + by * s->step);
+    cab_apply_settings();
+}
+
+static void change(void *of, int at, int by)
+{
+    (void)of;
+    if (list.row[at].kind == VALUE)
+        change_value(list.row[at].setting, by);
+    else if (list.row[at].kind == LANGUAGE)
+        change_lang(by);
+}
+
+static void accept(void *of, int at)
+{
+    (void)of;
+    if (list.row[at].kind == TO_KEYS)
+        cab_open_keys();
+}
+
+static void begin_anew(void *of)
+{
+    (void)of;
+    screens_close_all(&cab.screens);
+    cab_begin_anew();
+}
+
+static void closed(void *of)
+{
+    (void)of;
+    cab_save_settings();
+    if (cab.quit || cab.session.demo || strcmp(cab.config.lang, list.before.lang) == 0)
+        return;
+    screens_ask(&cab.screens, "Another language is there when the game begins anew. What is on now ends then.",
+                "begin anew now", begin_anew, NULL);
+}
+
+static const struct screen settings = {
+    .title = "settings", .rows = rows, .row = describe, .change = change, .accept = accept, .closed = closed
+};
+
+/* ---- what others call ---- */
+
+void cab_open_settings(void)
+{
+    cab.config.volume = cab.speaker.volume; /* keys may have changed these for now */
+    cab.config.mute = cab.speaker.muted;
+    cab.config.fullscreen = cab.want.fullscreen;
+    cab.config.speed = cab.slow == 4 ? 2 : cab.slow - 1;
+    list.before = cab.config;
+    make_list();
+    screens_open(&cab.screens, &settings, NULL);
+}
+
+void cab_save_settings(void)
+{
+    char err[512];
+
+    if (config_save(&cab.config, err, sizeof err))
+        return;
+    cab_notice(CAB_NOTICE_FRAMES, "the settings are not kept: %s", err);
+    screens_say(&cab.screens, "%s", cab.notice);
+    cab_say("curtain: %s", cab.notice);
+}

@@ -1,0 +1,337 @@
+/*
+ * screen.c - see screen.h: the stack, and what each switch does. What is drawn is screen_draw.c's.
+ */
+#include "screen.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    UP = 1 << 0,
+    DOWN = 1 << 1,
+    LEFT = 1 << 2,
+    RIGHT = 1 << 3,
+    PAGE_UP = 1 << 4,
+    PAGE_DOWN = 1 << 5,
+    YES = 1 << 6,
+    NO = 1 << 7,
+    REMOVE = 1 << 8,
+    TEN = 1 << 9,
+    REPEATS = UP | DOWN | LEFT | RIGHT | PAGE_UP | PAGE_DOWN
+};
+
+enum { WAIT = 20, AGAIN = 3 /* frames until a held arrow repeats, and between repeats */, SAID = 240 };
+
+/* ---- the stack ---- */
+
+static struct screen_place *top_of(struct screens *s)
+{
+    return &s->place[s->deep - 1];
+}
+
+static int rows_of(const struct screen_place *p)
+{
+    return p->screen->rows(p->of);
+}
+
+static bool is_heading(const struct screen_place *p, int at)
+{
+    struct screen_row row = { 0 };
+
+    p->screen->row(p->of, at, &row);
+    return row.heading;
+}
+
+/* The next row that can be chosen, round the list's ends; `at` itself when there is no other. */
+static int step(const struct screen_place *p, int at, int by)
+{
+    const int n = rows_of(p);
+    int to = at;
+
+    for (int i = 0; i < n; i++) {
+        to = (to + by + n) % n;
+        if (!is_heading(p, to))
+            return to;
+    }
+    return at;
+}
+
+/* The rows of a screen may have become fewer, or a chosen one a heading. */
+static void keep_chosen(struct screen_place *p)
+{
+    const int n = rows_of(p);
+
+    if (p->row >= n)
+        p->row = n - 1;
+    if (p->row < 0)
+        p->row = 0;
+    if (n > 0 && is_heading(p, p->row))
+        p->row = step(p, p->row, 1);
+}
+
+void screens_open(struct screens *s, const struct screen *screen, void *of)
+{
+    if (s->deep == SCREENS_DEEP)
+        return;
+    s->place[s->deep++] = (struct screen_place){ .screen = screen, .of = of };
+    keep_chosen(top_of(s));
+    s->held = UINT32_MAX; /* what is held now was pressed for something else */
+    s->held_for = 0;
+    s->mouse = 255;
+    s->said_for = 0;
+}
+
+void screens_close(struct screens *s)
+{
+    if (s->deep == 0)
+        return;
+    const struct screen_place p = *top_of(s);
+    s->deep--;
+    s->said_for = 0;
+    if (p.screen->closed)
+        p.screen->closed(p.of);
+}
+
+void screens_close_all(struct screens *s)
+{
+    while (s->deep > 0)
+        screens_close(s);
+}
+
+void screens_choose(struct screens *s, int row)
+{
+    if (s->deep == 0)
+        return;
+    struct screen_place *p = top_of(s);
+    if (row >= 0 && row < rows_of(p) && !is_heading(p, row))
+        p->row = row;
+}
+
+void screens_say(struct screens *s, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(s->said, sizeof s->said, format, args);
+    va_end(args);
+    s->said_for = SAID;
+}
+
+/* ---- a question ---- */
+
+enum { ASK_NO, ASK_YES, ASK_ROWS };
+
+static const char *ask_text(void *of)
+{
+    return ((const struct screens *)of)->asked.question;
+}
+
+static int ask_rows(void *of)
+{
+    (void)of;
+    return ASK_ROWS;
+}
+
+static void ask_row(void *of, int at, struct screen_row *row)
+{
+    const struct screens *s = of;
+
+    snprintf(row->label, sizeof row->label, "%s", at == ASK_NO ? "no" : s->asked.yes);
+}
+
+static void ask_accept(void *of, int at)
+{
+    struct screens *s = of;
+
+    screens_close(s);
+    if (at == ASK_YES)
+        s->asked.then(s->asked.of);
+}
+
+static const struct screen ask = {
+    .title = "sure?", .small = true, .text = ask_text, .rows = ask_rows, .row = ask_row, .accept = ask_accept
+};
+
+void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of)
+{
+    snprintf(s->asked.question, sizeof s->asked.question, "%s", question);
+    snprintf(s->asked.yes, sizeof s->asked.yes, "%s", yes);
+    s->asked.then = then;
+    s->asked.of = of;
+    screens_open(s, &ask, s);
+}
+
+/* ---- switches ---- */
+
+static uint32_t of_keyboard(const struct plat_input *in)
+{
+    static const struct {
+        uint8_t usage;
+        uint16_t does;
+    } keys[] = {
+        { 82, UP },  { 81, DOWN }, { 80, LEFT }, { 79, RIGHT },  { 75, PAGE_UP }, { 78, PAGE_DOWN }, { 40, YES },
+        { 88, YES }, { 41, NO },   { 42, NO },   { 76, REMOVE }, { 225, TEN },    { 229, TEN },
+    };
+    uint32_t held = 0;
+
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        held |= plat_key(in, keys[i].usage) ? keys[i].does : 0;
+    return held;
+}
+
+static uint32_t of_controllers(const struct plat_input *in)
+{
+    static const uint16_t does[PLAT_SWITCHES] = {
+        [PLAT_DPAD_UP] = UP,
+        [PLAT_DPAD_DOWN] = DOWN,
+        [PLAT_DPAD_LEFT] = LEFT,
+        [PLAT_DPAD_RIGHT] = RIGHT,
+        [PLAT_LEFT_UP] = UP,
+        [PLAT_LEFT_DOWN] = DOWN,
+        [PLAT_LEFT_LEFT] = LEFT,
+        [PLAT_LEFT_RIGHT] = RIGHT,
+        [PLAT_SOUTH] = YES,
+        [PLAT_EAST] = NO,
+        [PLAT_START] = YES,
+        [PLAT_GUIDE] = NO,
+        [PLAT_NORTH] = REMOVE,
+        [PLAT_SHOULDER_LEFT] = PAGE_UP,
+        [PLAT_SHOULDER_RIGHT] = PAGE_DOWN,
+    };
+    uint32_t held = 0;
+
+    for (int c = 0; c < PLAT_CONTROLLERS; c++)
+        for (int i = 0; i < PLAT_SWITCHES; i++)
+            held |= in->controllers[c] >> i & 1 ? does[i] : 0;
+    return held;
+}
+
+static uint32_t of_pads(const struct keys_read *k)
+{
+    static const struct {
+        uint16_t button, does;
+    } buttons[] = {
+        { PAD_UP, UP },     { PAD_DOWN, DOWN }, { PAD_LEFT, LEFT },      { PAD_RIGHT, RIGHT }, { PAD_FIRE, YES },
+        { PAD_START, YES }, { PAD_BOMB, NO },   { PAD_SPECIAL, REMOVE }, { PAD_FOCUS, TEN },
+    };
+    uint32_t held = 0;
+
+    for (int p = 0; p < PADS; p++)
+        for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++)
+            held |= k->pads[p] & buttons[i].button ? buttons[i].does : 0;
+    return held;
+}
+
+/* What was just pressed, and arrows that repeat because they are held. Who presses yes and no means no. */
+static uint32_t pressed(struct screens *s, uint32_t held)
+{
+    uint32_t fresh = held & ~s->held;
+
+    s->held_for = held & REPEATS && !(fresh & REPEATS) ? s->held_for + 1 : 0;
+    s->held = held;
+    if (s->held_for >= WAIT && (s->held_for - WAIT) % AGAIN == 0)
+        fresh |= held & REPEATS;
+    return fresh & NO ? fresh & ~(uint32_t)YES : fresh;
+}
+
+/* ---- the mouse ---- */
+
+static int row_under(const struct screens *s, const struct screen_place *p, int x, int y)
+{
+    const struct screen_area *l = &s->list;
+    const int at = p->top + (y - l->y) / screen_row_height();
+
+    if (x < l->x || x >= l->x + l->w || y < l->y || at >= p->top + s->shown || at >= rows_of(p))
+        return -1;
+    return at;
+}
+
+/* The row under the mouse is chosen when the mouse moves; its left button accepts that, its right one goes back. */
+static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
+{
+    const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
+    const bool moved = in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y;
+    const int at = in->mouse_x >= 0 ? row_under(s, p, in->mouse_x, in->mouse_y) : -1;
+
+    s->mouse = in->mouse;
+    s->mouse_x = in->mouse_x;
+    s->mouse_y = in->mouse_y;
+    if (at >= 0 && (moved || fresh))
+        screens_choose(s, at);
+    if (fresh & 2)
+        return NO;
+    if (in->wheel)
+        return in->wheel > 0 ? UP : DOWN;
+    return fresh & 1 && at == p->row ? YES : 0;
+}
+
+/* ---- a frame ---- */
+
+static void change(const struct screen_place *p, int by, bool ten)
+{
+    struct screen_row row = { 0 };
+
+    p->screen->row(p->of, p->row, &row);
+    if (row.changes && p->screen->change)
+        p->screen->change(p->of, p->row, ten ? 10 * by : by);
+}
+
+static void accept(const struct screen_place *p)
+{
+    struct screen_row row = { 0 };
+
+    p->screen->row(p->of, p->row, &row);
+    if (row.faint)
+        return;
+    if (row.changes && p->screen->change)
+        p->screen->change(p->of, p->row, 1);
+    else if (p->screen->accept)
+        p->screen->accept(p->of, p->row);
+}
+
+/* Over a page of rows, but not beyond the list's end. */
+static void move_page(struct screens *s, struct screen_place *p, int by)
+{
+    const int n = rows_of(p), far = s->shown > 1 ? s->shown - 1 : 1;
+
+    for (int i = 0; i < far; i++) {
+        const int to = step(p, p->row, by);
+        if (by > 0 ? to < p->row : to > p->row)
+            return;
+        p->row = to < n ? to : p->row;
+    }
+}
+
+void screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k)
+{
+    if (s->deep == 0)
+        return;
+    struct screen_place *p = top_of(s);
+    const uint32_t held = of_keyboard(in) | of_controllers(in) | of_pads(k);
+
+    s->said_for -= s->said_for > 0;
+    if (p->screen->listen && p->screen->listen(p->of, in)) {
+        s->held = UINT32_MAX;
+        s->mouse = 255;
+        return;
+    }
+    keep_chosen(p);
+    const uint32_t fresh = pressed(s, held) | use_mouse(s, p, in);
+    if (rows_of(p) > 0) {
+        if (fresh & UP)
+            p->row = step(p, p->row, -1);
+        if (fresh & DOWN)
+            p->row = step(p, p->row, 1);
+        if (fresh & (PAGE_UP | PAGE_DOWN))
+            move_page(s, p, fresh & PAGE_UP ? -1 : 1);
+        if (fresh & (LEFT | RIGHT))
+            change(p, fresh & LEFT ? -1 : 1, held & TEN);
+    }
+    if (fresh & NO)
+        screens_close(s);
+    else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
+        p->screen->remove(p->of, p->row);
+    else if (fresh & YES && rows_of(p) > 0)
+        accept(p);
+}

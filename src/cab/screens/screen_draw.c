@@ -1,0 +1,201 @@
+/*
+ * screen_draw.c - see screen.h: a screen over the picture. From above: title, text, list, help of the chosen row, foot.
+ * The list scrolls and texts wrap, so every screen fits every picture; a label is cut before it reaches its value.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "screen.h"
+
+enum {
+    LINE = CANVAS_CELL_H + 2,
+    EDGE = 4, /* px between a frame and what is in it */
+    HELP_LINES = 3,
+    FOOT_FROM = 120 /* px of height with room for a foot */
+};
+
+int screen_row_height(void)
+{
+    return LINE;
+}
+
+/* Lines that a text takes in w px. */
+static int lines_of(const char *text, int w)
+{
+    int n = 0;
+
+    while (*text) {
+        text += canvas_fit(text, w / CANVAS_CELL_W);
+        text += *text == '\n';
+        n++;
+    }
+    return n;
+}
+
+/* Draws at most `most` lines; returns the y after them. */
+static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most, enum canvas_colour c,
+                      const char *text)
+{
+    for (int i = 0; i < most && *text; i++, y += LINE) {
+        const int n = canvas_fit(text, w / CANVAS_CELL_W);
+        canvas_bytes(canvas, x, y, c, text, n);
+        text += n;
+        text += *text == '\n';
+    }
+    return y;
+}
+
+/* Cut to w px, with two dots where it is cut. */
+static void draw_cut(const struct canvas *canvas, int x, int y, int w, enum canvas_colour c, const char *text)
+{
+    const int room = w / CANVAS_CELL_W;
+    char cut[SCREEN_LABEL + SCREEN_VALUE];
+
+    if (canvas_width(text) <= w) {
+        canvas_text(canvas, x, y, c, text);
+    } else if (room > 2) {
+        snprintf(cut, sizeof cut, "%.*s..", room - 2, text);
+        canvas_text(canvas, x, y, c, cut);
+    }
+}
+
+static void draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to)
+{
+    struct screen_row row = { 0 };
+    char value[SCREEN_VALUE + 4];
+    const bool chosen = at == p->row;
+
+    p->screen->row(p->of, at, &row);
+    if (chosen)
+        canvas_rect(canvas, to.x, to.y - 1, to.w, LINE, CANVAS_WHITE);
+    snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
+    const int right = canvas_width(value), x = to.x + to.w - EDGE - right;
+    const enum canvas_colour ink = chosen ? CANVAS_DARK : CANVAS_WHITE;
+    draw_cut(canvas, to.x + EDGE, to.y, x - to.x - 2 * EDGE,
+             row.heading ? CANVAS_CYAN
+             : row.faint ? CANVAS_GREY
+                         : ink,
+             row.label);
+    canvas_text(canvas, x, to.y, chosen ? CANVAS_DARK : row.faint ? CANVAS_GREY : CANVAS_YELLOW, value);
+}
+
+/* The first row to show so that the chosen one and its neighbours are seen: the one above may be a heading. */
+static int scrolled(const struct screen_place *p, int n, int shown)
+{
+    int top = p->top;
+
+    if (p->row < top + 1)
+        top = p->row - 1;
+    if (p->row > top + shown - 2)
+        top = p->row - shown + 2;
+    if (top > n - shown)
+        top = n - shown;
+    return top < 0 ? 0 : top;
+}
+
+static void draw_list(struct screens *s, struct screen_place *p, const struct canvas *canvas, struct screen_area to)
+{
+    const int n = p->screen->rows(p->of);
+
+    s->list = to;
+    s->shown = to.h / LINE;
+    p->top = scrolled(p, n, s->shown);
+    for (int i = 0; i < s->shown && p->top + i < n; i++)
+        draw_row(p, p->top + i, canvas, (struct screen_area){ to.x, to.y + i * LINE, to.w, LINE });
+    if (n > s->shown) {
+        const int h = s->shown * LINE;
+        canvas_rect(canvas, to.x + to.w - 1, to.y + h * p->top / n, 1, h * s->shown / n, CANVAS_GREY);
+    }
+}
+
+/* px that the widest row takes */
+static int widest(const struct screen_place *p)
+{
+    int most = canvas_width(p->screen->title);
+
+    for (int i = 0, n = p->screen->rows(p->of); i < n; i++) {
+        struct screen_row row = { 0 };
+        p->screen->row(p->of, i, &row);
+        const int w = canvas_width(row.label) + (row.value[0] ? canvas_width(row.value) + 6 * CANVAS_CELL_W : 0);
+        most = w > most ? w : most;
+    }
+    return most;
+}
+
+static int at_most(int v, int most)
+{
+    return v < most ? v : most;
+}
+
+/* Where a screen is: in the middle and as large as it must be, or everywhere. */
+static struct screen_area area_of(const struct screen_place *p, const struct canvas *canvas, const char *text)
+{
+    const int w = canvas->fb->w, h = canvas->fb->h;
+
+    if (!p->screen->small)
+        return (struct screen_area){ 0, 0, w, h };
+    int wide = widest(p) + 6 * EDGE;
+    if (wide < w * 2 / 3)
+        wide = w * 2 / 3;
+    wide = at_most(wide, w);
+    const int lines = lines_of(text, wide - 2 * EDGE);
+    int high = (1 + lines + p->screen->rows(p->of) + HELP_LINES) * LINE + 4 * EDGE;
+    high = at_most(high, h);
+    return (struct screen_area){ (w - wide) / 2, (h - high) / 2, wide, high };
+}
+
+static void draw_title(const struct screen *screen, const struct canvas *canvas, const struct screen_area *a)
+{
+    canvas_rect(canvas, a->x, a->y, a->w, LINE + EDGE, CANVAS_CYAN);
+    canvas_text(canvas, a->x + EDGE, a->y + EDGE / 2 + 1, CANVAS_DARK, screen->title);
+}
+
+/* Below the list: what was just said, or the chosen row's help. */
+static void draw_help(const struct screens *s, const struct screen_place *p, const struct canvas *canvas,
+                      const struct screen_area *a)
+{
+    struct screen_row row = { 0 };
+
+    if (p->screen->rows(p->of) > 0)
+        p->screen->row(p->of, p->row, &row);
+    canvas_rect(canvas, a->x, a->y - EDGE / 2, a->w, 1, CANVAS_GREY);
+    draw_lines(canvas, a->x + EDGE, a->y + 1, a->w - 2 * EDGE, HELP_LINES, s->said_for ? CANVAS_YELLOW : CANVAS_GREY,
+               s->said_for ? s->said : row.help);
+}
+
+/* A screen's own picture stands above the list in a picture that is upright, and beside it in one that is wide. */
+static void take_picture(const struct screen_place *p, const struct canvas *canvas, struct screen_area *list)
+{
+    const struct screen *s = p->screen;
+    const int h = s->height ? s->height(p->of, list->w, list->h) : 0;
+
+    if (h <= 0 || s->rows(p->of) == 0)
+        return;
+    s->draw(p->of, p->row, canvas, (struct screen_area){ list->x, list->y, list->w, h });
+    list->y += h;
+    list->h -= h;
+}
+
+void screens_draw(struct screens *s, const struct canvas *canvas, const char *foot)
+{
+    if (s->deep == 0)
+        return;
+    struct screen_place *p = &s->place[s->deep - 1];
+    const char *text = p->screen->text ? p->screen->text(p->of) : "";
+    const struct screen_area a = area_of(p, canvas, text);
+    const bool feet = !p->screen->small && foot[0] && a.h >= FOOT_FROM;
+    const int help = HELP_LINES * LINE + EDGE, bottom = a.y + a.h - (feet ? LINE + 1 : 0) - help;
+
+    canvas_rect(canvas, a.x, a.y, a.w, a.h, CANVAS_DARK);
+    if (p->screen->small)
+        canvas_frame(canvas, a.x - 1, a.y - 1, a.w + 2, a.h + 2, CANVAS_GREY);
+    draw_title(p->screen, canvas, &a);
+    int y = a.y + LINE + 2 * EDGE;
+    y = draw_lines(canvas, a.x + EDGE, y, a.w - 2 * EDGE, a.h / LINE / 2, CANVAS_WHITE, text);
+    struct screen_area list = { a.x, y + (text[0] ? EDGE : 0), a.w, 0 };
+    list.h = bottom - list.y - EDGE / 2;
+    take_picture(p, canvas, &list);
+    draw_list(s, p, canvas, list);
+    draw_help(s, p, canvas, &(struct screen_area){ a.x, bottom + EDGE / 2, a.w, help });
+    if (feet)
+        canvas_text(canvas, a.x + EDGE, a.y + a.h - LINE, CANVAS_CYAN, foot);
+}

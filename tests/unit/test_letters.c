@@ -1,0 +1,331 @@
+/* test_letters.c - the canvas's larger face: each character is itself, texts are as wide as they say and stay there. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../fb/utf8.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/overlay/canvas.h"
+#include "../../src/cab/overlay/letters.h"
+
+enum { W = 200, H = 100, MIDDLE = 40 };
+
+struct bed {
+    struct fb fb;
+    void *mem;
+    uint32_t rgb[256];
+    struct canvas canvas;
+};
+
+/* Where there is ink of a colour; x0 > x1: nowhere. */
+struct ink {
+    int x0, y0, x1, y1, n;
+};
+
+static void clear(struct bed *b)
+{
+    fb_fill(&b->fb, 0);
+    canvas_open(&b->canvas, &b->fb, b->rgb);
+}
+
+static int bed_open(void **state)
+{
+    struct bed *b = calloc(1, sizeof *b);
+
+    assert_non_null(b);
+    b->mem = malloc(fb_size(W, H));
+    assert_non_null(b->mem);
+    fb_init(&b->fb, b->mem, W, H);
+    clear(b);
+    *state = b;
+    return 0;
+}
+
+static int bed_close(void **state)
+{
+    struct bed *b = *state;
+
+    free(b->mem);
+    free(b);
+    return 0;
+}
+
+static bool inked(const struct bed *b, int x, int y, enum canvas_colour c)
+{
+    return b->fb.pix[y * b->fb.pitch + x] == b->canvas.colour[c];
+}
+
+static struct ink look(const struct bed *b, enum canvas_colour c)
+{
+    struct ink ink = { W, H, -1, -1, 0 };
+
+    for (int i = 0; i < W * H; i++) {
+        int x = i % W, y = i / W;
+        if (!inked(b, x, y, c))
+            continue;
+        ink.x0 = x < ink.x0 ? x : ink.x0;
+        ink.x1 = x > ink.x1 ? x : ink.x1;
+        ink.y0 = y < ink.y0 ? y : ink.y0;
+        ink.y1 = y > ink.y1 ? y : ink.y1;
+        ink.n++;
+    }
+    return ink;
+}
+
+static bool same(const struct letter *a, const struct letter *b)
+{
+    return a->w == b->w && !memcmp(a->rows, b->rows, sizeof a->rows);
+}
+
+/* No two of all there are look alike, but for a comma and the quotation mark that is one. */
+static void every_character_is_itself(void **state)
+{
+    static struct letter all[400];
+    int n = 0;
+
+    (void)state;
+    for (uint32_t code = '!'; code < 0x3000; code++) {
+        if (!letter_known(code) || code == 0xA0 || code == 0x2610 || code == 0x201A)
+            continue;
+        assert_true(n < 400);
+        letter_of(&all[n], code);
+        assert_true(all[n].w >= 1 && all[n].w <= 8);
+        for (int i = 0; i < n; i++)
+            assert_false(same(&all[i], &all[n]));
+        n++;
+    }
+    assert_true(n > 280);
+}
+
+static void what_is_promised_is_there(void **state)
+{
+    static const char text[] = "\xE2\x86\x90\xE2\x86\x92\xE2\x86\x91\xE2\x86\x93" /* arrows */
+                               "\xE2\x97\x8B\xE2\x9C\x95\xE2\x96\xA1\xE2\x96\xB3" /* circle, cross, square, triangle */
+                               "\xE2\x96\xA0\xE2\x98\x90\xE2\x98\x91\xE2\x9C\x93" /* boxes and a tick */
+                               "\xE2\x80\xA6\xC2\xA9\xC3\x97\xE2\x80\x93";        /* ellipsis, copyright, times, dash */
+    const char *s = text;
+
+    (void)state;
+    for (uint32_t code = ' '; code <= '~'; code++)
+        assert_true(letter_known(code));
+    for (uint32_t code = 0xC0; code <= 0xFF; code++)
+        assert_true(letter_known(code));
+    while (*s)
+        assert_true(letter_known(utf8_next(&s, text + sizeof text - 1)));
+    assert_false(letter_known(0x65E5));
+    assert_false(letter_known(7));
+}
+
+static void what_is_not_known_is_a_box(void **state)
+{
+    struct letter a, b, box;
+
+    (void)state;
+    letter_of(&a, 0x65E5);
+    letter_of(&b, 7);
+    letter_of(&box, 0xFFFD);
+    assert_true(same(&a, &box) && same(&b, &box));
+    assert_int_equal(box.w, 5);
+    assert_int_equal(box.rows[LETTER_UP], 0x1F);
+    assert_int_equal(box.rows[LETTER_UP + 3], 0x11);
+    assert_int_equal(box.rows[LETTER_UP + 6], 0x1F);
+}
+
+/* A capital fills rows 0 to 6; no accent changes the letter under it; one row is free between the two. */
+static void marks_leave_the_letter(void **state)
+{
+    static const struct {
+        uint32_t code, letter;
+        int free; /* the row with nothing in it */
+    } v[] = { { 0xC9, 'E', 2 }, { 0xE9, 'e', 4 }, { 0xD6, 'O', 2 },  { 0xF6, 'o', 4 },  { 0xD1, 'N', 2 },
+              { 0xE5, 'a', 4 }, { 0xFB, 'u', 4 }, { 0x17D, 'Z', 2 }, { 0xE7, 'c', -1 }, { 0x119, 'e', -1 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof v / sizeof *v; i++) {
+        struct letter with, bare;
+        int ink = 0;
+        letter_of(&with, v[i].code);
+        letter_of(&bare, v[i].letter);
+        for (int row = 0; row < LETTER_ROWS; row++) {
+            assert_int_equal(with.rows[row] & bare.rows[row], bare.rows[row]);
+            ink += with.rows[row] != bare.rows[row];
+        }
+        assert_true(ink > 0);
+        if (v[i].free >= 0)
+            assert_int_equal(with.rows[v[i].free], 0);
+    }
+    for (uint32_t c = 'A'; c <= 'Z'; c++) {
+        struct letter l;
+        letter_of(&l, c);
+        assert_true(l.rows[LETTER_UP] && l.rows[LETTER_UP + 6] && !l.rows[LETTER_UP - 1] && !l.rows[LETTER_UP + 7]);
+    }
+}
+
+/* An i with dots is wider than its stem: it starts where the dots do, and the stem is in their middle. */
+static void a_mark_wider_than_its_letter(void **state)
+{
+    struct letter l;
+
+    (void)state;
+    letter_of(&l, 0xEF);
+    assert_int_equal(l.w, 3);
+    assert_int_equal(l.rows[LETTER_UP], 5);
+    assert_int_equal(l.rows[LETTER_UP + 2], 2);
+}
+
+static void digits_stand_in_columns(void **state)
+{
+    (void)state;
+    for (char c = '0'; c <= '9'; c++) {
+        const char text[2] = { c, 0 };
+        assert_int_equal(canvas_say_width(text), 5);
+    }
+}
+
+/* Ink goes from x to x + width, and from the accents' row to the descenders'; what is returned is behind a gap. */
+static void texts_are_as_wide_as_they_say(void **state)
+{
+    static const char *const texts[] = { "H",           "l",
+                                         "Kg",          "\xC3\x89p\xC3\xA5j|",
+                                         "main.lua:12", "\xE2\x86\x90\xE2\x96\xA0" };
+    struct bed *b = *state;
+
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct ink ink;
+        clear(b);
+        assert_int_equal(canvas_say(&b->canvas, 9, MIDDLE, CANVAS_CYAN, texts[i]),
+                         9 + canvas_say_width(texts[i]) + CANVAS_SAY_GAP);
+        ink = look(b, CANVAS_CYAN);
+        assert_int_equal(ink.x0, 9);
+        assert_int_equal(ink.x1, 9 + canvas_say_width(texts[i]) - 1);
+        assert_true(ink.y0 >= MIDDLE - CANVAS_SAY_UP && ink.y1 < MIDDLE + CANVAS_SAY_H);
+    }
+    assert_int_equal(canvas_say_width(""), 0);
+    assert_int_equal(canvas_say(&b->canvas, 5, 5, CANVAS_RED, ""), 5);
+    assert_int_equal(canvas_say_width("H\tH"), canvas_say_width("H  H"));
+    assert_int_equal(canvas_say_width("H\xC2\xA0H"), canvas_say_width("H H"));
+    assert_true(CANVAS_LINE_H >= CANVAS_SAY_UP + CANVAS_SAY_H);
+}
+
+/* A pixel of the rim is dark and beside ink, the ink is as without a rim. */
+static void a_rim_is_round_the_ink(void **state)
+{
+    static bool plain[W * H];
+    struct bed *b = *state;
+
+    canvas_say(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
+    for (int i = 0; i < W * H; i++)
+        plain[i] = inked(b, i % W, i / W, CANVAS_YELLOW);
+    clear(b);
+    canvas_say_outlined(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
+    for (int y = 1; y < H - 1; y++) {
+        for (int x = 1; x < W - 1; x++) {
+            bool near = false;
+            for (int k = 0; k < 9; k++)
+                near |= plain[(y + k / 3 - 1) * W + x + k % 3 - 1];
+            assert_int_equal(inked(b, x, y, CANVAS_YELLOW), plain[y * W + x]);
+            assert_int_equal(inked(b, x, y, CANVAS_DARK), near && !plain[y * W + x]);
+        }
+    }
+}
+
+static void what_does_not_fit_is_cut(void **state)
+{
+    static const char text[] = "a replay with quite a long name";
+    struct bed *b = *state;
+    int whole = canvas_say_width(text);
+
+    for (int width = 8; width < whole; width++) {
+        clear(b);
+        canvas_say_within(&b->canvas, 3, MIDDLE, CANVAS_RED, text, width);
+        assert_true(look(b, CANVAS_RED).x1 < 3 + width);
+        assert_true(look(b, CANVAS_RED).x1 >= 3 + width - 16 || width < 20);
+    }
+    clear(b);
+    assert_int_equal(canvas_say_within(&b->canvas, 3, MIDDLE, CANVAS_RED, text, whole), 3 + whole + CANVAS_SAY_GAP);
+    clear(b);
+    canvas_say_within(&b->canvas, 3, MIDDLE, CANVAS_RED, "ab", canvas_say_width("ab") - 1);
+    assert_int_equal(look(b, CANVAS_RED).n, 3);
+}
+
+static void lines_break_after_blanks(void **state)
+{
+    static const char text[] = "one two three\nfour";
+    int w = canvas_say_width("one two t");
+
+    (void)state;
+    assert_int_equal(canvas_say_fit(text, w), 8);
+    assert_int_equal(canvas_say_fit(text, 1000), 13);
+    assert_int_equal(canvas_say_fit("one two", canvas_say_width("one two")), 7);
+    assert_int_equal(canvas_say_fit("one two", canvas_say_width("one")), 4);
+    assert_int_equal(canvas_say_fit("a verylongword", canvas_say_width("a verylo")), 8);
+    assert_int_equal(canvas_say_fit("\xC3\x84\xC3\x84", 1), 2);
+    assert_int_equal(canvas_say_fit("", 50), 0);
+    assert_int_equal(canvas_say_fit("\nx", 50), 0);
+    assert_int_equal(canvas_say_lines(NULL, 0, 0, w, CANVAS_RED, text), 3);
+    assert_int_equal(canvas_say_lines(NULL, 0, 0, w, CANVAS_RED, "one\n\ntwo"), 3);
+    assert_int_equal(canvas_say_lines(NULL, 0, 0, w, CANVAS_RED, ""), 0);
+}
+
+static void lines_stand_below_each_other(void **state)
+{
+    struct bed *b = *state;
+    struct ink ink;
+
+    assert_int_equal(canvas_say_lines(&b->canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH"), 3);
+    ink = look(b, CANVAS_GREEN);
+    assert_int_equal(ink.x0, 4);
+    assert_int_equal(ink.y0, 10);
+    assert_int_equal(ink.y1, 10 + 2 * CANVAS_LINE_H + 6);
+    assert_true(ink.x1 < 4 + 30);
+}
+
+/* Any bytes at any place end and stay inside; lines are never wider than they may be, and take every byte. */
+static void any_bytes(void **state)
+{
+    struct bed *b = *state;
+    struct rng r;
+    char text[300];
+
+    rng_seed(&r, 5);
+    for (int n = 0; n < 300; n++) {
+        int width = (int)rng_below(&r, 150), x = (int)rng_below(&r, 400) - 200, y = (int)rng_below(&r, 200) - 100, left;
+        for (size_t i = 0; i < sizeof text - 1; i++)
+            text[i] = (char)(n % 2 ? 32 + rng_below(&r, 95) : 1 + rng_below(&r, 255));
+        text[rng_below(&r, sizeof text)] = 0;
+        text[sizeof text - 1] = 0;
+        canvas_say_outlined(&b->canvas, x, y, CANVAS_RED, text);
+        canvas_say_within(&b->canvas, x, y, CANVAS_RED, text, width);
+        canvas_say_lines(&b->canvas, x, y, width, CANVAS_RED, text);
+        left = (int)strlen(text);
+        for (const char *s = text; left > 0;) {
+            int fit = canvas_say_fit(s, 60 + width), ink = fit;
+            char line[sizeof text] = { 0 };
+            assert_true(fit > 0 || *s == '\n');
+            while (ink > 0 && s[ink - 1] == ' ')
+                ink--;
+            memcpy(line, s, (size_t)ink);
+            assert_true(canvas_say_width(line) <= 60 + width);
+            fit += s[fit] == '\n';
+            s += fit;
+            left -= fit;
+        }
+        assert_int_equal(left, 0);
+    }
+}
+
+int main(void)
+{
+#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
+    const struct CMUnitTest tests[] = {
+        TEST(every_character_is_itself),     TEST(what_is_promised_is_there),    TEST(what_is_not_known_is_a_box),
+        TEST(marks_leave_the_letter),        TEST(a_mark_wider_than_its_letter), TEST(digits_stand_in_columns),
+        TEST(texts_are_as_wide_as_they_say), TEST(a_rim_is_round_the_ink),       TEST(what_does_not_fit_is_cut),
+        TEST(lines_break_after_blanks),      TEST(lines_stand_below_each_other), TEST(any_bytes),
+    };
+    return cmocka_run_group_tests(tests, 0, 0);
+}
