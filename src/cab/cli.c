@@ -87,6 +87,8 @@ static enum result play(const struct args *a, bool named)
         o.fullscreen = a->fullscreen;
         o.mute = a->mute;
         o.nearest = a->nearest;
+        o.resume = a->resume;
+        o.no_resume = a->no_resume;
         o.verbose = a->verbose;
         result = cab_play(&o);
         game_close(g);

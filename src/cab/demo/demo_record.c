@@ -304,13 +304,16 @@ uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size
 {
     struct demo d = w->demo;
     const size_t row = sizeof d.track[0] * (size_t)d.parts;
+    uint64_t hashes[MAX_PARTS];
 
     if (!w->on)
         return NULL;
+    if (!board_last(b)->fault)
+        board_hashes(b, hashes);
     d.track = copy_of(d.track, d.seconds * row, row);
     d.markers = copy_of(d.markers, d.n_markers * sizeof d.markers[0], PADS * sizeof d.markers[0]);
     d.room_markers = d.n_markers + PADS;
-    uint8_t *bytes = d.track && d.markers && end_copy(&d, b, w->hashes) ? demo_bytes(&d, size) : NULL;
+    uint8_t *bytes = d.track && d.markers && end_copy(&d, b, hashes) ? demo_bytes(&d, size) : NULL;
     free(d.track);
     free(d.markers);
     return bytes;

@@ -24,6 +24,10 @@ static const struct config_setting settings[] = {
       "no: sound to the bit, and the card's clock leads" },
     { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,
       "stop: the game waits when another window has the keys" },
+    { "keep_replays", "replays kept", "playing", AT(replays), 0, 1000, 50, NULL, 10,
+      "so many last runs of a game are kept; those saved under a name are not counted" },
+    { "resume", "go on after leaving", "playing", AT(resume), 0, 1, 1, no_yes, 1,
+      "a run you leave is kept, and you are asked next time" },
     { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording" },
 };
 #undef AT

@@ -35,6 +35,8 @@ struct config {
     int fullscreen; /* 0 or 1 */
     int speed;      /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
     int away;       /* 0 or 1: stop when the window loses the keys */
+    int replays;    /* 0 to 1000: how many runs of a game are kept that have no name */
+    int resume;     /* 0 or 1: a run that is left is kept to go on with */
     char lang[16];  /* of games that have it; "": none */
 };
 

@@ -151,7 +151,8 @@ static bool keeps_nvram(void)
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
     return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.section[0] &&
-           !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
+           !cab.options.start.nvram && !s->demo && (!cab.guest.demo || cab.guest.same) &&
+           !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
 }
 
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
@@ -207,6 +208,17 @@ void cab_save_nvram(void)
 
 /* ---- power ---- */
 
+void cab_powered(const struct board_start *start)
+{
+    cab.start = *start;
+    cab.nvram_saved = 0;
+    cab.fault_reported = cab.paused = cab.scrubbed = cab.waiting = cab.taken = false;
+    cab.timebar_left = cab.slow_frames = 0;
+    memset(cab.pads, 0, sizeof cab.pads);
+    if (cab.slow > 1 && !cab.session.demo)
+        cab_mark_assisted();
+}
+
 static void report_sound(void)
 {
     char line[256];
@@ -218,6 +230,7 @@ static void report_sound(void)
 static void finish(void)
 {
     screens_close_all(&cab.screens);
+    cab_keep_leave();
     cab_save_nvram();
     practice_close(&cab.practice);
     if (cab_fault())
@@ -231,6 +244,7 @@ static void finish(void)
         cab_say("curtain: %s", cab.session.err);
     if (cab.attracting)
         cab_attract_end();
+    cab_guest_close();
     cab_picture_close(&cab.picture);
     console_close(&cab.console);
     free(cab.nvram);
@@ -337,6 +351,7 @@ enum result cab_play(const struct cab_options *options)
     if (cab_fault())
         cab_report_fault();
     folder_open(&cab.folder, options->path);
+    cab_open_resume();
     cab.base = plat_usec();
     plat_loop(frame);
     return cab.result;

@@ -145,7 +145,12 @@ void cab_poll(struct keys_read *k)
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
     keys_read(&cab.config.keys, &in,
-              k); /* also while the prompt is open: the key that closes it must not be read afterwards */
+              k);             /* also while the prompt is open: the key that closes it must not be read afterwards */
+    if (cab.guest.resuming) { /* what was left is played again: nothing but leaving */
+        cab.quit = cab.quit || k->pressed & 1 << CAB_QUIT;
+        memset(k, 0, sizeof *k);
+        return;
+    }
     if (prompt_keys(&in)) {
         memset(k, 0, sizeof *k);
         return;
@@ -154,6 +159,10 @@ void cab_poll(struct keys_read *k)
         memset(k->pads, 0, sizeof k->pads);
         k->held = k->pressed = 0;
         return;
+    }
+    if (cab.waiting && (k->fresh || !cab.paused)) {
+        cab.waiting = cab.paused = false;
+        cab.notice_left = 0;
     }
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);
