@@ -19,7 +19,8 @@ enum {
     FOR_HASH = 1 << COMMAND_HASH,
     FOR_VERIFY = 1 << COMMAND_VERIFY,
     FOR_PACK = 1 << COMMAND_PACK,
-    FOR_ROM = FOR_PACK | 1 << COMMAND_LIST | 1 << COMMAND_UNPACK,
+    FOR_LIST = 1 << COMMAND_LIST,
+    FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
     FOR_HEADLESS = FOR_RENDER | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
@@ -87,6 +88,7 @@ enum option {
     OPTION_RESTAMP,
     OPTION_RERECORD,
     OPTION_JSON,
+    OPTION_REPLAYS,
     OPTION_NULL,
     OPTION_VERBOSE,
     OPTION_HELP,
@@ -147,10 +149,12 @@ static const struct {
                           "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
                           "moments "
                           "and length are known to be the same; 1: not; 2: not written" },
-    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY,
-                      "print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
-                      "moments, "
-                      "hashes (docs/demos.md)" },
+    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST,
+                      "verify: print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
+                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay" },
+    [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST,
+                         "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
+                         "end" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
@@ -475,6 +479,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->restamp);
     case OPTION_RERECORD:
         return set_switch(&a->rerecord);
+    case OPTION_REPLAYS:
+        return set_switch(&a->replays);
     case OPTION_JSON:
         return set_switch(&a->json);
     case OPTION_RESUME:
@@ -576,8 +582,8 @@ static bool check_verify(uint64_t seen, char *err, size_t err_size)
     return true;
 }
 
-/* A run that was left is gone on with as it was begun. */
-static bool check_resume(const struct args *a, uint64_t seen, char *err, size_t err_size)
+/* A run that was left is gone on with as it was begun; JSON is of replays. */
+static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
                                           OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
@@ -585,6 +591,8 @@ static bool check_resume(const struct args *a, uint64_t seen, char *err, size_t 
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
         if (seen & BIT(others[i]))
             return err_set(err, err_size, "--resume does not go with %s", options[others[i]].name);
+    if (a->command == COMMAND_LIST && a->json && !a->replays)
+        return err_set(err, err_size, "list: --json needs --replays");
     return true;
 }
 
@@ -626,7 +634,7 @@ static bool check_options(const struct args *a, uint64_t seen, char *err, size_t
         if (!a->stage && practice >> o & 1)
             return err_set(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
     }
-    return check_verify(seen, err, err_size) && check_resume(a, seen, err, err_size);
+    return check_verify(seen, err, err_size) && check_pairs(a, seen, err, err_size);
 }
 
 /* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */

@@ -65,7 +65,7 @@ struct args {
     int n_traces;
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
-    bool json, resume, no_resume;
+    bool json, resume, no_resume, replays;
     int scale;      /* 0: not given */
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];

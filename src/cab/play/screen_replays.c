@@ -7,6 +7,7 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "../host/clean.h"
+#include "../store/replays_print.h"
 #include "cab_parts.h"
 
 static struct {
@@ -21,13 +22,6 @@ static struct {
 
 /* ---- a replay in words ---- */
 
-static const char *end_word(const struct card *c)
-{
-    static const char *const words[CARD_ENDS] = { "left", "all stages", "game over", "quit", "a fault" };
-
-    return words[c->end];
-}
-
 static void date_text(int64_t date, char *out, size_t size)
 {
     const time_t t = (time_t)date;
@@ -41,7 +35,7 @@ static void date_text(int64_t date, char *out, size_t size)
 static void describe(const struct card *c, char *out, size_t size)
 {
     const unsigned seconds = (c->last - c->first) / 60;
-    int n = snprintf(out, size, "%u:%02u, %s", seconds / 60, seconds % 60, end_word(c));
+    int n = snprintf(out, size, "%u:%02u, %s", seconds / 60, seconds % 60, replays_end_word(c->end));
 
     if (c->players > 1)
         n += snprintf(out + n, size - (size_t)n, ", two players: %" PRId64 " and %" PRId64, c->points[0], c->points[1]);
