@@ -207,10 +207,12 @@ $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
+# Of these, some are ports themselves.
+OWN_PORT := test_cabinet
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
+	$(Q)$(CC) $(ALL_C) -Itests $(filter-out $(if $(filter $*,$(OWN_PORT)),%/null.o),$^) $(LIBS) -lcmocka -lquadmath -o $@
 
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)

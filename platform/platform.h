@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other eleven have defaults in stdio.c, which is linked with
+ * To port: copy template.c, write its six functions. The other nineteen have defaults in stdio.c, which is linked with
  * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a
  * compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
@@ -18,7 +18,7 @@
 
 enum {
     PLAT_KEYS = 256, /* keyboard switches: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
-    PLAT_CONTROLLERS = 2,
+    PLAT_CONTROLLERS = 4,
     PLAT_TEXT = 64
 };
 
@@ -53,10 +53,30 @@ enum plat_switch {
     PLAT_SWITCHES
 };
 
+/* What is printed on a controller's buttons. Where they are does not depend on it: Nintendo's A is PLAT_EAST. */
+enum plat_kind {
+    PLAT_UNKNOWN,
+    PLAT_XBOX,     /* A below, B on the right; Menu, View; and all that are lettered so */
+    PLAT_XBOX_360, /* the same, with Start and Back */
+    PLAT_PS3,
+    PLAT_PS4,
+    PLAT_PS5,
+    PLAT_NINTENDO, /* B below, A on the right */
+    PLAT_KINDS
+};
+
+struct plat_controller {
+    uint32_t id; /* another one each time that one is plugged in */
+    enum plat_kind kind;
+    char name[64]; /* as the host calls it; "": not known */
+};
+
 struct plat_want {
     int w, h;  /* the picture */
     int scale; /* window pixels a picture pixel; 0: the largest that is comfortable on this screen */
+    bool any;  /* with scale 0: it need be no whole number */
     bool fullscreen;
+    bool vsync;        /* showing a picture is to wait until the screen takes it, if the port can and knows its rate */
     bool text;         /* plat_input.text is wanted; else input methods stay out of the way */
     const char *title; /* NULL: none */
     int rate;          /* sound frames a second; 0: no sound: no speaker is touched */
@@ -67,8 +87,9 @@ struct plat_input {
     uint8_t keys[PLAT_KEYS / 8];            /* held: usage u is bit u & 7 of byte u >> 3 */
     uint32_t controllers[PLAT_CONTROLLERS]; /* held: bit numbers of enum plat_switch; 0 when there is none */
     bool quit;                              /* the host wants us gone: stays set */
-    bool focus;                             /* keys reach us */
-    int mouse_x, mouse_y;                   /* picture pixels; -1, -1: not on the picture */
+    bool focus;                             /* keys reach us; a host that cannot tell says so always */
+    bool hidden;                            /* nobody sees the window: it is minimised; false if that is not known */
+    int mouse_x, mouse_y;                   /* pixels of what was shown last; -1, -1: not on it */
     uint8_t mouse;                          /* held: bit 0 left, 1 right, 2 middle */
     int wheel;                              /* notches since the last poll, up is positive */
     char text[PLAT_TEXT]; /* what was typed since the last poll: UTF-8, whole characters, ends in NUL */
@@ -106,6 +127,24 @@ void plat_wait(uint64_t until);
  * in pixels. What rgb holds is the port's: bits of its own beside 0xRRGGBB, or another order. */
 void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
+/* For plat_open of a port with windows, and want->scale 0 or not: the window's size for want where there is room for so
+ * many pixels, borders and title deducted. Scale 0 is the largest one that fits, a whole number or, with `any`, a
+ * multiple of a quarter, and never less than 1. */
+void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h);
+
+/* What is known of the open window; false: nothing. */
+struct plat_window {
+    int w, h;    /* pixels of what plat_paint fills */
+    int refresh; /* of the screen it is on, in thousandths of a Hz; 0: unknown */
+    bool waits;  /* showing a picture returns when the screen takes it, at a refresh */
+};
+bool plat_window(struct plat_window *out);
+
+/* Shows a picture of full colours, 0xRRGGBB, over the whole window, stretched if it is not as large. pitch is in pixels.
+ * False: the port only has plat_show. The cabinet asks for it where plat_window is known and there is more to show than
+ * plat_show can: a picture turned, smooth, with lines, a border, or panels beside it. */
+bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
+
 /* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
  * from here, so what must happen at the end, frame does before it returns false. */
 void plat_loop(bool (*frame)(void));
@@ -114,13 +153,23 @@ void plat_loop(bool (*frame)(void));
  * alarm at a time. fn may come just after a cancel that was too late. False: the host has no alarms. */
 bool plat_alarm(int ms, void (*fn)(void));
 
+/* Says what is plugged in as number i of plat_input.controllers, from 0. False: nothing. A number stays a controller's
+ * while it is plugged in. The default knows of none: each is there, unknown, without a name, and never goes. */
+bool plat_controller(int i, struct plat_controller *controller);
+
 /* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before, those
  * that the card has taken and not played yet included, as far as that is known; 0: nothing was. -1: no speaker now.
  * With 0 frames it only says so. */
 int plat_sound(const int16_t *lr, int frames);
 
 /* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder
- * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain). Saving makes the folders a name asks for. */
+ * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain); `pictures:NAME` is NAME in the folder
+ * Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the environment or user-dirs.dirs says, or
+ * ~/Pictures; without a home, the current folder). Saving makes the folders a name asks for. */
+
+/* Writes the path by which the user finds the file of a name, from the root where that can be told. False: there is
+ * none, or it does not fit. */
+bool plat_path(const char *name, char *path, size_t size);
 
 /* Bytes of a file; -1: no such file (a folder is none). Of what is no file on a disk, such as a pipe: 0. */
 long plat_size(const char *name);
@@ -147,6 +196,17 @@ struct plat_file {
 
 /* Calls each for every entry of a folder, in any order, but . and .. ; returns how many, -1: cannot be read. */
 int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
+
+/* From now on, when the program is about to die of a fault of its own (desktop: SIGSEGV, SIGBUS, SIGFPE, SIGILL,
+ * SIGABRT), fn is called with what it was, as "SIGSEGV", and may write a file by handing out its bytes: STEM-N.txt,
+ * with the first N from 1 on that is free. Then a line says where that is, and the program dies as it would have. fn
+ * runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that of a file; fn
+ * NULL: no more. False: the host has nothing like it. */
+bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)));
+
+/* For reports: what the port is made with, as "SDL 2.28.5, x11", and what it runs on, as "Linux 6.1.0 x86_64". */
+void plat_about(char *text, size_t size);
+void plat_system(char *text, size_t size);
 
 /* One line, without its end, for whoever reads logs (desktop: stderr). */
 void plat_log(const char *line);

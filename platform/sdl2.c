@@ -2,9 +2,10 @@
  * sdl2.c - the desktop port, on SDL 2.0.10 or later.
  * floor: platform
  *
- * One window, one streaming texture in ARGB8888, drawn by whatever renderer SDL finds, always nearest and by a whole
- * number. SDL's scancodes are USB HID usages, so keys need no table. Pictures are not held for the vertical blank
- * unless the user sets SDL_RENDER_VSYNC=1. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
+ * One window, one streaming texture in ARGB8888, drawn by whatever renderer SDL finds, always nearest: a picture by a
+ * whole number, what the cabinet has composed over all of the window. SDL's scancodes are USB HID usages, so keys need
+ * no table. From SDL 2.0.18 on pictures are held for the vertical blank when that is wanted, before that from the next
+ * start on. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
  */
 #include <SDL.h>
 #include <signal.h>
@@ -17,6 +18,8 @@ enum {
     FRAME_BYTES = 4,
     PERIOD = 256,   /* frames the card takes at once */
     PUSHED = 16384, /* a stick or trigger over half of its way */
+    TITLE = 40,     /* pixels of a window's title, and of its other edges, before they are known */
+    EDGE = 2,
 };
 
 static struct {
@@ -24,7 +27,6 @@ static struct {
     SDL_Renderer *renderer;
     SDL_Texture *texture;
     struct plat_want want;
-    int scale;
     int texture_w, texture_h;
     SDL_Rect on; /* where the picture is, in window pixels */
     SDL_AudioDeviceID speaker;
@@ -75,31 +77,59 @@ static void heed_hangup(void)
 
 /* ---- window ---- */
 
-/* The largest whole number that leaves a fifth of the desktop free. */
-static int comfortable(int w, int h)
+/* The part of the desktop that a window may fill, without its title and edges. An open one knows how large these are. */
+static void find_room(int *w, int *h)
 {
+    const int display = port.window ? SDL_GetWindowDisplayIndex(port.window) : 0;
+    int top = TITLE, left = EDGE, bottom = EDGE, right = EDGE;
     SDL_Rect r;
-    if (SDL_GetDisplayUsableBounds(0, &r) != 0)
-        return 1;
-    int sx = r.w * 4 / 5 / w, sy = r.h * 4 / 5 / h, s = sx < sy ? sx : sy;
-    return s < 1 ? 1 : s;
+
+    *w = *h = 0;
+    if (SDL_GetDisplayUsableBounds(display < 0 ? 0 : display, &r) != 0)
+        return;
+    if (port.window && !(SDL_GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
+        SDL_GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes where it cannot say */
+    *w = r.w - left - right;
+    *h = r.h - (top ? top : TITLE) - bottom;
+}
+
+/* Holding a picture without the screen's rate would only make it late. */
+static bool can_wait(const struct plat_want *want)
+{
+    SDL_DisplayMode mode;
+    const int display = port.window ? SDL_GetWindowDisplayIndex(port.window) : 0;
+
+    return want->vsync && SDL_GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0 && mode.refresh_rate > 0;
 }
 
 static bool open_window(const struct plat_want *want)
 {
     const char *title = want->title ? want->title : "";
     Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+    int w, h, room_w, room_h;
+
     if (want->fullscreen)
         flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-    int w = want->w * port.scale, h = want->h * port.scale;
+    find_room(&room_w, &room_h);
+    plat_fit(want, room_w, room_h, &w, &h);
     port.window = SDL_CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
     if (!port.window)
         return failed("cannot open a window");
     SDL_SetWindowMinimumSize(port.window, want->w, want->h);
-    port.renderer = SDL_CreateRenderer(port.window, -1, 0);
+    port.renderer = SDL_CreateRenderer(port.window, -1, can_wait(want) ? SDL_RENDERER_PRESENTVSYNC : 0);
     if (!port.renderer)
         return failed("cannot draw in a window");
     return true;
+}
+
+static void change_vsync(const struct plat_want *want)
+{
+#if SDL_VERSION_ATLEAST(2, 0, 18)
+    if (want->vsync != port.want.vsync)
+        SDL_RenderSetVSync(port.renderer, can_wait(want)); /* one that cannot stays as it is, and plat_window says so */
+#else
+    (void)want;
+#endif
 }
 
 static void change_window(const struct plat_want *want)
@@ -108,10 +138,15 @@ static void change_window(const struct plat_want *want)
         SDL_SetWindowTitle(port.window, want->title);
     if (want->fullscreen != port.want.fullscreen)
         SDL_SetWindowFullscreen(port.window, want->fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
-    if (want->w == port.want.w && want->h == port.want.h && want->scale == port.want.scale)
+    change_vsync(want);
+    if (want->w == port.want.w && want->h == port.want.h && want->scale == port.want.scale &&
+        want->any == port.want.any)
         return;
+    int w, h, room_w, room_h;
+    find_room(&room_w, &room_h);
+    plat_fit(want, room_w, room_h, &w, &h);
     SDL_SetWindowMinimumSize(port.window, want->w, want->h);
-    SDL_SetWindowSize(port.window, want->w * port.scale, want->h * port.scale);
+    SDL_SetWindowSize(port.window, w, h);
 }
 
 /* ---- speaker ---- */
@@ -217,6 +252,14 @@ static bool nobody_sees(void)
     return strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0 || strcmp(driver, "evdev") == 0;
 }
 
+/* By default SDL exchanges the buttons of Nintendo's controllers, to go by the letters; here they go by place. */
+static void start_controllers(void)
+{
+    SDL_SetHint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
+    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
+        failed("no controllers");
+}
+
 bool plat_open(const struct plat_want *want)
 {
     bool open = port.window != 0;
@@ -227,7 +270,6 @@ bool plat_open(const struct plat_want *want)
         plat_close();
         return false;
     }
-    port.scale = want->scale > 0 ? want->scale : comfortable(want->w, want->h);
     if (open) {
         change_window(want);
     } else if (!open_window(want)) {
@@ -236,8 +278,8 @@ bool plat_open(const struct plat_want *want)
     }
     if (!open)
         heed_hangup();
-    if (!open && SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
-        failed("no controllers");
+    if (!open)
+        start_controllers();
     change_speaker(want->rate);
     if (want->text)
         SDL_StartTextInput();
@@ -325,6 +367,59 @@ static void controller_switch(SDL_JoystickID id, int which, bool down)
     uint32_t bit = (uint32_t)1 << which;
     in.pad_down[i] = down ? in.pad_down[i] | bit : in.pad_down[i] & ~bit;
     in.pad_seen[i] |= down ? bit : 0;
+}
+
+/* An #if for each release that knew more of them. Single Joy-Cons are held askew: what is printed there helps nobody. */
+static enum plat_kind kind_of(SDL_GameController *c)
+{
+#if SDL_VERSION_ATLEAST(2, 0, 12)
+    switch (SDL_GameControllerGetType(c)) {
+    case SDL_CONTROLLER_TYPE_XBOX360:
+        return PLAT_XBOX_360;
+    case SDL_CONTROLLER_TYPE_XBOXONE:
+        return PLAT_XBOX;
+    case SDL_CONTROLLER_TYPE_PS3:
+        return PLAT_PS3;
+    case SDL_CONTROLLER_TYPE_PS4:
+        return PLAT_PS4;
+    case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_PRO:
+        return PLAT_NINTENDO;
+#if SDL_VERSION_ATLEAST(2, 0, 14)
+    case SDL_CONTROLLER_TYPE_PS5:
+        return PLAT_PS5;
+#endif
+#if SDL_VERSION_ATLEAST(2, 0, 16)
+    case SDL_CONTROLLER_TYPE_AMAZON_LUNA:
+    case SDL_CONTROLLER_TYPE_GOOGLE_STADIA:
+        return PLAT_XBOX;
+#endif
+#if SDL_VERSION_ATLEAST(2, 24, 0)
+    case SDL_CONTROLLER_TYPE_NVIDIA_SHIELD:
+        return PLAT_XBOX;
+    case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_JOYCON_PAIR:
+        return PLAT_NINTENDO;
+#endif
+    default:
+        break;
+    }
+#else
+    (void)c;
+#endif
+    return PLAT_UNKNOWN;
+}
+
+bool plat_controller(int i, struct plat_controller *controller)
+{
+    SDL_GameController *c = i >= 0 && i < PLAT_CONTROLLERS ? in.controller[i] : NULL;
+
+    memset(controller, 0, sizeof *controller);
+    if (!c)
+        return false;
+    const char *name = SDL_GameControllerName(c);
+    snprintf(controller->name, sizeof controller->name, "%s", name ? name : "");
+    controller->id = (uint32_t)SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(c));
+    controller->kind = kind_of(c);
+    return true;
 }
 
 static int button_switch(unsigned button)
@@ -460,7 +555,9 @@ void plat_poll(struct plat_input *to)
     to->mouse = in.mouse_down | in.mouse_seen;
     to->wheel = in.wheel;
     to->quit = in.quit || hung_up;
-    to->focus = port.window && (SDL_GetWindowFlags(port.window) & SDL_WINDOW_INPUT_FOCUS);
+    const Uint32 flags = port.window ? SDL_GetWindowFlags(port.window) : 0;
+    to->focus = flags & SDL_WINDOW_INPUT_FOCUS;
+    to->hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
     memcpy(to->text, in.text, sizeof to->text);
     find_mouse(to);
     memset(in.seen, 0, sizeof in.seen);
@@ -482,6 +579,8 @@ static bool fit_texture(int w, int h)
     port.texture = SDL_CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
     port.texture_w = w;
     port.texture_h = h;
+    if (port.texture) /* the top byte of what is painted is nothing */
+        SDL_SetTextureBlendMode(port.texture, SDL_BLENDMODE_NONE);
     return port.texture != 0;
 }
 
@@ -493,6 +592,45 @@ static void place(int w, int h)
     int s = ow / w < oh / h ? ow / w : oh / h;
     s = s < 1 ? 1 : s;
     port.on = (SDL_Rect){ (ow - w * s) / 2, (oh - h * s) / 2, w * s, h * s };
+}
+
+static void present(void)
+{
+    SDL_SetRenderDrawColor(port.renderer, 0, 0, 0, 255);
+    SDL_RenderClear(port.renderer);
+    SDL_RenderCopy(port.renderer, port.texture, 0, &port.on);
+    SDL_RenderPresent(port.renderer);
+}
+
+bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+{
+    if (!port.renderer || !fit_texture(w, h) || SDL_UpdateTexture(port.texture, 0, rgb, pitch * (int)sizeof *rgb) != 0)
+        return false;
+    port.on = (SDL_Rect){ 0, 0, w, h };
+    SDL_GetRendererOutputSize(port.renderer, &port.on.w, &port.on.h);
+    present();
+    return true;
+}
+
+/* What SDL cuts off: 59 is 59.94, as 119 is 119.88. */
+static int thousandths(int hz)
+{
+    return hz % 5 == 4 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;
+}
+
+bool plat_window(struct plat_window *out)
+{
+    SDL_RendererInfo info;
+    SDL_DisplayMode mode;
+
+    memset(out, 0, sizeof *out);
+    if (!port.renderer || SDL_GetRendererOutputSize(port.renderer, &out->w, &out->h) != 0)
+        return false;
+    const int display = SDL_GetWindowDisplayIndex(port.window);
+    if (SDL_GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0)
+        out->refresh = thousandths(mode.refresh_rate);
+    out->waits = SDL_GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
+    return out->w > 0 && out->h > 0;
 }
 
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
@@ -507,13 +645,18 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
     plat_rgb(to, to_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
     SDL_UnlockTexture(port.texture);
     place(w, h);
-    SDL_SetRenderDrawColor(port.renderer, 0, 0, 0, 255);
-    SDL_RenderClear(port.renderer);
-    SDL_RenderCopy(port.renderer, port.texture, 0, &port.on);
-    SDL_RenderPresent(port.renderer);
+    present();
 }
 
 /* ---- clock and speaker ---- */
+
+void plat_about(char *text, size_t size)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+    SDL_version v;
+    SDL_GetVersion(&v);
+    snprintf(text, size, "SDL %d.%d.%d, %s", v.major, v.minor, v.patch, driver ? driver : "no window");
+}
 
 uint64_t plat_usec(void)
 {

@@ -3,8 +3,8 @@
  * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
- * out that the port has, with -DPLAT_OWN_RGB, _LOOP, _ALARM, _SOUND, _LOG, _LIST and _FILES (size, load, save and
- * append together).
+ * out that the port has, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _LOOP, _ALARM, _CONTROLLER, _SOUND, _LOG, _CRASH,
+ * _ABOUT, _SYSTEM and _FILES (path, size, load, save, append, remove and list together).
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
 #define _XOPEN_SOURCE 700
@@ -34,6 +34,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/time.h>
+#include <sys/utsname.h>
 #endif
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -85,11 +86,54 @@ DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitc
 }
 #endif
 
+#ifndef PLAT_OWN_FIT
+/* In quarters of the picture's size. */
+DEFAULT void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h)
+{
+    const long fits_w = 4L * room_w / want->w, fits_h = 4L * room_h / want->h;
+    long quarters = want->scale > 0 ? 4L * want->scale : fits_w < fits_h ? fits_w : fits_h;
+
+    if (want->scale <= 0 && !want->any)
+        quarters -= quarters % 4;
+    quarters = quarters < 4 ? 4 : quarters;
+    *w = (int)(want->w * quarters / 4);
+    *h = (int)(want->h * quarters / 4);
+}
+#endif
+
+#ifndef PLAT_OWN_WINDOW
+DEFAULT bool plat_window(struct plat_window *out)
+{
+    (void)out;
+    return false;
+}
+#endif
+
+#ifndef PLAT_OWN_PAINT
+DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+{
+    (void)rgb;
+    (void)pitch;
+    (void)w;
+    (void)h;
+    return false;
+}
+#endif
+
 #ifndef PLAT_OWN_LOOP
 DEFAULT void plat_loop(bool (*frame)(void))
 {
     while (frame())
         ;
+}
+#endif
+
+#ifndef PLAT_OWN_CONTROLLER
+DEFAULT bool plat_controller(int i, struct plat_controller *controller)
+{
+    memset(controller, 0, sizeof *controller);
+    controller->id = (uint32_t)i;
+    return i >= 0 && i < PLAT_CONTROLLERS;
 }
 #endif
 
@@ -179,23 +223,124 @@ static bool fits(int n)
     return n < MAX_PATH_BYTES;
 }
 
+/* The user's folder for what programs keep: *below is what follows it. NULL: there is none. */
+static const char *data_folder(const char **below)
+{
+    *below = "";
+#ifdef POSIX
+    const char *data = getenv("XDG_DATA_HOME");
+    if (data && data[0] == '/') /* the XDG rule: a relative one counts as unset */
+        return data;
+    *below = "/.local/share";
+    return getenv("HOME");
+#else
+    return getenv("APPDATA");
+#endif
+}
+
+#ifdef POSIX
+/* The value of a line NAME="VALUE" of user-dirs.dirs, where VALUE begins with / or $HOME, and \ is before a letter that
+ * would mean something to a shell. */
+static bool shell_value(const char *value, const char *home, char *out, size_t size)
+{
+    size_t n = 0;
+    if (*value++ != '"')
+        return false;
+    if (starts(value, "$HOME")) {
+        n = strlen(home);
+        if (n >= size)
+            return false;
+        memcpy(out, home, n);
+        value += strlen("$HOME");
+    }
+    for (; *value && *value != '"' && n + 1 < size; value++) {
+        value += value[0] == '\\' && value[1];
+        out[n++] = *value;
+    }
+    n -= n > 1 && out[n - 1] == '/';
+    out[n] = 0;
+    return *value == '"' && out[0] == '/';
+}
+
+/* What user-dirs.dirs says of a folder. */
+static bool user_dir(const char *name, const char *home, char *out, size_t size)
+{
+    char line[2 * MAX_PATH_BYTES];
+    const char *config = getenv("XDG_CONFIG_HOME");
+    bool own = config && config[0] == '/', found = false;
+    if (!fits(snprintf(line, MAX_PATH_BYTES, "%s%s/user-dirs.dirs", own ? config : home, own ? "" : "/.config")))
+        return false;
+    FILE *f = fopen(line, "r");
+    while (f && fgets(line, sizeof line, f)) {
+        const char *s = line + strspn(line, " \t");
+        size_t n = strlen(name);
+        if (strncmp(s, name, n) == 0 && s[n] == '=')
+            found = shell_value(s + n + 1, home, out, size);
+    }
+    if (f)
+        fclose(f);
+    return found;
+}
+#endif
+
+/* Where the user keeps pictures; "": nowhere. */
+static void pictures_folder(char out[MAX_PATH_BYTES])
+{
+#ifdef POSIX
+    const char *own = getenv("XDG_PICTURES_DIR"), *home = getenv("HOME");
+    if (own && own[0] == '/' && fits(snprintf(out, MAX_PATH_BYTES, "%s", own)))
+        return;
+    if (home && home[0] && user_dir("XDG_PICTURES_DIR", home, out, MAX_PATH_BYTES))
+        return;
+#else
+    const char *home = getenv("USERPROFILE");
+#endif
+    if (!home || !home[0] || !fits(snprintf(out, MAX_PATH_BYTES, "%s/Pictures", home)))
+        out[0] = 0;
+}
+
+static bool picture_path(char path[MAX_PATH_BYTES], const char *name)
+{
+    char folder[MAX_PATH_BYTES];
+    pictures_folder(folder);
+    return fits(snprintf(path, MAX_PATH_BYTES, "%s%s%s", folder, folder[0] ? "/Curtain/" : "", name));
+}
+
 /* The path of a name; false when it is too long or the user has no folder. */
 static bool path_of(char path[MAX_PATH_BYTES], const char *name)
 {
+    const char *below, *data;
+    if (starts(name, "pictures:"))
+        return picture_path(path, name + strlen("pictures:"));
     if (!starts(name, "user:"))
         return fits(snprintf(path, MAX_PATH_BYTES, "%s", name));
-#ifdef POSIX
-    const char *data = getenv("XDG_DATA_HOME"), *below = "";
-    if (!data || data[0] != '/') { /* the XDG rule: a relative one counts as unset */
-        data = getenv("HOME");
-        below = "/.local/share";
-    }
-#else
-    const char *data = getenv("APPDATA"), *below = "";
-#endif
+    data = data_folder(&below);
     if (!data || !data[0])
         return false;
     return fits(snprintf(path, MAX_PATH_BYTES, "%s%s/curtain/%s", data, below, name + strlen("user:")));
+}
+
+/* The current folder and a slash before a path that needs them; "" else, and where nobody knows. */
+static void folder_before(const char *path, char folder[MAX_PATH_BYTES + 1])
+{
+    folder[0] = 0;
+#ifdef POSIX
+    if (path[0] == '/' || !getcwd(folder, MAX_PATH_BYTES))
+        folder[0] = 0;
+    else if (folder[strlen(folder) - 1] != '/')
+        memcpy(folder + strlen(folder), "/", 2);
+#else
+    (void)path;
+#endif
+}
+
+DEFAULT bool plat_path(const char *name, char *path, size_t size)
+{
+    char below[MAX_PATH_BYTES], folder[MAX_PATH_BYTES + 1];
+    if (!path_of(below, name))
+        return false;
+    folder_before(below, folder);
+    return snprintf(path, size, "%s%s", folder, below) < (int)size;
 }
 
 #ifdef POSIX
@@ -498,6 +643,168 @@ DEFAULT int plat_list(const char *dir, void (*each)(void *user, const struct pla
     (void)each;
     (void)user;
     return -1;
+}
+#endif
+#endif
+
+/* ---- what reports say ---- */
+
+#ifndef PLAT_OWN_ABOUT
+DEFAULT void plat_about(char *text, size_t size)
+{
+    snprintf(text, size, "no window");
+}
+#endif
+
+#ifndef PLAT_OWN_SYSTEM
+DEFAULT void plat_system(char *text, size_t size)
+{
+#ifdef PROCESSES
+    struct utsname u;
+    if (uname(&u) >= 0) {
+        snprintf(text, size, "%s %s %s", u.sysname, u.release, u.machine);
+        return;
+    }
+#endif
+    snprintf(text, size, "unknown");
+}
+#endif
+
+/* ---- crashes ---- */
+
+#ifndef PLAT_OWN_CRASH
+#ifdef PROCESSES
+enum { CRASH_PATH = 2048, CRASH_STACK = 1 << 16, CRASH_NUMBERS = 1000 };
+
+static const struct {
+    int sig;
+    const char *name;
+} crash_signals[] = {
+    { SIGSEGV, "SIGSEGV" }, { SIGBUS, "SIGBUS" }, { SIGFPE, "SIGFPE" }, { SIGILL, "SIGILL" }, { SIGABRT, "SIGABRT" }
+};
+
+enum { CRASH_SIGNALS = sizeof crash_signals / sizeof *crash_signals };
+
+/* All that the handler needs is here before. */
+static struct {
+    void (*fn)(const char *what, void (*out)(const void *bytes, size_t n));
+    char path[CRASH_PATH];
+    size_t stem; /* bytes of path that are given */
+    int file;
+    bool armed;
+    struct sigaction before[CRASH_SIGNALS];
+    char stack[CRASH_STACK]; /* where it runs: the program's own may be what is full */
+} crash;
+
+static void write_fully(int file, const char *bytes, size_t n)
+{
+    while (n > 0) {
+        ssize_t wrote = write(file, bytes, n);
+        if (wrote <= 0)
+            return;
+        bytes += wrote;
+        n -= (size_t)wrote;
+    }
+}
+
+static void write_text(int file, const char *text)
+{
+    write_fully(file, text, strlen(text));
+}
+
+static void crash_out(const void *bytes, size_t n)
+{
+    write_fully(crash.file, bytes, n);
+}
+
+/* Behind the stem: "-N.txt". */
+static void crash_name(int n)
+{
+    char digits[12], *to = crash.path + crash.stem;
+    int k = 0;
+    for (; n > 0; n /= 10)
+        digits[k++] = (char)('0' + n % 10);
+    *to++ = '-';
+    while (k > 0)
+        *to++ = digits[--k];
+    memcpy(to, ".txt", sizeof ".txt");
+}
+
+static void crash_folders(void)
+{
+    for (char *p = crash.path + 1; *p; p++)
+        if (*p == '/') {
+            *p = 0;
+            mkdir(crash.path, 0777);
+            *p = '/';
+        }
+}
+
+/* A new file that nobody else may read: it says how somebody played, and where their folders are. */
+static bool crash_open(void)
+{
+    crash.path[crash.stem] = 0;
+    crash_folders();
+    for (int n = 1; n < CRASH_NUMBERS; n++) {
+        crash_name(n);
+        crash.file = open(crash.path, O_WRONLY | O_CREAT | O_EXCL, 0600);
+        if (crash.file >= 0 || errno != EEXIST)
+            return crash.file >= 0;
+    }
+    return false;
+}
+
+/* Whoever handled these before does so again. */
+static void crash_disarm(void)
+{
+    for (int i = 0; crash.armed && i < CRASH_SIGNALS; i++)
+        sigaction(crash_signals[i].sig, &crash.before[i], 0);
+    crash.armed = false;
+}
+
+/* Functions that are safe in a handler alone. What happens a second time, in here, ends the program at once. */
+static void crashes(int sig)
+{
+    const char *what = "a signal";
+    for (int i = 0; i < CRASH_SIGNALS; i++)
+        what = crash_signals[i].sig == sig ? crash_signals[i].name : what;
+    crash_disarm();
+    write_text(STDERR_FILENO, "curtain: crashed (");
+    write_text(STDERR_FILENO, what);
+    if (crash_open()) {
+        crash.fn(what, crash_out);
+        close(crash.file);
+        write_text(STDERR_FILENO, "); a report is in ");
+        write_text(STDERR_FILENO, crash.path);
+    } else {
+        write_text(STDERR_FILENO, "); a report cannot be written to ");
+        write_text(STDERR_FILENO, crash.path);
+    }
+    write_text(STDERR_FILENO, "\n");
+    raise(sig); /* once this has returned */
+}
+
+DEFAULT bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)))
+{
+    stack_t stack = { .ss_sp = crash.stack, .ss_size = sizeof crash.stack };
+    struct sigaction act = { 0 };
+    crash_disarm();
+    if (!fn || !plat_path(stem, crash.path, sizeof crash.path - 32) || sigaltstack(&stack, 0) != 0)
+        return !fn;
+    crash.fn = fn;
+    crash.stem = strlen(crash.path);
+    act.sa_handler = crashes;
+    act.sa_flags = SA_ONSTACK;
+    for (int i = 0; i < CRASH_SIGNALS; i++)
+        sigaction(crash_signals[i].sig, &act, &crash.before[i]);
+    crash.armed = true;
+    return true;
+}
+#else
+DEFAULT bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)))
+{
+    (void)stem;
+    return !fn;
 }
 #endif
 #endif

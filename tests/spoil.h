@@ -137,7 +137,7 @@ static inline void spoil_draw(struct spoil_bench *s, const struct board *b)
     if (board_scratch(b) + 1 > s->scratch_size)
         s->scratch = realloc(s->scratch, s->scratch_size = board_scratch(b) + 1);
     fb_init(&fb, s->pix, w, h);
-    board_draw(b, &fb, s->rgb, s->scratch);
+    board_draw(b, NULL, &fb, s->rgb, s->scratch);
 }
 
 /* The board, powered, runs; pads NULL: random ones of r. */

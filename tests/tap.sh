@@ -18,7 +18,7 @@ sandbox() {
     curtain=$OUT/curtain-null
     [ -x "$curtain" ] || { echo "Bail out! $curtain is not built"; exit 2; }
     cd "$scratch" || exit 2
-    export LC_ALL=C XDG_DATA_HOME=$scratch/data
+    export LC_ALL=C XDG_DATA_HOME=$scratch/data XDG_PICTURES_DIR=$scratch/pictures
 }
 
 ok() { tap_n=$((tap_n + 1)); echo "ok $tap_n - $1"; }

@@ -666,6 +666,21 @@ void board_restore(struct board *b, const void *buf)
     memset(b->output, 0, sizeof *b->output);
 }
 
+size_t board_output_size(void)
+{
+    return sizeof(struct output);
+}
+
+void board_output_save(const struct board *b, void *buf)
+{
+    memcpy(buf, b->output, sizeof *b->output);
+}
+
+void board_output_restore(struct board *b, const void *buf)
+{
+    memcpy(b->output, buf, sizeof *b->output);
+}
+
 const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed)
 {
     *size = b->nvram.s.live;

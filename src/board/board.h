@@ -1,5 +1,5 @@
 /*
- * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM -> picture, and RAM x ROM -> sound.
+ * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM x view -> picture, and RAM x ROM -> sound.
  * floor: board
  *
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
@@ -19,6 +19,7 @@
 #include "../base/pads.h"
 #include "../base/rom.h"
 #include "../chips/slots.h"
+#include "view.h"
 
 enum {
     CORE_VERSION = 8,     /* raised whenever the same ROM and demo could give another hash */
@@ -163,9 +164,9 @@ void board_screen(const struct board *b, int *w, int *h);
 /* Bytes board_draw needs to build its lists in. */
 size_t board_scratch(const struct board *b);
 
-/* Draws the picture and its 256 colours (0xRRGGBB); returns how many sprites it drew. Reads b, writes only fb, rgb and
- * scratch. fb is fb_init'ed w x h. */
-uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+/* Draws the picture and its 256 colours (0xRRGGBB) as the view says, NULL: as it is; returns how many sprites it drew.
+ * Reads b and view, writes only fb, rgb and scratch. fb is fb_init'ed w x h. */
+uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* The sound of the frame just ticked: BOARD_SOUND stereo frames of 48 kHz, left first. Reads b, writes only out, so
  * that leaving it out changes nothing; the same bytes everywhere. tables: board_sound_tables() bytes, aligned to 8,
@@ -239,6 +240,12 @@ void board_trace(const struct board *b, int i, slots_visit *visit, void *context
 size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);
+
+/* What the last tick handed out stands outside the snapshot, and a restore clears it. For who goes back a frame and is
+ * to find it as it was: put aside beside the snapshot, and put back after its restore. */
+size_t board_output_size(void);
+void board_output_save(const struct board *b, void *buf);
+void board_output_restore(struct board *b, const void *buf);
 
 /* The nvram image, *size bytes, portable between hosts; *changed counts the writes since power-on. */
 const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);

@@ -22,6 +22,13 @@ struct inspect_area inspect_field(const struct board *b)
     return (struct inspect_area){ m->field_x, m->field_y, m->field_w, m->field_h };
 }
 
+bool inspect_plays(const struct board *b, int player)
+{
+    const uint8_t in = b->player.in[player];
+
+    return in & PLAYER_IN && !(in & PLAYER_NO_FIRE) && b->core.frozen <= 0;
+}
+
 /* ---- bodies ---- */
 
 static struct inspect_body body_at(const struct board *b, enum inspect_kind kind, uint32_t slot, fx x, fx y)
@@ -179,6 +186,20 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
         if (b->player.in[i])
             each(context, &body);
     }
+}
+
+bool inspect_ship(const struct board *b, int player, struct inspect_body *out)
+{
+    const struct player *p = &b->player;
+    int dx, dy;
+
+    if (!p->in[player] || p->flags[player] & PLAYER_HIDDEN)
+        return false;
+    screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    *out = player_body(b, (uint32_t)player);
+    out->x += dx * 65536;
+    out->y += dy * 65536;
+    return true;
 }
 
 /* ---- kinds ---- */

@@ -37,6 +37,10 @@ struct inspect_body {
  * for each piece of its line. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
+/* The body of player `player` (0 or 1) where the picture shows the ship: a shake moves it. False: no ship is seen; it is
+ * not in the game, or hidden. */
+bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
+
 /* What a kind of bullets, shots or enemies touches with, and the picture that it shows. */
 struct inspect_shape_of {
     const char *of, *name;    /* "bullet", "orb" */
@@ -49,6 +53,9 @@ struct inspect_shape_of {
 };
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context);
+
+/* Does a player (from 0) fly and fire: in the game, and neither a menu nor a talk has the buttons? */
+bool inspect_plays(const struct board *b, int player);
 
 /* The field on the screen, px. */
 struct inspect_area {

@@ -17,13 +17,15 @@ struct draw_target {
     int overdraw;           /* from how much on bullets are drawn front to back */
     uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
     unsigned layers;        /* of sprites, a bit each: there is nothing in the others */
+    const uint8_t *shade;   /* the entry that each of 256 is shown as in backgrounds; NULL: they are not dimmed */
 };
 
 /* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */
 enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 
 /* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
-struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw);
+struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
+                              void *scratch, int overdraw);
 
 /* The same without the bullets and what is over them, and without a flash. The clip is the field. */
 void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
@@ -64,6 +66,9 @@ void video_bullets(struct draw_target *c, const struct bullets *s, const struct 
 
 /* A dark plate with a light rim and round corners, in the shades of a bank. */
 void video_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank);
+
+/* Dims the field as it is drawn so far, by c's table of shades. */
+void video_shade(const struct draw_target *c);
 
 /* Darkens what is drawn so far, by giving its colours entries of their own: `over` are those (256) that must stay as
  * they are, because what is drawn afterwards has them. */

@@ -12,6 +12,7 @@
 #include "../base/err.h"
 #include "../base/int.h"
 #include "../base/pads.h"
+#include "host/views.h"
 
 enum {
     FOR_PLAY = 1 << COMMAND_PLAY,
@@ -55,8 +56,6 @@ static const struct {
                           "release, core version, Lua release, compiler and flags (also --version)" },
 };
 
-#define BIT(option) ((uint64_t)1 << (option)) /* in a set of options */
-
 enum option {
     OPTION_RECORD,
     OPTION_DEMO,
@@ -76,6 +75,9 @@ enum option {
     OPTION_EVERY,
     OPTION_PARTS,
     OPTION_TRACE,
+    OPTION_DIM,
+    OPTION_FLASHES,
+    OPTION_COLOURS,
     OPTION_SHEET,
     OPTION_WAV,
     OPTION_NOTES,
@@ -126,6 +128,11 @@ static const struct {
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
+    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER,
+                     "backgrounds darker: none, quarter, half, most (by three quarters)" },
+    [OPTION_FLASHES] = { "--flashes", "WORD", FOR_RENDER, "full, soft: flashes of the screen at a quarter" },
+    [OPTION_COLOURS] = { "--colours", "WORD", FOR_RENDER,
+                         "for eyes that tell fewer apart: normal, protan, deutan, tritan" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
@@ -417,6 +424,17 @@ static bool set_string(const char **to, enum option o, const char *value, char *
     return true;
 }
 
+static bool set_word(int *to, enum option o, const char *const *words, const char *value, char *err, size_t err_size)
+{
+    char list[128];
+
+    *to = views_find(words, value);
+    if (*to >= 0)
+        return true;
+    views_list(words, list, sizeof list);
+    return err_set(err, err_size, "%s: expected %s, got \"%s\"", options[o].name, list, value);
+}
+
 static bool set_switch(bool *to)
 {
     *to = true;
@@ -452,6 +470,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_presses(a, value, err, err_size);
     case OPTION_FRAMES:
         return args_frames(a, value, err, err_size);
+    case OPTION_DIM:
+        return set_word(&a->dim, o, views_dim, value, err, err_size);
+    case OPTION_FLASHES:
+        return set_word(&a->flashes, o, views_flashes, value, err, err_size);
+    case OPTION_COLOURS:
+        return set_word(&a->colours, o, views_colours, value, err, err_size);
     case OPTION_SEED:
         a->seeded = true;
         return set_number(a, o, value, err, err_size);
@@ -533,6 +557,11 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
     return err_set(err, err_size, "unknown option %s (curtain help lists them)", name);
 }
 
+static uint64_t bit(enum option o)
+{
+    return (uint64_t)1 << o;
+}
+
 /* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
 static bool read_option(struct args *a, int argc, char **argv, int *i, uint64_t *seen, char *err, size_t err_size)
 {
@@ -551,7 +580,7 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, uint64_t 
     }
     if (*seen >> o & 1 && o != OPTION_DIP && o != OPTION_REGISTER && o != OPTION_TRACE)
         return err_set(err, err_size, "%s is given twice", options[o].name);
-    *seen |= BIT(o);
+    *seen |= bit(o);
     return set(a, o, value, err, err_size);
 }
 
@@ -589,7 +618,7 @@ static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t e
                                           OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
 
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
-        if (seen & BIT(others[i]))
+        if (seen & bit(others[i]))
             return err_set(err, err_size, "--resume does not go with %s", options[others[i]].name);
     if (a->command == COMMAND_LIST && a->json && !a->replays)
         return err_set(err, err_size, "list: --json needs --replays");
@@ -617,9 +646,9 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
 static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     char with[64];
-    const uint64_t practice = BIT(OPTION_LIVES) | BIT(OPTION_REGISTER) | BIT(OPTION_INVINCIBLE);
-    const uint64_t fixed = practice | BIT(OPTION_SEED) | BIT(OPTION_DIP) | BIT(OPTION_STAGE) | BIT(OPTION_DIFFICULTY) |
-                           BIT(OPTION_LANG) | BIT(OPTION_PRESS);
+    const uint64_t practice = bit(OPTION_LIVES) | bit(OPTION_REGISTER) | bit(OPTION_INVINCIBLE);
+    const uint64_t fixed = practice | bit(OPTION_SEED) | bit(OPTION_DIP) | bit(OPTION_STAGE) | bit(OPTION_DIFFICULTY) |
+                           bit(OPTION_LANG) | bit(OPTION_PRESS);
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(seen >> o & 1))

@@ -67,6 +67,7 @@ struct args {
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     bool json, resume, no_resume, replays;
     int scale;      /* 0: not given */
+    int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     uint32_t every; /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */

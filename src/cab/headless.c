@@ -13,6 +13,7 @@
 #include "host/tape.h"
 #include "run/guard.h"
 #include "pack/png.h"
+#include "pack/shade.h"
 #include "demo/trace.h"
 
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
@@ -89,6 +90,8 @@ struct studio {
     struct fb fb;
     void *mem, *scratch;
     uint32_t rgb[256];
+    struct shade_kept shades;
+    struct view view;
     struct sheet sheet;
     struct tape tape;
 };
@@ -156,6 +159,10 @@ static enum result studio_open(struct studio *s, const struct run *r)
     if (!s->mem || !s->scratch)
         return report_line(RESULT_HOST, "out of memory");
     fb_init(&s->fb, s->mem, w, h);
+    s->view = (struct view){ .dim = (enum view_dim)r->a->dim,
+                             .soft_flashes = r->a->flashes,
+                             .colours = (enum view_colours)r->a->colours,
+                             .shades = shade_for(&s->shades, &r->game.cart) };
     if (r->a->wav && !tape_open(&s->tape))
         return report_line(RESULT_HOST, "out of memory");
     if (r->a->sheet && !sheet_open(&s->sheet, count_wanted(r->a), w, h))
@@ -182,7 +189,7 @@ static enum result picture(struct studio *s, const struct run *r, uint32_t frame
     size_t size = 0;
     uint8_t *png;
 
-    board_draw(r->guard.board, &s->fb, s->rgb, s->scratch);
+    board_draw(r->guard.board, &s->view, &s->fb, s->rgb, s->scratch);
     if (s->sheet.rgb)
         sheet_add(&s->sheet, &s->fb, s->rgb);
     if ((r->a->sheet || r->a->wav) && !r->a->out)

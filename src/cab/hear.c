@@ -32,7 +32,8 @@ static void show(void)
 
     memset(heard.fb.pix, 0, (size_t)heard.fb.pitch * H);
     canvas_open(&canvas, &heard.fb, rgb);
-    overlay_draw(&heard.overlay, &canvas, 0, H, heard.b, -1, -1);
+    const struct overlay_place at = { &canvas, NULL, 0, H };
+    overlay_draw(&heard.overlay, &at, heard.b, -1, -1);
     plat_show(heard.fb.pix, heard.fb.pitch, W, H, rgb);
 }
 

@@ -80,7 +80,7 @@ wait $shielded
 rm -rf "$scores"
 mkdir -p "$scores"
 play_until TERM
-same 'scores that cannot be saved: said, and why' 'curtain: user:probe.nv: cannot be written (Is a directory)' \
+same 'scores that cannot be saved: said, and why' "curtain: $scores: cannot be written (Is a directory)" \
     "$(grep -m 1 curtain: err)"
 rmdir "$scores"
 
@@ -89,7 +89,7 @@ damaged() { # NAME BYTES
     head -c "$2" /dev/zero | tr '\0' '\377' >"$scores"
     cp "$scores" was
     play_until TERM
-    same "$1: said" "curtain: user:probe.nv is damaged; it is kept as user:$3, and the scores begin anew" \
+    same "$1: said" "curtain: $scores is damaged; it is kept as $XDG_DATA_HOME/curtain/$3, and the scores begin anew" \
         "$(grep curtain: err)"
     check "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
     check "$1: begun anew" saved

@@ -24,13 +24,18 @@ static void play(struct keys *k, const uint8_t *data, size_t size)
 {
     struct plat_input in = { 0 };
     struct keys_read out;
+    struct seats seats;
 
+    seats_open(&seats);
     for (int turn = 0; turn < 3; turn++) {
         for (size_t i = 0; i < sizeof in.keys; i++)
             in.keys[i] = size ? data[(i + (size_t)turn * 31) % size] : 255;
         in.controllers[0] = size ? data[size / 2] * 0x01010101u : 0;
         in.controllers[1] = ~in.controllers[0];
-        keys_read(k, &in, &out);
+        memcpy(seats.switches, in.controllers, sizeof seats.switches);
+        seats.seat[0] = turn - 1;
+        seats.seat[1] = turn;
+        keys_read(k, &in, &seats, &out);
         for (int i = 0; i < PADS; i++)
             need((out.pads[i] & ~PAD_ALL) == 0);
         need(out.held >> CAB_KEYS == 0 && (out.pressed & ~out.held) == 0);

@@ -12,6 +12,17 @@ failed=build/golden-failed
 curtain=$OUT/curtain-null
 [ -x "$curtain" ] || curtain=build/curtain-null
 
+# run_options OPTIONS...: those of the run into $options; a view, which is the picture's alone, is left out.
+run_options() {
+    options=()
+    while [ $# -gt 0 ]; do
+        case $1 in
+        --dim | --flashes | --colours) shift ;;
+        *) options+=("$1") ;;
+        esac
+        shift
+    done
+}
 # render NAME ROM FRAMES OPTIONS...: pictures and hashes of one line into $scratch/new
 render() {
     local name=$1 rom=$2 frames=$3
@@ -28,7 +39,8 @@ render() {
             ((frame = every % n, every = n, n = frame))
         done
     done
-    "$curtain" hash "$rom" --frames "$last" --every "$((every ? every : 1))" "$@" |
+    run_options "$@"
+    "$curtain" hash "$rom" --frames "$last" --every "$((every ? every : 1))" "${options[@]}" |
         awk -v name="$name" 'NR == FNR { want[$1] = 1; next } want[$1] { printf "%s %06d %s\n", name, $1, $2 }' \
             "$scratch/wanted" - \
             >>"$scratch/hashes"
@@ -77,6 +89,16 @@ for picture in $here/frames/*.png; do
 done
 complete() { diff <(ls $here/frames) <(ls "$scratch/new") && [ "$(ls $here/frames | wc -l)" -ge 16 ]; }
 check "frames/ and the list name the same frames, 16 at least" complete
+
+# A view is another picture of the same state.
+of_state() { awk -v name="$1-$2" '$1 "-" $2 == name { print $3 }' $here/hashes; }
+views=$(lines | sed -n 's/^\([a-z]*\) .*--\(dim\|flashes\|colours\).*/\1/p')
+check "views are among them" [ "$(wc -w <<<"$views")" -ge 9 ]
+same_state() { [ -n "$(of_state "$1" "$2")" ] && [ "$(of_state "$1" "$2")" = "$(of_state "$3" "$2")" ]; }
+check "a dim is another picture of the same state" same_state quarter 000300 stage
+check "and so is a soft flash" same_state soft 006153 flash
+check "and colours" same_state protan 000300 flower
+check "and all of them" same_state together 006153 flash
 
 # A fault must be found: one pixel of one frame by one shade, and one digit of a hash.
 first=$(ls $here/frames | head -1)

@@ -1,10 +1,10 @@
 /*
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
- * n, in decimal, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed
- * then, to the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture
- * shown, a line: a hash of it without its first 8 rows, where the cabinet writes its words, and its last 16, where it
- * draws the bar of time. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
- * picture.ppm.
+ * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, @X,Y for the mouse there with
+ * its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to the end of the line; at its end the
+ * port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its first 8
+ * rows, where the cabinet writes its words, and its last 16, where it draws the bar of time. With KEYS_WHOLE set the
+ * hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm.
  * floor: tests
  */
 #include <inttypes.h>
@@ -45,6 +45,10 @@ void plat_poll(struct plat_input *in)
             in->mouse = sscanf(word, "@%d,%d", &in->mouse_x, &in->mouse_y) == 2;
         } else if (word[0] == '~') {
             sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
+        } else if (word[0] == 'c') {
+            unsigned which = 1, bits = 0;
+            if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)
+                in->controllers[which - 1] = bits;
         } else {
             unsigned long usage = strtoul(word, NULL, 10);
             in->keys[usage >> 3 & 31] |= (uint8_t)(1u << (usage & 7));

@@ -457,18 +457,33 @@ static inline void rig_spoil(struct rig *r)
     rig_restore(r);
 }
 
-/* Picture and colours as one number. */
-static inline uint64_t rig_picture(struct rig *r)
+/* Picture and colours as one number, by a view. */
+static inline uint64_t rig_picture_by(struct rig *r, const struct view *view)
 {
     uint32_t rgb[256];
     uint64_t h = HASH_START;
 
-    board_draw(r->b, &r->fb, rgb, r->scratch);
+    board_draw(r->b, view, &r->fb, rgb, r->scratch);
     for (int y = 0; y < r->fb.h; y++)
         h = hash_bytes(h, r->fb.pix + (ptrdiff_t)y * r->fb.pitch, (size_t)r->fb.w);
     for (int i = 0; i < 256; i++)
         h = hash_fold(h, rgb[i]);
     return h;
+}
+
+static inline uint64_t rig_picture(struct rig *r)
+{
+    return rig_picture_by(r, NULL);
+}
+
+/* One of RIG_VIEWS, 0 the plain one. shades: for a ROM that has none. */
+enum { RIG_VIEWS = VIEW_DIMS * VIEW_COLOURS * 2 };
+static inline struct view rig_view(int i, const uint8_t *shades)
+{
+    return (struct view){ .dim = (enum view_dim)(i % VIEW_DIMS),
+                          .colours = (enum view_colours)(i / VIEW_DIMS % VIEW_COLOURS),
+                          .soft_flashes = i / VIEW_DIMS / VIEW_COLOURS,
+                          .shades = shades };
 }
 
 /* The first part whose hash differs, or NULL. */

@@ -400,7 +400,8 @@ static void push_value(lua_State *L, const struct api_param *p)
         *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
         *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
         *const options[] = { "bead", "moon" }, *const downs[] = { "all", "any" }, *const maps[] = { "sea", "reef" },
-        *const depths[] = { "back", "front" }, *const sounds[] = { "hit", "boom" }, *const tunes[] = { "tide", "deep" };
+        *const depths[] = { "back", "front" }, *const asks[] = { "settings", "replays", "practice", "keys" },
+        *const sounds[] = { "hit", "boom" }, *const tunes[] = { "tide", "deep" };
 
     if (one_in(6)) {
         push_any(L, 0);
@@ -541,6 +542,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         break;
     case A_MEET:
         push_from(L, meets, 4);
+        break;
+    case A_ASK:
+        push_from(L, asks, ASKS);
         break;
     case A_DOWN:
         push_from(L, downs, 2);

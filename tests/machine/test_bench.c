@@ -193,7 +193,7 @@ static void test_picture(void **state)
         if (!(x.b->player.safe[0] >> 2 & 1))
             paint(plain, w, h, ship, (x.b->player.x[0] >> 16) - ship->ox, (x.b->player.y[0] >> 16) - ship->oy, 0);
         paint_bullets(x.b, plain, w, h);
-        assert_true(board_draw(x.b, &fb, rgb, scratch) >= 4096);
+        assert_true(board_draw(x.b, NULL, &fb, rgb, scratch) >= 4096);
         for (int y = 0; y < h; y++)
             assert_memory_equal(fb.pix + y * fb.pitch, plain + y * w, (size_t)w);
     }

@@ -1,6 +1,6 @@
 /*
  * test_bg.c - backgrounds against a plain program that asks for each pixel of the field which pixel of which map is
- * there; their motion; fades; what a game without them has of them.
+ * there, plain and as a view dims them; their motion; fades; what a game without them has of them.
  */
 #include "../../fb/row.h"
 #include "../../src/board/video.h"
@@ -40,6 +40,8 @@ static uint8_t map_pixel(const struct map *m, int64_t x, int64_t y)
     return m->pix[tile * m->side * m->side + y % m->side * m->side + x % m->side];
 }
 
+static const uint8_t *shade; /* of the view: what it shows for each entry; NULL: it dims nothing */
+
 static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_t pixel, const uint8_t *to)
 {
     const int blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
@@ -48,6 +50,7 @@ static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_
     if (!pixel)
         return under;
     over = to ? to[over] : over;
+    over = shade && b->bg.flags[i] & BG_FRONT ? shade[over] : over;
     return blend ? b->cart.blend[blend - 1][under * 256 + over] : over;
 }
 
@@ -117,12 +120,14 @@ static uint8_t plain_pixel(const struct board *b, int x, int y)
     static const uint32_t order[BG_SLOTS] = { 0, BG_PLANE, 1, 2, 3 };
     uint8_t c = 0;
 
-    for (int front = 0; front < 2; front++)
+    for (int front = 0; front < 2; front++) {
+        c = front && shade ? shade[c] : c; /* all that lies behind */
         for (int k = 0; k < BG_SLOTS; k++) {
             if (!seen(&b->bg, order[k], front))
                 continue;
             c = order[k] == BG_PLANE ? plane_pixel(b, x, y, c) : layer_pixel(b, order[k], x, y, c);
         }
+    }
     return c;
 }
 
@@ -130,12 +135,18 @@ static uint8_t plain_pixel(const struct board *b, int x, int y)
 static void compare(struct rig *r, int round)
 {
     const struct manifest *m = &r->b->cart.m;
+    uint8_t shades[VIEW_SHADES];
+    const struct view view = { .dim = (enum view_dim)within(0, VIEW_DIM_MOST), .shades = shades };
     uint32_t rgb[256];
     int dx, dy;
 
+    for (int i = 0; i < VIEW_SHADES; i++)
+        shades[i] = (uint8_t)rng_next(&rng);
+    shade = view.dim ? shades + (view.dim - 1) * 256 : NULL;
+
     screen_shake(&r->b->screen, r->b->core.clock, &dx, &dy);
     memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
-    board_draw(r->b, &r->fb, rgb, r->scratch);
+    board_draw(r->b, &view, &r->fb, rgb, r->scratch);
     for (int y = 0; y < m->screen_h; y++)
         for (int x = 0; x < m->screen_w; x++) {
             const int fx_ = x - m->field_x, fy = y - m->field_y;
@@ -193,7 +204,7 @@ static void random_plane(struct board *b)
 
     random_layer(b, BG_PLANE - 1); /* for its list: a layer's */
     g->map[BG_PLANE] = (uint16_t)within(0, 2);
-    g->flags[BG_PLANE] = (uint8_t)(within(0, 1) ? BG_CEILING : 0);
+    g->flags[BG_PLANE] = (uint8_t)((within(0, 1) ? BG_CEILING : 0) | (within(0, 3) ? 0 : BG_FRONT));
     g->bank[BG_PLANE] = (uint8_t)within(0, 3);
     g->x[BG_PLANE] = within(0, 2) ? within(-9999 * 65536, 9999 * 65536) : INT64_MIN / 2;
     g->y[BG_PLANE] = within(0, 2) ? within(-9999 * 65536, 9999 * 65536) : INT64_MAX / 2;

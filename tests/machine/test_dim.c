@@ -36,7 +36,7 @@ static void draw(const char *lines, int n, struct shot *out)
     rig_script(&g, &m, text);
     rig_power(&r, &g, NULL);
     rig_run(&r, 3 + n);
-    board_draw(r.b, &r.fb, rgb, r.scratch);
+    board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++)
             out->at[y][x] = rgb[r.fb.pix[y * r.fb.pitch + x]];

@@ -425,7 +425,7 @@ static void test_rim(void **state)
                     "for i = 0, 9 do sprite.put { sprite = 'arrow', x = 8 + 8 * i, y = 28, bank = 9 } sprite.put { "
                     "sprite = 'arrow', x = 8 + 8 * i, y = 76, bank = 9 } end");
     rig_run(&r, 1);
-    board_draw(r.b, &r.fb, rgb, r.scratch);
+    board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
     for (int i = 0; i < 256; i++) {
         uint32_t a = rgb[i], b = rgb[dark];
         dark = (a >> 16) + (a >> 8 & 255) + (a & 255) < (b >> 16) + (b >> 8 & 255) + (b & 255) ? i : dark;
@@ -470,7 +470,7 @@ static void test_large(void **state)
     rig_run(&r, 1);
     for (int i = 0; i < 64; i++) /* the rig's own has no slant */
         ((uint8_t *)(uintptr_t)g.cart.glyphs)[('K' - 32) * 64 + i] = (i % 8 * 5 + i / 8 * (i / 8 + 3)) % 7 < 3 ? 3 : 0;
-    board_draw(r.b, &r.fb, rgb, r.scratch);
+    board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
     for (int y = 0; y < 16; y++)
         for (int x = 0; x < 32; x++) {
             const int code = "KA"[x / 16], u = x % 16 / 2, v = y / 2, at = ink(code, u, v);

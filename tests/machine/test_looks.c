@@ -50,7 +50,7 @@ static void shows(const char *name, int frame, int bank, int white, unsigned fli
     uint32_t rgb[256];
     int brightest = 0, seen = 0;
 
-    board_draw(r.b, &r.fb, rgb, r.scratch);
+    board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
     if (name)
         cart_sprite(&g.cart, cart_find_sprite(&g.cart, name), &s);
     for (int i = 0; i < 256; i++) {

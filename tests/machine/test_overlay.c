@@ -69,9 +69,10 @@ static int bed_close(void **state)
 
 static void draw(struct bed *t, int y0, int y1, int mouse_x, int mouse_y)
 {
-    board_draw(t->r.b, &t->r.fb, t->rgb, t->r.scratch);
+    board_draw(t->r.b, NULL, &t->r.fb, t->rgb, t->r.scratch);
     canvas_open(&t->canvas, &t->r.fb, t->rgb);
-    overlay_draw(&t->o, &t->canvas, y0, y1, t->r.b, mouse_x, mouse_y);
+    const struct overlay_place at = { &t->canvas, NULL, y0, y1 };
+    overlay_draw(&t->o, &at, t->r.b, mouse_x, mouse_y);
 }
 
 static bool sees(const struct bed *t, const char *text)
@@ -239,6 +240,42 @@ static void shapes_lie_where_they_hit(void **state)
     assert_int_equal(COLOUR(60, 39), t->canvas.colour[CANVAS_YELLOW]);
 }
 
+/* A ship's hit shape is white to the pixel, in a red ring in a dark one; of a second player in a cyan one. What is not
+ * seen has none; a shake takes it along. */
+static void ships_show_where_they_are_hit(void **state)
+{
+    struct bed *t = *state;
+    struct player *p = &t->r.b->player;
+
+    draw(t, 0, 320, -1, -1);
+    overlay_ships(&t->canvas, t->r.b);
+    assert_int_equal(COLOUR(99, 149), t->canvas.colour[CANVAS_WHITE]); /* at 100, 150, of 2 px */
+    assert_int_equal(COLOUR(101, 150), t->canvas.colour[CANVAS_WHITE]);
+    assert_int_equal(COLOUR(102, 150), t->canvas.colour[CANVAS_RED]);
+    assert_int_equal(COLOUR(100, 147), t->canvas.colour[CANVAS_RED]);
+    assert_int_equal(COLOUR(103, 150), t->canvas.colour[CANVAS_DARK]);
+    assert_int_equal(inked(t), 12 + 20 + 20);
+    t->r.b->screen = (struct screen){ .s = t->r.b->screen.s, .shake = 8, .shake_over = 1, .shake_aimed = 1 };
+    t->r.b->screen.shake_at = t->r.b->core.clock - 1; /* its first frame: 8 px to the right */
+    draw(t, 0, 320, -1, -1);
+    overlay_ships(&t->canvas, t->r.b);
+    assert_int_equal(COLOUR(107, 149), t->canvas.colour[CANVAS_WHITE]);
+    assert_true(COLOUR(99, 149) != t->canvas.colour[CANVAS_WHITE]);
+    screen_empty(&t->r.b->screen);
+    p->in[1] = p->in[0];
+    p->x[1] = 30 << 16;
+    p->y[1] = -1 << 16; /* half of it beyond the field */
+    draw(t, 0, 320, -1, -1);
+    overlay_ships(&t->canvas, t->r.b);
+    assert_int_equal(COLOUR(30, 1), t->canvas.colour[CANVAS_CYAN]);
+    assert_int_equal(COLOUR(30, 0), t->canvas.colour[CANVAS_WHITE]);
+    p->flags[0] |= PLAYER_HIDDEN;
+    p->in[1] = 0;
+    draw(t, 0, 320, -1, -1);
+    overlay_ships(&t->canvas, t->r.b);
+    assert_int_equal(inked(t), 0);
+}
+
 /* Asking for times and drawing leave the game alone. */
 static void the_game_does_not_notice(void **state)
 {
@@ -255,10 +292,11 @@ static void the_game_does_not_notice(void **state)
         overlay_begin(&t->o, &a);
         guard_tick(&a, none);
         overlay_lap(&t->o, SPLIT_CABINET);
-        board_draw(a.board, &t->r.fb, t->rgb, t->r.scratch);
+        board_draw(a.board, NULL, &t->r.fb, t->rgb, t->r.scratch);
         overlay_lap(&t->o, SPLIT_DRAW);
         canvas_open(&t->canvas, &t->r.fb, t->rgb);
-        overlay_draw(&t->o, &t->canvas, 0, 320, a.board, f, f);
+        const struct overlay_place at = { &t->canvas, NULL, 0, 320 };
+        overlay_draw(&t->o, &at, a.board, f, f);
         overlay_lap(&t->o, SPLIT_SHOW);
         overlay_end(&t->o);
         guard_tick(&b, none);
@@ -322,7 +360,7 @@ static void toggle(struct bed *t)
 
 static int draw_console(struct bed *t)
 {
-    board_draw(t->r.b, &t->r.fb, t->rgb, t->r.scratch);
+    board_draw(t->r.b, NULL, &t->r.fb, t->rgb, t->r.scratch);
     canvas_open(&t->canvas, &t->r.fb, t->rgb);
     return console_draw(&t->c, &t->canvas);
 }
@@ -488,6 +526,7 @@ int main(void)
         TEST(the_thing_under_the_mouse_is_told),
         TEST(panels_do_not_hide_each_other),
         TEST(shapes_lie_where_they_hit),
+        TEST(ships_show_where_they_are_hit),
         TEST(the_game_does_not_notice),
         TEST(it_opens_types_and_answers),
         TEST(keys_edit_the_line),

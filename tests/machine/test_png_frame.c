@@ -80,7 +80,7 @@ static void check_frame(struct rig *r, const char *game)
     uint8_t *png;
     size_t size;
 
-    board_draw(r->b, &r->fb, rgb, r->scratch);
+    board_draw(r->b, NULL, &r->fb, rgb, r->scratch);
     assert_true(png_write(r->fb.pix, r->fb.pitch, r->fb.w, r->fb.h, rgb, &png, &size));
     snprintf(path, sizeof path, "%s/frame.png", dir);
     save(path, png, size);

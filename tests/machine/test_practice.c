@@ -713,27 +713,47 @@ static void test_sections_of_the_wrong(void **state)
 }
 
 static struct practice_menu menu;
+static struct screens screens;
+
+/* A frame of the menu with these buttons held; is it still open? */
+static bool held(uint16_t pad)
+{
+    const struct plat_input in = { .mouse_x = -1, .mouse_y = -1 };
+    const struct keys_read k = { .pads = { pad } };
+
+    screens_poll(&screens, &in, &k);
+    return screens_are_open(&screens);
+}
+
+static int row_now(void)
+{
+    return screens.place[0].row;
+}
+
+static void begin_menu(const struct board_start *start, int slow)
+{
+    practice_began(&menu, start);
+    practice_open(&menu, &screens, slow);
+}
 
 static void open_menu(const struct board_start *start)
 {
+    screens = (struct screens){ 0 };
     menu = (struct practice_menu){ .cart = &game.cart, .home = *start, .slow = 1 };
     memset(&menu.home.practice, 0, sizeof menu.home.practice);
-    practice_began(&menu, start);
-    practice_open(&menu, 1);
-    practice_poll(&menu, 0);
+    begin_menu(start, 1);
+    held(0);
 }
 
-/* A tap each; the last one's answer. */
-static enum practice_choice tap(const uint16_t *pads, int n)
-{
-    enum practice_choice choice = PRACTICE_STAYS;
+enum answer { STAYS, BACK, STARTS };
 
-    for (int i = 0; i < n; i++) {
-        choice = practice_poll(&menu, pads[i]);
-        if (menu.open)
-            practice_poll(&menu, pads[i] & PAD_FOCUS);
-    }
-    return choice;
+/* A tap each; what the last one came to. */
+static enum answer tap(const uint16_t *pads, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (held(pads[i]))
+            held(pads[i] & PAD_FOCUS);
+    return screens_are_open(&screens) ? STAYS : menu.start_chosen ? STARTS : BACK;
 }
 
 #define TAP(...) tap((const uint16_t[]){ __VA_ARGS__ }, sizeof((const uint16_t[]){ __VA_ARGS__ }) / 2)
@@ -746,25 +766,22 @@ static void test_menu(void **state)
     (void)state;
     start.seed = 77;
     open_menu(&start); /* on the first section */
-    assert_int_equal(TAP(down, fire), PRACTICE_START);
+    assert_int_equal(TAP(down, fire), STARTS);
     practice_chosen(&menu, &got);
     assert_string_equal(got.practice.section, "one:guard");
     assert_int_equal(got.practice.lives, 0);
     assert_int_equal(got.practice.registers, 0);
     assert_false(got.practice.invincible);
     assert_int_equal(got.seed, 77);
-    practice_began(&menu, &got);
-    practice_open(&menu, 2);
-    practice_poll(&menu, 0);
+    begin_menu(&got, 2);
+    held(0);
     assert_int_equal(menu.slow, 2);
     /* Over the line between, from the section that was played: speed, hitbox, invincible, power, bombs, lives. */
-    assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)),
-                     PRACTICE_STAYS);
-    assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, fire), PRACTICE_STAYS);
+    assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)), STAYS);
+    assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, fire), STAYS);
     assert_int_equal(menu.slow, 4);
     assert_true(menu.hitbox);
-    assert_int_equal(TAP(up, up, up, fire),
-                     PRACTICE_START); /* the title, round the end: the knight's heading is passed over */
+    assert_int_equal(TAP(up, up, up, fire), STARTS); /* the title, round the end: the knight's heading is passed over */
     practice_chosen(&menu, &got);
     assert_string_equal(got.practice.section, "queen/second");
     assert_int_equal(got.practice.lives, 11);
@@ -774,14 +791,13 @@ static void test_menu(void **state)
     assert_int_equal(got.practice.reg[0].value, 0); /* it stops there */
     assert_string_equal(got.practice.reg[1].name, "power");
     assert_int_equal(got.practice.reg[1].value, 8);
-    practice_began(&menu, &got);
-    practice_open(&menu, 1);
-    practice_poll(&menu, 0);
-    assert_int_equal(TAP((uint16_t)PAD_BOMB), PRACTICE_BACK);
-    assert_false(menu.open);
-    menu.row = 0;
-    menu.open = true;
-    assert_int_equal(TAP(fire), PRACTICE_START);
+    begin_menu(&got, 1);
+    held(0);
+    assert_int_equal(TAP((uint16_t)PAD_BOMB), BACK);
+    begin_menu(&got, 1);
+    screens_choose(&screens, 0);
+    held(0);
+    assert_int_equal(TAP(fire), STARTS);
     practice_chosen(&menu, &got);
     assert_memory_equal(&got.practice, &start.practice, sizeof got.practice);
 }
@@ -793,19 +809,19 @@ static void test_menu_held(void **state)
     int row;
 
     (void)state;
+    screens = (struct screens){ 0 };
     menu = (struct practice_menu){ .cart = &game.cart, .home = start, .slow = 1 };
-    practice_began(&menu, &start);
-    practice_open(&menu, 1);
-    row = menu.row;
-    assert_int_equal(practice_poll(&menu, PAD_FIRE | PAD_DOWN), PRACTICE_STAYS);
-    assert_int_equal(menu.row, row);
-    practice_poll(&menu, 0);
+    begin_menu(&start, 1);
+    row = row_now();
+    assert_true(held(PAD_FIRE | PAD_DOWN));
+    assert_int_equal(row_now(), row);
+    held(0);
     for (int f = 0; f < 21; f++)
-        practice_poll(&menu, PAD_DOWN);
-    assert_int_equal(menu.row, row + 2);
+        held(PAD_DOWN);
+    assert_int_equal(row_now(), row + 2);
     for (int f = 0; f < 6; f++)
-        practice_poll(&menu, PAD_DOWN);
-    assert_int_equal(menu.row, row + 4);
+        held(PAD_DOWN);
+    assert_int_equal(row_now(), row + 4);
 }
 
 /* On pictures of any size: nothing is drawn outside, the chosen row is shown, whatever it is. */
@@ -831,13 +847,13 @@ static void test_menu_pictures(void **state)
             bool white = false;
             fb_init(&fb, mem, w, h);
             canvas_open(&canvas, &fb, rgb);
-            practice_draw(&menu, &canvas);
+            screens_draw(&screens, &canvas, "");
             for (int y = 0; y < h; y++) {
                 hash = hash_bytes(hash, fb.pix + (ptrdiff_t)y * fb.pitch, (size_t)w);
                 white |= fb.pix[(ptrdiff_t)y * fb.pitch + w / 2] == canvas.colour[CANVAS_WHITE];
             }
             assert_true(white && hash != last); /* the chosen row's bar; it has moved */
-            assert_in_range(menu.row, menu.top, menu.top + menu.shown - 1);
+            assert_in_range(row_now(), screens.place[0].top, screens.place[0].top + screens.shown - 1);
             last = hash;
             TAP((uint16_t)PAD_DOWN);
         }

@@ -43,7 +43,7 @@ static void draw(const char *line, int n, struct shot *out)
     rig_script(&g, &m, text);
     rig_power(&r, &g, NULL);
     rig_run(&r, 3 + n);
-    board_draw(r.b, &r.fb, out->rgb, r.scratch);
+    board_draw(r.b, NULL, &r.fb, out->rgb, r.scratch);
     for (int y = 0; y < H; y++)
         memcpy(out->pix[y], r.fb.pix + y * r.fb.pitch, W);
     rig_free(&r);
@@ -322,7 +322,7 @@ static void test_crowd(void **state)
         rig_script(&g, &m, full);
         rig_power(&r, &g, NULL);
         rig_run(&r, 1);
-        board_draw(r.b, &r.fb, rgb, r.scratch);
+        board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
         for (int y = 0; y < H; y++)
             memcpy(pix[i][y], r.fb.pix + y * r.fb.pitch, W);
         rig_free(&r);

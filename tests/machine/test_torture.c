@@ -1,15 +1,19 @@
 /*
  * test_torture.c - snapshots. After every frame all of RAM is spoilt and put back, and the board goes on as one that
- * was never disturbed: same hashes, same pictures, same samples. And: from any frame of a run, play on with other pads,
+ * was never disturbed: same hashes, same pictures by whichever view, same samples. And: from any frame of a run, play on with other pads,
  * spoil, go back, and the run is the same as it was. CURTAIN_LONG=1: more frames.
  */
+#include "../../src/cab/pack/shade.h"
 #include "rig.h"
 
 static void *tables; /* of board_sound */
+static struct shade_kept shades;
 
-/* The picture, and the samples of a game that has any, as one number. */
+/* The picture, by a view that the frame picks, and the samples of a game that has any, as one number. */
 static uint64_t seen_and_heard(struct rig *r)
 {
+    const uint32_t any = board_frame(r->b) * 2654435769u >> 16;
+    const struct view view = rig_view((int)(any % RIG_VIEWS), shade_for(&shades, &r->game->cart));
     int16_t sound[2 * BOARD_SOUND];
 
     if (!tables) {
@@ -17,7 +21,7 @@ static uint64_t seen_and_heard(struct rig *r)
         board_sound_open(tables);
     }
     board_sound(r->b, tables, sound);
-    return hash_bytes(rig_picture(r), sound, sizeof sound);
+    return hash_bytes(rig_picture_by(r, &view), sound, sizeof sound);
 }
 
 /* ---- games ---- */

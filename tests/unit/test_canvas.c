@@ -1,5 +1,6 @@
 /* test_canvas.c - what the cabinet draws over a picture: borrowed colours, words, shapes. */
 #include <limits.h>
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -193,6 +194,62 @@ static void rings_are_rims_of_what_is_inside(void **state)
     }
 }
 
+/* Of a disc each pixel that is inside; below a pixel's size one at least. */
+static void discs_are_what_is_inside(void **state)
+{
+    struct bed *b = *state;
+
+    for (int n = 0; n < 600; n++) {
+        int64_t x = ((int64_t)rng_below(&b->r, 100) - 20) * 65536 + (int64_t)rng_below(&b->r, 256) * 256;
+        int64_t y = ((int64_t)rng_below(&b->r, 90) - 20) * 65536 + (int64_t)rng_below(&b->r, 256) * 256;
+        int64_t r = (int64_t)rng_below(&b->r, n % 2 ? 65536 * 3 : 65536 * 60) / 256 * 256;
+        fb_fill(&b->fb, 0);
+        canvas_open(&b->canvas, &b->fb, b->rgb);
+        fb_clip(&b->fb, 5, 0, W - 9, H);
+        canvas_disc(&b->canvas, (int32_t)x, (int32_t)y, (int32_t)r, CANVAS_GREEN);
+        for (int i = 0; i < W * H; i++) {
+            int64_t px = i % W, py = i / W;
+            bool want = in_ring(px, py, x, y, r) || (r < 65536 && x >> 16 == px && y >> 16 == py);
+            assert_int_equal(canvas_at(b, (int)px, (int)py) == CANVAS_GREEN, want && px >= 5 && px < W - 4);
+        }
+    }
+}
+
+static double light_of(uint32_t rgb)
+{
+    const double weight[3] = { 0.2126, 0.7152, 0.0722 };
+    double sum = 0;
+
+    for (int c = 0; c < 3; c++) {
+        const double v = (rgb >> (16 - 8 * c) & 255) / 255.0;
+        sum += weight[c] * (v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/* By each view, words in every colour stand out from the band they are written on: 4.5 to 1 is what WCAG 2 asks of
+ * text. */
+static void words_are_readable_by_each_view(void **state)
+{
+    struct bed *b = *state;
+
+    for (int view = 0; view < VIEW_COLOURS; view++) {
+        uint32_t was[256];
+        canvas_open(&b->canvas, &b->fb, b->rgb);
+        memcpy(was, b->rgb, sizeof was);
+        canvas_view(&b->canvas, (enum view_colours)view);
+        for (int i = 0; i < 256; i++) {
+            bool own = false;
+            for (int c = 0; c < CANVAS_COLOURS; c++)
+                own = own || b->canvas.colour[c] == i;
+            assert_int_equal(b->rgb[i], own ? view_colour((enum view_colours)view, was[i]) : was[i]);
+        }
+        const double dark = light_of(b->rgb[b->canvas.colour[CANVAS_DARK]]);
+        for (int c = CANVAS_DARK + 1; c < CANVAS_COLOURS; c++)
+            assert_true((light_of(b->rgb[b->canvas.colour[c]]) + 0.05) / (dark + 0.05) >= 4.5);
+    }
+}
+
 static void boxes_frame_what_is_inside(void **state)
 {
     struct bed *b = *state;
@@ -270,6 +327,7 @@ static void extremes_are_clipped(void **state)
     for (int i = 0; i < N * N * N; i++) {
         int x = v[i % N], y = v[i / N % N], r = v[i / N / N];
         canvas_ring(&b->canvas, x, y, r, CANVAS_RED);
+        canvas_disc(&b->canvas, x, y, r, CANVAS_RED);
         canvas_box(&b->canvas, x, y, r, x, CANVAS_RED);
         canvas_capsule(&b->canvas, x, y, r, y, x, CANVAS_RED);
         canvas_line(&b->canvas, x, y, r, x, CANVAS_RED);
@@ -314,6 +372,8 @@ int main(void)
         TEST(letters_can_be_told_apart),
         TEST(widths),
         TEST(rings_are_rims_of_what_is_inside),
+        TEST(discs_are_what_is_inside),
+        TEST(words_are_readable_by_each_view),
         TEST(boxes_frame_what_is_inside),
         TEST(capsules_are_rims_of_what_is_inside),
         TEST(extremes_are_clipped),

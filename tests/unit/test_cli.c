@@ -125,6 +125,11 @@ static void test_values(void **state)
     assert_string_equal(a.out, "out");
     assert_string_equal(a.sheet, "s.png");
     assert_true(a.nearest && a.verbose);
+    assert_true(a.dim == 0 && a.flashes == 0 && a.colours == 0);
+    reads("render game --frames 1 --dim most --flashes soft --colours=deutan");
+    assert_true(a.dim == 3 && a.flashes == 1 && a.colours == 2);
+    reads("render game --frames 1 --dim none --flashes full --colours normal");
+    assert_true(a.dim == 0 && a.flashes == 0 && a.colours == 0);
 }
 
 /* All frames up to `last` and a few more, as a string of 0 and 1. */
@@ -220,6 +225,11 @@ static void test_bad_values(void **state)
     refuses("play --record ''", "--record: expected F, got nothing");
     refuses("play --record", "--record: expected F, got nothing");
     refuses("play --mute=1", "--mute takes no value, got \"1\"");
+    refuses("render g --dim 2", "--dim: expected none, quarter, half or most, got \"2\"");
+    refuses("render g --flashes=", "--flashes: expected full or soft, got \"\"");
+    refuses("render g --colours", "--colours: expected WORD, got nothing");
+    refuses("render g --colours red", "--colours: expected normal, protan, deutan or tritan, got \"red\"");
+    refuses("render g --dim half --dim half", "--dim is given twice");
     refuses("play --seed 1 --seed 2", "--seed is given twice");
 }
 
@@ -231,6 +241,7 @@ static void test_misfits(void **state)
     refuses("hash g --xyzzy", "unknown option --xyzzy (curtain help lists them)");
     refuses("play -q", "unknown option -q (curtain help lists them)");
     refuses("play g --every 3", "--every does not go with play (it goes with hash)");
+    refuses("play g --dim half", "--dim does not go with play (it goes with render)");
     refuses("pack g --frames 3", "--frames does not go with pack (it goes with render, hash)");
     refuses("hash g --demo d --stage one", "--stage does not go with --demo, which holds its own");
     refuses("hash g --seed 1 --demo d", "--seed does not go with --demo, which holds its own");

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include "../../src/board/view.h"
 #include "../../src/cab/host/config.h"
 
 static char err[256];
@@ -20,6 +21,20 @@ static void release(struct plat_input *in, unsigned usage)
     in->keys[usage >> 3] = (uint8_t)(in->keys[usage >> 3] & ~(1u << (usage & 7)));
 }
 
+/* A poll with the first controller player 1's and the second player 2's. */
+static void read_keys(struct keys *k, const struct plat_input *in, struct keys_read *out)
+{
+    struct seats seats;
+
+    seats_open(&seats);
+    memcpy(seats.switches, in->controllers, sizeof seats.switches);
+    for (int p = 0; p < PADS; p++)
+        seats.seat[p] = p;
+    seats.is[0].kind = PLAT_PS4;
+    seats.is[1].kind = PLAT_NINTENDO;
+    keys_read(k, in, &seats, out);
+}
+
 /* The pads a single key makes, player 2 in the upper half. */
 static uint32_t of_key(unsigned usage)
 {
@@ -28,7 +43,7 @@ static uint32_t of_key(unsigned usage)
     struct plat_input in = { 0 };
     keys_defaults(&k);
     press(&in, usage);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     return r.pads[0] | (uint32_t)r.pads[1] << 16;
 }
 
@@ -76,16 +91,16 @@ static void controllers_are_the_players(void **state)
     struct plat_input in = { .controllers = { 1u << PLAT_SOUTH, 1u << PLAT_LEFT_UP } };
     (void)state;
     keys_defaults(&k);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE);
     assert_int_equal(r.pads[1], PAD_UP);
     assert_true(keys_bind(&k, "p1.fire", "pad2.lup", err, sizeof err));
     assert_true(keys_bind(&k, "pause", "pad.south", err, sizeof err));
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE);
     assert_int_equal(r.held, 1u << CAB_PAUSE);
     in.controllers[1] = 0;
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], 0);
 }
 
@@ -98,17 +113,17 @@ static void a_chord_eats_its_key(void **state)
     keys_defaults(&k);
     press(&in, 230);
     press(&in, 40);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.pressed, 1u << CAB_FULLSCREEN);
     assert_int_equal(r.pads[0], 0);
     release(&in, 230); /* Alt let go first: Enter is still not Start */
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.held, 0);
     assert_int_equal(r.pads[0], 0);
     release(&in, 40);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     press(&in, 40);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_START);
 }
 
@@ -121,15 +136,15 @@ static void pressed_is_once(void **state)
     keys_defaults(&k);
     press(&in, 19);
     press(&in, 29);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.pressed, 1u << CAB_PAUSE);
     assert_true(r.fresh);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.held, 1u << CAB_PAUSE);
     assert_int_equal(r.pressed, 0);
     assert_false(r.fresh);
     press(&in, 80);
-    keys_read(&k, &in, &r);
+    read_keys(&k, &in, &r);
     assert_true(r.fresh);
 }
 
@@ -141,23 +156,11 @@ static void bad_bindings_change_nothing(void **state)
     was = k;
     assert_false(keys_bind(&k, "p3.fire", "z", err, sizeof err));
     assert_string_equal(err, "no action is called \"p3.fire\"");
-    static const char *const bad[] = { "zz",
-                                       "f13",
-                                       "f0",
-                                       "kp10",
-                                       "key3",
-                                       "key256",
-                                       "pad.",
-                                       "pad3.south",
-                                       "pad",
-                                       "alt+",
-                                       "alt+pad.south",
-                                       "Z",
-                                       "f1x",
-                                       "ctrl",
-                                       "z,x",
-                                       "none z",
-                                       "averyveryveryveryveryverylongwordindeed" };
+    static const char *const bad[] = {
+        "zz",   "f13",        "f0",         "kp10", "key3",   "key256",
+        "pad.", "pad5.south", "pad0.south", "pad",  "alt+",   "alt+pad.south",
+        "Z",    "f1x",        "ctrl",       "z,x",  "none z", "averyveryveryveryveryverylongwordindeed"
+    };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_false(keys_bind(&k, "p1.fire", bad[i], err, sizeof err));
         assert_memory_equal(&k, &was, sizeof k);
@@ -172,7 +175,8 @@ static void bad_bindings_change_nothing(void **state)
 static void a_settings_file(void **state)
 {
     static const char text[] =
-        "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5";
+        "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5\n"
+        "dim = half\nflashes = soft\ncolours = tritan\nhitbox = yes";
     struct config c;
     (void)state;
     config_defaults(&c);
@@ -182,6 +186,18 @@ static void a_settings_file(void **state)
     assert_int_equal(c.volume, 40);
     assert_int_equal(c.mute, 1);
     assert_int_equal(c.fullscreen, 0);
+    static const char pressing[] = "autofire = yes\nfocus2 = toggle\none_hand = right\none_hand2 = left";
+    assert_true(config_read(&c, "x.conf", pressing, sizeof pressing - 1, err, sizeof err));
+    assert_int_equal(c.autofire[0], 1);
+    assert_int_equal(c.autofire[1], 0);
+    assert_int_equal(c.focus[0], 0);
+    assert_int_equal(c.focus[1], 1);
+    assert_int_equal(c.one_hand[0], HAND_RIGHT);
+    assert_int_equal(c.one_hand[1], HAND_LEFT);
+    assert_int_equal(c.dim, VIEW_DIM_HALF);
+    assert_int_equal(c.flashes, 1);
+    assert_int_equal(c.colours, VIEW_TRITAN);
+    assert_int_equal(c.hitbox, 1);
     assert_int_equal(c.keys.code[4][0], 44);
     assert_int_equal(c.keys.code[4][1], 0x100 | PLAT_TRIGGER_LEFT);
     assert_int_equal(c.keys.code[4][2], 0);
@@ -206,7 +222,13 @@ static void bad_settings(void **state)
     REFUSE("volume = 101", "x.conf:1: volume: expected a number from 0 to 100, got \"101\"");
     REFUSE("\n\nscale = 2x", "x.conf:3: scale: expected a number from 0 to 16, got \"2x\"");
     REFUSE("scale =", "x.conf:1: scale: expected a number from 0 to 16, got \"\"");
+    REFUSE("dim = 2", "x.conf:1: dim: expected none, quarter, half or most, got \"2\"");
+    REFUSE("dim = half\nflashes =", "x.conf:2: flashes: expected full or soft, got \"\"");
+    REFUSE("colours = Protan", "x.conf:1: colours: expected normal, protan, deutan or tritan, got \"Protan\"");
+    REFUSE("hitbox = always", "x.conf:1: hitbox: expected yes or no, got \"always\"");
     REFUSE("mute = 1", "x.conf:1: mute: expected yes or no, got \"1\"");
+    REFUSE("focus = held", "x.conf:1: focus: expected hold or toggle, got \"held\"");
+    REFUSE("one_hand2 = yes", "x.conf:1: one_hand2: expected no, left or right, got \"yes\"");
     REFUSE("hello", "x.conf:1: expected name = value, got \"hello\"");
     REFUSE("= 4", "x.conf:1: no setting is called \"\"");
     REFUSE("p1.fire = q qq", "x.conf:1: p1.fire: no switch is called \"qq\"");
@@ -221,7 +243,7 @@ static void first_switch(void **state)
     static const char *const words[] = { "a",         "z",         "1",         "9",         "0",
                                          "f1",        "f12",       "kp1",       "kp5",       "kp9",
                                          "kp0",       "kp.",       "enter",     "rgui",      "up",
-                                         "key4",      "pad.south", "pad.start", "pad1.east", "pad2.right",
+                                         "key4",      "pad.south", "pad.start", "pad1.east", "pad4.right",
                                          "alt+enter", "key100",    "ctrl+q",    "space",     "none" };
     struct keys k;
     char name[32];
@@ -240,6 +262,271 @@ static void first_switch(void **state)
     assert_string_equal(name, "kp");
 }
 
+/* What a hint names follows what its player pressed last. */
+static void hints_name_what_is_used(void **state)
+{
+    struct keys k;
+    struct keys_read r;
+    struct plat_input in = { 0 };
+    char name[SWITCH_NAME];
+
+    (void)state;
+    keys_defaults(&k);
+    in.controllers[0] = 1u << PLAT_LEFT_UP;
+    read_keys(&k, &in, &r);
+    keys_first(&k, "p1.fire", name, sizeof name);
+    assert_string_equal(name, "cross");
+    keys_first(&k, "p1.start", name, sizeof name);
+    assert_string_equal(name, "Options");
+    keys_first(&k, "p2.fire", name, sizeof name);
+    assert_string_equal(name, "j");
+    in.controllers[1] = 1u << PLAT_EAST;
+    read_keys(&k, &in, &r);
+    keys_first(&k, "p2.bomb", name, sizeof name);
+    assert_string_equal(name, "A");
+    keys_bind(&k, "mute", "m pad.north", err, sizeof err);
+    keys_first(&k, "mute", name, sizeof name);
+    assert_string_equal(name, "X");
+    press(&in, 29); /* the controllers are still held: what is new counts */
+    read_keys(&k, &in, &r);
+    keys_first(&k, "p1.fire", name, sizeof name);
+    assert_string_equal(name, "z");
+    keys_first(&k, "mute", name, sizeof name);
+    assert_string_equal(name, "m");
+    keys_first(&k, "p2.fire", name, sizeof name);
+    assert_string_equal(name, "B");
+    in.controllers[0] = 1u << PLAT_SOUTH; /* and it is used again */
+    read_keys(&k, &in, &r);
+    assert_int_equal(r.pads_fresh[0], 0); /* z holds fire already */
+    keys_first(&k, "p1.focus", name, sizeof name);
+    assert_string_equal(name, "R1");
+    keys_bind(&k, "p1.focus", "q", err, sizeof err);
+    keys_first(&k, "p1.focus", name, sizeof name);
+    assert_string_equal(name, "q");
+}
+
+/* All lists, as text, give the same codes again. */
+static void lists_are_written_and_read(void **state)
+{
+    struct keys k, again;
+    char text[KEYS_EACH * SWITCH_NAME];
+
+    (void)state;
+    keys_defaults(&k);
+    assert_true(keys_bind(&k, "step", "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0", err, sizeof err));
+    assert_true(keys_bind(&k, "slow", "none", err, sizeof err));
+    keys_text(&k, "step", text, sizeof text);
+    assert_string_equal(text, "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0");
+    keys_text(&k, "slow", text, sizeof text);
+    assert_string_equal(text, "none");
+    memset(&again, 0, sizeof again);
+    for (int i = 0; i < KEYS_ACTIONS; i++) {
+        keys_text(&k, keys_action(i), text, sizeof text);
+        assert_true(keys_bind(&again, keys_action(i), text, err, sizeof err));
+        assert_non_null(keys_meaning(i));
+    }
+    assert_memory_equal(k.code, again.code, sizeof k.code);
+    keys_text(&k, "step", text, 6);
+    assert_string_equal(text, "alt+k");
+}
+
+static void a_switch_is_captured(void **state)
+{
+    struct keys_capture c;
+    struct plat_input in = { 0 };
+
+    (void)state;
+    press(&in, 40); /* the enter that chose the row */
+    keys_capture_begin(&c, &in);
+    assert_int_equal(keys_capture(&c, &in), 0);
+    release(&in, 40);
+    assert_int_equal(keys_capture(&c, &in), 0);
+    press(&in, 40);
+    assert_int_equal(keys_capture(&c, &in), 40);
+    release(&in, 40);
+    keys_capture(&c, &in);
+    press(&in, 225); /* shift is a key as any other */
+    assert_int_equal(keys_capture(&c, &in), 225);
+    release(&in, 225);
+    press(&in, 226); /* alt waits for what comes with it */
+    assert_int_equal(keys_capture(&c, &in), 0);
+    press(&in, 40);
+    assert_int_equal(keys_capture(&c, &in), switch_code("alt+enter"));
+    keys_capture_begin(&c, &in);
+    release(&in, 226);
+    release(&in, 40);
+    press(&in, 228);
+    assert_int_equal(keys_capture(&c, &in), 0);
+    press(&in, 20);
+    assert_int_equal(keys_capture(&c, &in), switch_code("ctrl+q"));
+    release(&in, 228);
+    release(&in, 20);
+    keys_capture_begin(&c, &in);
+    press(&in, 230);
+    assert_int_equal(keys_capture(&c, &in), 0);
+    release(&in, 230); /* and is itself when nothing does */
+    assert_int_equal(keys_capture(&c, &in), 230);
+    keys_capture_begin(&c, &in);
+    in.controllers[3] = 1u << PLAT_STICK_LEFT;
+    assert_int_equal(keys_capture(&c, &in), switch_code("pad.l3"));
+    assert_int_equal(keys_capture(&c, &in), 0);
+}
+
+static void switches_are_added_and_dropped(void **state)
+{
+    struct keys k;
+    char text[KEYS_EACH * SWITCH_NAME];
+
+    (void)state;
+    keys_defaults(&k);
+    assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
+    assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
+    keys_text(&k, "p1.bomb", text, sizeof text);
+    assert_string_equal(text, "x pad.east q");
+    keys_drop(&k, "p1.bomb", switch_code("pad.east"));
+    keys_drop(&k, "p1.bomb", switch_code("f1"));
+    keys_text(&k, "p1.bomb", text, sizeof text);
+    assert_string_equal(text, "x q");
+    assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
+    assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
+    assert_false(keys_add(&k, "p1.bomb", switch_code("7"), err, sizeof err));
+    assert_string_equal(err, "p1.bomb has 6 switches, which is all it can have");
+    for (int i = 1; i < 7; i++)
+        keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
+    keys_text(&k, "p1.bomb", text, sizeof text);
+    assert_string_equal(text, "none");
+}
+
+static void conflict(const struct keys *k, const char *action, const char *name, const char *want)
+{
+    const char *got = keys_conflict(k, action, switch_code(name));
+
+    if (!want)
+        assert_null(got);
+    else
+        assert_string_equal(got, want);
+}
+
+static void conflicts_are_named(void **state)
+{
+    struct keys k;
+
+    (void)state;
+    keys_defaults(&k);
+    conflict(&k, "p1.bomb", "z", "p1.fire");
+    conflict(&k, "p1.bomb", "x", NULL); /* its own */
+    conflict(&k, "p1.bomb", "p", "pause");
+    conflict(&k, "pause", "d", "p2.right");
+    conflict(&k, "pause", "alt+d", NULL); /* a chord is another switch */
+    conflict(&k, "p1.bomb", "pad.south", "p1.fire");
+    conflict(&k, "p1.bomb", "pad.north", NULL);
+    conflict(&k, "pause", "pad.south", "p1.fire");    /* the cabinet hears every controller */
+    conflict(&k, "p1.bomb", "pad2.south", "p1.fire"); /* which may be player 1's */
+    assert_true(keys_bind(&k, "p1.fire", "pad1.south", err, sizeof err));
+    assert_true(keys_bind(&k, "p2.fire", "none", err, sizeof err));
+    conflict(&k, "p1.bomb", "pad2.south", NULL);
+    conflict(&k, "p2.bomb", "pad1.south", "p1.fire");
+    keys_bind(&k, "p2.fire", "pad.north", err, sizeof err);
+    conflict(&k, "p1.bomb", "pad.north", NULL); /* each of them has a controller */
+    assert_true(keys_reserved(switch_code("escape")));
+    assert_true(keys_reserved(switch_code("pad.guide")));
+    assert_true(keys_reserved(switch_code("pad2.guide")));
+    assert_false(keys_reserved(switch_code("pad.start")));
+    assert_false(keys_reserved(switch_code("alt+escape")));
+}
+
+/* One hand: its switches mean what its layout says, and the other player's keys among them nothing to them. */
+static void a_hand_has_its_half(void **state)
+{
+    struct keys k;
+    struct keys_read r;
+    struct plat_input in = { 0 };
+    char name[SWITCH_NAME];
+
+    (void)state;
+    keys_defaults(&k);
+    keys_hand(&k, 0, HAND_LEFT);
+    press(&in, 26); /* w, player 2's up */
+    press(&in, 44); /* space */
+    in.controllers[0] = 1u << PLAT_SELECT;
+    read_keys(&k, &in, &r);
+    assert_int_equal(r.pads[0], PAD_UP | PAD_FIRE | PAD_START);
+    assert_int_equal(r.pads[1], 0);
+    keys_first(&k, "p1.up", name, sizeof name);
+    assert_string_equal(name, "w");
+    memset(&in, 0, sizeof in);
+    press(&in, 29); /* z is still there */
+    in.controllers[0] = 1u << PLAT_STICK_LEFT | 1u << PLAT_TRIGGER_LEFT;
+    in.controllers[1] = 1u << PLAT_SELECT; /* player 2 has two hands */
+    read_keys(&k, &in, &r);
+    assert_int_equal(r.pads[0], PAD_FIRE | PAD_BOMB | PAD_FOCUS);
+    assert_int_equal(r.pads[1], PAD_SELECT);
+    keys_hand(&k, 0, HAND_RIGHT);
+    memset(&in, 0, sizeof in);
+    in.controllers[0] = 1u << PLAT_SHOULDER_RIGHT | 1u << PLAT_RIGHT_LEFT;
+    press(&in, 98); /* kp0, player 2's fire */
+    read_keys(&k, &in, &r);
+    assert_int_equal(r.pads[0], PAD_FIRE | PAD_SPECIAL | PAD_LEFT);
+    assert_int_equal(r.pads[1], 0);
+    keys_hand(&k, 0, HAND_BOTH);
+    read_keys(&k, &in, &r);
+    assert_int_equal(r.pads[0], PAD_FOCUS);
+    assert_int_equal(r.pads[1], PAD_FIRE);
+}
+
+/* Either hand reaches each button, on the keyboard and on a controller; select alone is missing on a controller. */
+static void each_hand_reaches_everything(void **state)
+{
+    (void)state;
+    for (int hand = HAND_LEFT; hand <= HAND_RIGHT; hand++) {
+        struct keys k;
+        keys_defaults(&k);
+        keys_hand(&k, 0, (enum keys_hand)hand);
+        for (int i = 0; i < PAD_BUTTONS; i++) {
+            bool key = false, pad = false;
+            for (int n = 0; n < KEYS_HAND; n++) {
+                pad = pad || k.hand[0][i][n] & SWITCH_CONTROLLER;
+                key = key || (k.hand[0][i][n] && !(k.hand[0][i][n] & SWITCH_CONTROLLER));
+            }
+            assert_true(key);
+            assert_true(pad || 1 << i == PAD_SELECT);
+        }
+    }
+}
+
+static void labels(void **state)
+{
+    static const struct {
+        const char *name, *label[PLAT_KINDS];
+    } rows[] = {
+        { "pad.south", { "lower button", "A", "A", "cross", "cross", "cross", "B" } },
+        { "pad2.east", { "right button", "B", "B", "circle", "circle", "circle", "A" } },
+        { "pad.west", { "left button", "X", "X", "square", "square", "square", "Y" } },
+        { "pad.north", { "upper button", "Y", "Y", "triangle", "triangle", "triangle", "X" } },
+        { "pad.r1", { "R1", "RB", "RB", "R1", "R1", "R1", "R" } },
+        { "pad.l2", { "L2", "LT", "LT", "L2", "L2", "L2", "ZL" } },
+        { "pad.start", { "Start", "Menu", "Start", "Start", "Options", "Options", "+" } },
+        { "pad.select", { "Select", "View", "Back", "Select", "Share", "Create", "-" } },
+        { "pad.guide", { "Guide", "Xbox", "Guide", "PS", "PS", "PS", "HOME" } },
+        { "pad.lup", { "stick up", "stick up", "stick up", "stick up", "stick up", "stick up", "stick up" } },
+        { "alt+enter", { "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter" } },
+    };
+    char name[SWITCH_NAME];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        for (int kind = 0; kind < PLAT_KINDS; kind++) {
+            switch_label(switch_code(rows[i].name), (enum plat_kind)kind, name, sizeof name);
+            assert_string_equal(name, rows[i].label[kind]);
+        }
+    }
+    for (unsigned bit = 0; bit < PLAT_SWITCHES; bit++)
+        for (int kind = 0; kind < PLAT_KINDS; kind++) {
+            switch_label(SWITCH_CONTROLLER | bit, (enum plat_kind)kind, name, sizeof name);
+            assert_true(name[0]);
+        }
+}
+
 static void count_line(const char *line)
 {
     assert_true(strlen(line) < 120);
@@ -253,7 +540,7 @@ static void help_has_them_all(void **state)
     keys_help(count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
-    assert_int_equal(lines, KEYS_ACTIONS + 6);
+    assert_int_equal(lines, KEYS_ACTIONS + 27);
 }
 
 int main(void)
@@ -270,6 +557,14 @@ int main(void)
         cmocka_unit_test(bad_settings),
         cmocka_unit_test(help_has_them_all),
         cmocka_unit_test(first_switch),
+        cmocka_unit_test(hints_name_what_is_used),
+        cmocka_unit_test(lists_are_written_and_read),
+        cmocka_unit_test(a_switch_is_captured),
+        cmocka_unit_test(switches_are_added_and_dropped),
+        cmocka_unit_test(conflicts_are_named),
+        cmocka_unit_test(a_hand_has_its_half),
+        cmocka_unit_test(each_hand_reaches_everything),
+        cmocka_unit_test(labels),
     };
     return cmocka_run_group_tests(tests, 0, 0);
 }

@@ -14,6 +14,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <cmocka.h>
 #include "../../platform/platform.h"
@@ -161,6 +162,164 @@ static void the_users_folder(void **state)
     setenv("XDG_DATA_HOME", home, 1);
 }
 
+static void is_at(const char *want, const char *file)
+{
+    char path[4096];
+    assert_true(plat_path(file, path, sizeof path));
+    assert_string_equal(path, want);
+}
+
+/* Where the test's folder is the user's home. */
+static void is_below(const char *below, const char *file)
+{
+    char want[4096];
+    snprintf(want, sizeof want, "%s%s", home, below);
+    is_at(want, file);
+}
+
+static void real_paths(void **state)
+{
+    char path[4096];
+    (void)state;
+    is_at("/some/file.lua", "/some/file.lua");
+    is_below("/some/file.lua", "some/file.lua");
+    is_below("/curtain/game.nv", "user:game.nv");
+    assert_true(plat_path("/abc", path, 5));
+    assert_false(plat_path("/abc", path, 4));
+    unsetenv("XDG_DATA_HOME");
+    unsetenv("HOME");
+    assert_false(plat_path("user:game.nv", path, sizeof path));
+    setenv("XDG_DATA_HOME", home, 1);
+}
+
+static void user_dirs_say(const char *text)
+{
+    assert_true(plat_save("conf/user-dirs.dirs", text, strlen(text)));
+}
+
+/* The environment, then user-dirs.dirs, then ~/Pictures; without a home the current folder. */
+static void the_users_pictures(void **state)
+{
+    char config[4096];
+    (void)state;
+    snprintf(config, sizeof config, "%s/conf", home);
+    unsetenv("XDG_PICTURES_DIR");
+    unsetenv("HOME");
+    is_below("/a.png", "pictures:a.png");
+    setenv("HOME", home, 1);
+    setenv("XDG_CONFIG_HOME", config, 1);
+    is_below("/Pictures/Curtain/a.png", "pictures:a.png");
+    user_dirs_say("# written by xdg-user-dirs-update\nXDG_MUSIC_DIR=\"$HOME/Music\"\n"
+                  "XDG_PICTURES_DIR=\"$HOME/My \\\"Bilder\\\"\"\n");
+    is_below("/My \"Bilder\"/Curtain/a.png", "pictures:a.png");
+    user_dirs_say("XDG_PICTURES_DIR=\"/data/pictures\"\nXDG_PICTURES_DIRS=\"/x\"\n");
+    is_at("/data/pictures/Curtain/a.png", "pictures:a.png");
+    user_dirs_say("XDG_PICTURES_DIR=\"$HOME/\"\n");
+    is_below("/Curtain/a.png", "pictures:a.png");
+    user_dirs_say("XDG_PICTURES_DIR=\"relative\"\n");
+    is_below("/Pictures/Curtain/a.png", "pictures:a.png");
+    user_dirs_say("XDG_PICTURES_DIR=\"/unclosed");
+    is_below("/Pictures/Curtain/a.png", "pictures:a.png");
+    unsetenv("XDG_CONFIG_HOME");
+    assert_true(plat_save(".config/user-dirs.dirs", "XDG_PICTURES_DIR=\"$HOME/P\"\n", 28));
+    is_below("/P/Curtain/a.png", "pictures:a.png");
+    setenv("XDG_PICTURES_DIR", "relative", 1);
+    is_below("/P/Curtain/a.png", "pictures:a.png");
+    setenv("XDG_PICTURES_DIR", config, 1);
+    assert_true(plat_save("pictures:a.png", "png", 3));
+    assert_int_equal(plat_size("conf/Curtain/a.png"), 3);
+    unsetenv("XDG_PICTURES_DIR");
+}
+
+static void about(void **state)
+{
+    char text[128] = "";
+    (void)state;
+    plat_about(text, sizeof text);
+    assert_string_equal(text, "no window");
+    plat_system(text, sizeof text);
+    assert_true(strlen(text) > 5);
+}
+
+static const char *told;
+
+static void tell(const char *what, void (*out)(const void *bytes, size_t n))
+{
+    out(told, strlen(told));
+    out(what, strlen(what));
+}
+
+static void tell_and_fall(const char *what, void (*out)(const void *bytes, size_t n))
+{
+    out(what, strlen(what));
+    abort();
+}
+
+/* In a child: what the test's library does of a signal is not for it. */
+static void on_its_own(void)
+{
+    static const int sigs[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+    for (size_t i = 0; i < sizeof sigs / sizeof *sigs; i++)
+        signal(sigs[i], SIG_DFL);
+    (void)!freopen("said", "w", stderr);
+}
+
+/* What a child that dies of a signal leaves in `file`. */
+static void dies(int sig, void (*fn)(const char *, void (*)(const void *, size_t)), const char *file, const char *want)
+{
+    char text[64] = "";
+    int status;
+    pid_t child = fork();
+    if (child == 0) {
+        on_its_own();
+        told = "died of ";
+        if (!plat_crash("user:reports/game", fn))
+            _exit(9);
+        raise(sig);
+        _exit(7);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == sig);
+    long n = plat_load(file, text, sizeof text - 1);
+    assert_true(n >= 0);
+    assert_string_equal(text, want);
+}
+
+/* Fills the stack: nothing it does ends it. */
+static int deep(volatile int n)
+{
+    volatile char room[4096];
+    room[n & 4095] = (char)n;
+    return n < 0 ? room[0] : deep(n + 1) + room[n & 4095];
+}
+
+static void a_crash_is_told(void **state)
+{
+    char text[4096] = "", want[4096];
+    int status;
+    (void)state;
+    dies(SIGSEGV, tell, "curtain/reports/game-1.txt", "died of SIGSEGV");
+    dies(SIGABRT, tell, "curtain/reports/game-2.txt", "died of SIGABRT");
+    dies(SIGFPE, tell, "user:reports/game-3.txt", "died of SIGFPE");
+    dies(SIGILL, tell, "user:reports/game-4.txt", "died of SIGILL");
+    dies(SIGBUS, tell, "user:reports/game-5.txt", "died of SIGBUS");
+    snprintf(want, sizeof want, "curtain: crashed (SIGBUS); a report is in %s/curtain/reports/game-5.txt\n", home);
+    assert_true(plat_load("said", text, sizeof text - 1) > 0);
+    assert_string_equal(text, want);
+    dies(SIGABRT, tell_and_fall, "user:reports/game-6.txt", "SIGABRT");
+    pid_t child = fork(); /* a full stack */
+    if (child == 0) {
+        on_its_own();
+        told = "full: ";
+        plat_crash("user:full", tell);
+        _exit(deep(0) & 1);
+    }
+    waitpid(child, &status, 0);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
+    assert_true(plat_size("user:full-1.txt") == (long)strlen("full: SIGSEGV"));
+    assert_true(plat_crash("user:none", tell) && plat_crash("user:none", NULL));
+}
+
 static void count(void *user, const struct plat_file *file)
 {
     int *seen = user;
@@ -279,6 +438,10 @@ int main(void)
         cmocka_unit_test(linked_folders_are_not_listed),
         cmocka_unit_test(folders_are_made),
         cmocka_unit_test(the_users_folder),
+        cmocka_unit_test(real_paths),
+        cmocka_unit_test(the_users_pictures),
+        cmocka_unit_test(about),
+        cmocka_unit_test(a_crash_is_told),
         cmocka_unit_test(listing),
         cmocka_unit_test(a_failed_save_leaves_all),
         cmocka_unit_test(the_alarm_rings_where_it_was_armed),

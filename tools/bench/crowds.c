@@ -132,7 +132,7 @@ static void draw_over(struct arena *a, struct size *s, bool count)
 
     for (int k = 0; k < 3; k++) {
         double from = bench_now();
-        video_draw(scene->b, &scene->fb, scene->rgb, scene->scratch, VIDEO_NO_LAYERS);
+        video_draw(scene->b, NULL, &scene->fb, scene->rgb, scene->scratch, VIDEO_NO_LAYERS);
         if (count && k > 0)
             samples_add(&s->over, bench_since(from));
     }
@@ -200,7 +200,7 @@ static struct size *run(int n)
     bench_own_clock(n >= OWN_CLOCK);
     for (int round = -1; round < rounds; round++) /* the first warms up */
         slice(&a, s, frames, round >= 0);
-    s->hidden = video_draw(a.scene.b, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_OVERDRAW).hidden;
+    s->hidden = video_draw(a.scene.b, NULL, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_OVERDRAW).hidden;
     bench_own_clock(false);
     check(&a, s);
     close_arena(&a);

@@ -53,7 +53,7 @@ static double piano_frame(struct player_piano *p, bool draw)
     if (board_tick(p->b, pads)->fault)
         report_fail(board_last(p->b)->fault->message);
     if (draw)
-        board_draw(p->b, &p->fb, p->rgb, p->scratch);
+        board_draw(p->b, NULL, &p->fb, p->rgb, p->scratch);
     return bench_since(from);
 }
 

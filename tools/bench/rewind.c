@@ -132,7 +132,7 @@ static void play(struct past_run *r, const struct rom *rom)
         demo_pads(r->demo, f, pads);
         remember(r, pads);
         tick(r->guard.board, pads);
-        board_draw(r->guard.board, &fb, rgb, scratch);
+        board_draw(r->guard.board, NULL, &fb, rgb, scratch);
         if (f % SECOND == 0)
             save_again(r);
     }

@@ -191,7 +191,7 @@ bool scene_tick(struct scene *s)
 
 void scene_draw(struct scene *s)
 {
-    s->drawn = board_draw(s->b, &s->fb, s->rgb, s->scratch);
+    s->drawn = board_draw(s->b, NULL, &s->fb, s->rgb, s->scratch);
 }
 
 size_t scene_ram(const struct rom *rom, int bullets)

@@ -162,7 +162,7 @@ static void look_prices(struct stand *s)
         for (int i = 0; i < LOOK_COUNT; i++) {
             LOOKS[i].set(s->b);
             double from = bench_now();
-            board_draw(s->b, &s->fb, rgb, s->scratch);
+            board_draw(s->b, NULL, &s->fb, rgb, s->scratch);
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
@@ -189,7 +189,7 @@ void scenery_prices(void)
             for (int k = 0; k <= round % 8; k++)
                 bg_step(&s.b->bg);
             double from = bench_now();
-            board_draw(s.b, &s.fb, rgb, s.scratch);
+            board_draw(s.b, NULL, &s.fb, rgb, s.scratch);
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }

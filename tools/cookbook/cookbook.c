@@ -124,7 +124,7 @@ static void strip_add(struct strip *s, const struct cookbook *c, const struct bo
     uint32_t rgb[256];
 
     memset(known, -1, sizeof known);
-    board_draw(b, &s->fb, rgb, s->scratch);
+    board_draw(b, NULL, &s->fb, rgb, s->scratch);
     for (int y = 0; y < m->field_h; y++) {
         const uint8_t *from = s->fb.pix + (ptrdiff_t)(m->field_y + y) * s->fb.pitch + m->field_x;
         for (int x = 0; x < m->field_w; x++) {

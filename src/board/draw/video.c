@@ -4,7 +4,8 @@
  *     background, back sprites, items, enemies, shots, players' lasers, middle sprites, players, bullets, lasers,
  *     sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
  *
- * Options are drawn over the sprites of their layer.
+ * Options are drawn over the sprites of their layer. A view (view.h) may dim backgrounds and back sprites, before
+ * anything else is drawn over them.
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
@@ -382,19 +383,29 @@ static void draw_bars(struct draw_target *c)
     fb_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
 }
 
-static void draw_flash(const struct board *b, uint32_t rgb[256])
+static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 {
-    fx share = screen_flash(&b->screen, b->core.clock);
+    fx share = screen_flash(&b->screen, b->core.clock) / (soft ? VIEW_SOFT : 1);
 
     for (int i = 0; share && i < COLOURS; i++)
         rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
+}
+
+/* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
+static const uint8_t *shade_of(const struct board *b, const struct view *view)
+{
+    const uint8_t *shades = b->cart.shades ? b->cart.shades : view->shades;
+
+    return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
 }
 
 /* Where the picture of this frame is drawn, and whether it is shaken. */
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
-    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites) };
+    struct draw_target c = {
+        b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL
+    };
     int dx, dy;
 
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
@@ -420,9 +431,14 @@ static void draw_behind(struct draw_target *c, bool shaken)
     video_clip_field(c);
     video_bg(c, false);
     draw_sprites(c, LAYER_BACK);
-    draw_options(c, LAYER_BACK);
+    if (!c->shade) /* options are the ship's: no view dims them */
+        draw_options(c, LAYER_BACK);
     if (shaken && !covered)
         fill_edges(c);
+    if (c->shade) {
+        video_shade(c);
+        draw_options(c, LAYER_BACK);
+    }
     draw_items(c);
     draw_enemies(c);
     video_bullets(c, &b->shots, &b->shot_kinds);
@@ -441,14 +457,18 @@ void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void 
     draw_behind(&c, shaken);
 }
 
-struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int overdraw)
+struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
+                              void *scratch, int overdraw)
 {
+    static const struct view plain;
+    const struct view *v = view ? view : &plain;
     const fx dim = screen_dim(&b->screen, b->core.frame);
     bool shaken, over[COLOURS];
     struct draw_target c = target(b, fb, scratch, overdraw, &shaken);
 
+    c.shade = shade_of(b, v);
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
-    draw_flash(b, rgb);
+    draw_flash(b, v->soft_flashes, rgb);
     if (dim)
         find_over(c, over);
     draw_behind(&c, shaken);
@@ -462,6 +482,8 @@ struct draw_target video_draw(const struct board *b, struct fb *fb, uint32_t rgb
     if (dim)
         video_dim(&c, rgb, over, dim);
     draw_over(&c);
+    for (int i = 0; v->colours && i < COLOURS; i++)
+        rgb[i] = view_colour(v->colours, rgb[i]);
     return c;
 }
 
@@ -470,7 +492,7 @@ size_t board_scratch(const struct board *b)
     return video_bullets_scratch(b);
 }
 
-uint64_t board_draw(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
-    return video_draw(b, fb, rgb, scratch, VIDEO_OVERDRAW).drawn;
+    return video_draw(b, view, fb, rgb, scratch, VIDEO_OVERDRAW).drawn;
 }

@@ -81,6 +81,16 @@ static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_
         memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
 }
 
+/* One table that shows each colour as `then` shows what `first` shows it as; either may be NULL, and so the result. */
+static const uint8_t *chain(const uint8_t *first, const uint8_t *then, uint8_t both[256])
+{
+    if (!first || !then)
+        return first ? first : then;
+    for (int k = 0; k < 256; k++)
+        both[k] = then[first[k]];
+    return both;
+}
+
 static struct brush brush_of(const struct board *b, uint32_t i)
 {
     const unsigned blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
@@ -194,15 +204,17 @@ static void lay_rows(struct draw_target *c, const struct brush *b, const struct 
         lay_tiles(c, b->bank, m, t, r);
 }
 
-static void draw_layer(struct draw_target *c, uint32_t i)
+static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
-    const struct brush brush = brush_of(c->b, i);
+    struct brush brush = brush_of(c->b, i);
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
     const bool wraps = g->flags[i] & BG_WRAP;
     struct tiles tiles = { .n = -1 };
+    uint8_t both[256];
     struct map m;
 
+    brush.to = chain(brush.to, shade, both);
     cart_map(&c->b->cart, g->map[i] - 1, &m);
     const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + dy;
     struct shown_rows r = { .aside = INT64_MIN, .to = w, .my = wraps ? modulo(-top, mh) : -top };
@@ -272,26 +284,22 @@ static int fog_at(const struct bg *g, int field_w, int64_t s)
     return depth / g->far[BG_PLANE] < BG_SHADES ? (int)(depth / g->far[BG_PLANE]) : BG_SHADES;
 }
 
-/* The table that fogs, and then shades: one of the two, or both in one. */
-static const uint8_t *plane_table(const struct board *b, int fog, uint8_t both[256])
+/* The table that fogs, then blackens, then shades. */
+static const uint8_t *plane_table(const struct board *b, int fog, const uint8_t *shade, uint8_t two[256],
+                                  uint8_t three[256])
 {
     const uint8_t *first = fog ? b->bg_shades.to + BG_FOG_TABLES + (fog - 1) * 256 : NULL;
-    const uint8_t *then = brush_of(b, BG_PLANE).to;
 
-    if (!first || !then)
-        return first ? first : then;
-    for (int k = 0; k < 256; k++)
-        both[k] = then[first[k]];
-    return both;
+    return chain(chain(first, brush_of(b, BG_PLANE).to, two), shade, three);
 }
 
-static void draw_plane(struct draw_target *c)
+static void draw_plane(struct draw_target *c, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, horizon = g->horizon[BG_PLANE] + shaken_y(c);
     const bool ceiling = g->flags[BG_PLANE] & BG_CEILING;
     struct brush brush = brush_of(c->b, BG_PLANE);
-    uint8_t row[ROW], both[256];
+    uint8_t row[ROW], two[256], three[256];
     struct map m;
     int fogged = -1;
 
@@ -303,7 +311,7 @@ static void draw_plane(struct draw_target *c)
         int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
         int fog = fog_at(g, w, s);
         if (fog != fogged)
-            brush.to = plane_table(c->b, fogged = fog, both);
+            brush.to = plane_table(c->b, fogged = fog, shade, two, three);
         bool solid = walk_row(&m, skipped(walk_of(g, &m, w, s), &m, -shaken_x(c)), w, row);
         lay(c, &brush, row, 0, y, w, solid);
     }
@@ -344,12 +352,13 @@ bool video_bg_covers(const struct board *b)
 void video_bg(struct draw_target *c, bool front)
 {
     const struct bg *g = &c->b->bg;
+    const uint8_t *shade = front ? c->shade : NULL; /* what lies behind is shaded when back sprites are drawn too */
     const int first = front ? 0 : covering(c->b);
 
     for (int i = first < 0 ? 0 : first; i + 1 < (int)g->s.live; i++) {
         if (shown(g, (uint32_t)i, front))
-            draw_layer(c, (uint32_t)i);
+            draw_layer(c, (uint32_t)i, shade);
         if (i == 0 && shown(g, BG_PLANE, front))
-            draw_plane(c);
+            draw_plane(c, shade);
     }
 }

@@ -60,7 +60,7 @@ struct lists {
 
 /* What bullets are listed for: a surface, with the field's corner on it, and the pixels at which a bullet of any kind
  * needs no clipping, so that it is listed as a destination. */
-struct view {
+struct window {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
@@ -180,7 +180,7 @@ static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k
 }
 
 /* Where the picture of bullet i has its corner on the surface. */
-static void corner(const struct view *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
+static void corner(const struct window *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
 {
     const struct sprite *pic = l->style[s->kind[i]].pic;
 
@@ -210,7 +210,7 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 }
 
 /* Opens the lists of order[from .. to - 1]. */
-static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y, bool clips)
+static struct window open_window(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y, bool clips)
 {
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
 
@@ -234,8 +234,8 @@ static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const 
         y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
     }
     if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
-        return (struct view){ fb, x, y, 1, 1, 0, 0, clips };
-    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, clips };
+        return (struct window){ fb, x, y, 1, 1, 0, 0, clips };
+    return (struct window){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, clips };
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
@@ -246,9 +246,9 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
 /* Each bullet's offset from the field's corner on the surface, and its bank. True: none needs clipping, whichever its
  * kind. */
 static bool dest_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
-                       const struct view *view)
+                       const struct window *view)
 {
-    const struct view t = *view;
+    const struct window t = *view;
     const uint32_t pitch = (uint32_t)t.fb->pitch;
     const int32_t x0 = t.x0, y0 = t.y0, x1 = t.x1, y1 = t.y1;
     int32_t others = 0;
@@ -261,7 +261,7 @@ static bool dest_block(const fx *restrict x, const fx *restrict y, const uint8_t
     return others >= 0;
 }
 
-static bool is_unclipped(const struct view *t, fx x, fx y)
+static bool is_unclipped(const struct window *t, fx x, fx y)
 {
     int px = fx_floor(x), py = fx_floor(y);
 
@@ -270,7 +270,7 @@ static bool is_unclipped(const struct view *t, fx x, fx y)
 
 /* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
  * slot if part of it is inside the clip. */
-static void list_other(struct lists *l, const struct bullets *s, const struct view *t, uint32_t i)
+static void list_other(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
     struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
@@ -288,7 +288,7 @@ static void list_other(struct lists *l, const struct bullets *s, const struct vi
 }
 
 /* Lists those bullets of a block that m names, one by one. */
-static void list_some(struct lists *l, const struct bullets *s, const struct view *t, uint32_t block, uint64_t m)
+static void list_some(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block, uint64_t m)
 {
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
@@ -357,7 +357,7 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
 }
 
 /* Lists a block whose slots are all live and need no clipping, the usual case. False: it listed nothing. */
-static bool list_block(struct lists *l, const struct bullets *s, const struct view *t, uint32_t block)
+static bool list_block(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
     uint32_t at[SLOTS_BLOCK];
@@ -371,7 +371,7 @@ static bool list_block(struct lists *l, const struct bullets *s, const struct vi
     return true;
 }
 
-static void list_all(struct lists *l, const struct bullets *s, const struct view *t)
+static void list_all(struct lists *l, const struct bullets *s, const struct window *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         if (!list_block(l, s, t, block))
@@ -389,7 +389,7 @@ static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32
     return slots_gather(is) & s->s.used[block];
 }
 
-static void list_open(struct lists *l, const struct bullets *s, const struct view *t)
+static void list_open(struct lists *l, const struct bullets *s, const struct window *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         list_some(l, s, t, block, open_ones(l, s, block));
@@ -397,7 +397,7 @@ static void list_open(struct lists *l, const struct bullets *s, const struct vie
 
 /* ---- back to front ---- */
 
-static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                        uint32_t i)
 {
     struct image image = image_of(c, l, s, i);
@@ -484,7 +484,7 @@ static void pick(const struct draw_target *c, const struct bullets *s, const str
 
 /* Eight pixels wide, and turned: most bullets. A store is what a row waits for, so the copy is found meanwhile; with
  * wider pictures the time is shorter where copies are picked before. */
-static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         const struct style *style, const struct picker *p, uint32_t n)
 {
     const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
@@ -500,7 +500,7 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
 }
 
 /* Each shows a picture of its own. */
-static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                      const struct style *style, uint32_t n)
 {
     const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
@@ -523,7 +523,7 @@ static void draw_own(struct draw_target *c, const struct bullets *s, const struc
     }
 }
 
-static void draw_singly(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_singly(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         const struct style *style, uint32_t n)
 {
     const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
@@ -532,7 +532,7 @@ static void draw_singly(struct draw_target *c, const struct bullets *s, const st
         draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
 }
 
-static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                        const struct style *style, uint32_t n)
 {
     const struct image image = video_image(style->pic, 0, false, 0);
@@ -545,7 +545,7 @@ static void draw_alike(struct draw_target *c, const struct bullets *s, const str
     }
 }
 
-static void draw_kind(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
+static void draw_kind(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                       uint16_t kind)
 {
     const struct style *style = &l->style[kind];
@@ -561,7 +561,7 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, const stru
 
 static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
-    struct view t = open_view(l, 0, l->kinds, c->fb, c->x, c->y, true);
+    struct window t = open_window(l, 0, l->kinds, c->fb, c->x, c->y, true);
 
     list_all(l, s, &t);
     for (uint32_t o = 0; o < l->kinds; o++)
@@ -584,7 +584,7 @@ static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 /* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
  * as destinations. */
 static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
-                       const struct view *t, uint16_t kind)
+                       const struct window *t, uint16_t kind)
 {
     const struct style *style = &l->style[kind];
     struct stamp_corners corners = stamp_corners(&layer->fb, style->pic->w, style->pic->h);
@@ -610,7 +610,7 @@ static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, c
 
 /* The kinds of order[from .. to - 1], topmost first. Returns how many bullets were listed. */
 static uint32_t layer_kinds(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
-                            struct lists *l, const struct view *t, uint32_t from, uint32_t to)
+                            struct lists *l, const struct window *t, uint32_t from, uint32_t to)
 {
     uint32_t n = 0;
 
@@ -648,7 +648,7 @@ static uint64_t seen_ones(const struct stamp_cells *cells, const struct bullets 
     return slots_gather(is) & s->s.used[block];
 }
 
-static void list_seen(struct lists *l, const struct bullets *s, const struct view *t, const struct stamp_cells *cells)
+static void list_seen(struct lists *l, const struct bullets *s, const struct window *t, const struct stamp_cells *cells)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         uint64_t m = seen_ones(cells, s, block);
@@ -663,21 +663,21 @@ static void draw_layered(struct draw_target *c, const struct bullets *s, struct 
     uint32_t top = l->kinds, drawn;
     uint64_t pixels = 0;
     struct stamp_layer layer;
-    struct view t;
+    struct window t;
 
     stamp_layer_init(&layer, l->layer, m->field_w, m->field_h);
     while (top > 0 && pixels < TOP_OVERDRAW * (uint64_t)(m->field_w * m->field_h)) {
         const struct style *style = &l->style[l->order[--top]];
         pixels += style->n * (uint64_t)style->pixels;
     }
-    t = open_view(l, top, l->kinds, &layer.fb, 0, 0, false);
+    t = open_window(l, top, l->kinds, &layer.fb, 0, 0, false);
     list_open(l, s, &t);
     drawn = layer_kinds(c, &layer, s, l, &t, top, l->kinds);
     stamp_layer_map(&layer);
     if (!layer.covered && top > 0) {
         struct stamp_cells cells;
         find_cells(&layer, l, top, &cells);
-        t = open_view(l, 0, top, &layer.fb, 0, 0, false);
+        t = open_window(l, 0, top, &layer.fb, 0, 0, false);
         list_seen(l, s, &t, &cells);
         drawn += layer_kinds(c, &layer, s, l, &t, 0, top);
     }

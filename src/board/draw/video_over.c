@@ -1,7 +1,9 @@
 /*
- * video_over.c - what stands between the picture and its text: the dim, plates.
+ * video_over.c - what stands between the picture and its text: the dim, plates; and the shade that a view asks for
+ * between backgrounds and what matters.
  *
- * Pixels are indices, and all share 256 colours, so a dim cannot darken the colours of the picture alone. But few of
+ * A shade is a table of the ROM: what is drawn and blended over it afterwards finds colours of the palette as ever. The
+ * dim is exact, but comes when all of the picture is drawn. Pixels are indices, and all share 256 colours, so a dim cannot darken the colours of the picture alone. But few of
  * the 256 are drawn in one frame: a colour that text or a portrait has too moves to an entry that nobody draws with.
  * Then each entry is either the picture's, and dark, or theirs. Only where all entries are taken is a colour shown by
  * the one that comes nearest.
@@ -87,6 +89,17 @@ void video_dim(const struct draw_target *c, uint32_t rgb[COLOURS], const bool ov
             uint8_t *p = &fb->pix[y * fb->pitch + x];
             *p = to[*p];
         }
+}
+
+void video_shade(const struct draw_target *c)
+{
+    const struct fb *fb = c->fb;
+
+    for (int y = fb->y0; y < fb->y1; y++) {
+        uint8_t *row = fb->pix + (ptrdiff_t)y * fb->pitch;
+        for (int x = fb->x0; x < fb->x1; x++)
+            row[x] = c->shade[row[x]];
+    }
 }
 
 /* A rectangle whose corners are rounded off: its first and last rows begin so many pixels further in. */

@@ -5,6 +5,8 @@
  * Lumps:  manifest        manifest.h
  *         script/X.lua    scripts of the game; script/@std/X.lua modules of the standard library, not always all
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
+ *         shades          VIEW_SHADES bytes, of palette/main: the entry that is shown for each of 256 where a view dims
+ *                         (view.h); older ROMs have none
  *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
  *                         most CART_MAX_BLENDS of them
  *         font/X          a font of its own widths: face.h
@@ -83,6 +85,7 @@ struct cart {
     struct manifest m;
     int first_sprite, sprites; /* lumps gfx/...: sprite i is lump first_sprite + i */
     int first_palette, palettes;
+    const uint8_t *shades; /* NULL: none */
     int first_blend, blends;
     int first_lang, langs;
     int first_map, maps;

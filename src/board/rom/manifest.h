@@ -158,7 +158,7 @@ struct art_sound {
 bool art_is_recording(const char *file);
 
 struct art {
-    char palette[ART_FILE], font[ART_FILE]; /* "": none */
+    char palette[ART_FILE], font[ART_FILE], border[ART_FILE]; /* "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

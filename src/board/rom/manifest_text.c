@@ -481,6 +481,7 @@ static void read_palettes(const struct at *root, struct art *art)
 
     get_file(root, "palette", art->palette);
     get_file(root, "font", art->font);
+    get_file(root, "border", art->border);
     if (!get_table(root, "palettes", &a))
         return;
     art->n_palettes = keys(&a, art->palettes, MAX_ART_PALETTES, sizeof art->palettes[0], ART_NAME);
@@ -1010,10 +1011,11 @@ static void read_sounds(const struct at *root, struct manifest *m, struct art *a
 
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
 {
-    static const char *const names[] = { "id",           "title",      "author",  "version",  "entry",   "screen",
-                                         "field",        "board",      "palette", "palettes", "blends",  "font",
-                                         "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
-                                         "difficulties", "difficulty", "maps",    "sounds",   "music",   NULL };
+    static const char *const names[] = { "id",     "title",   "author",  "version",      "entry",
+                                         "screen", "field",   "board",   "palette",      "palettes",
+                                         "blends", "font",    "fonts",   "sheets",       "sprites",
+                                         "dip",    "players", "extends", "difficulties", "difficulty",
+                                         "maps",   "sounds",  "music",   "border",       NULL };
 
     only(root, names);
     read_texts(root, m);

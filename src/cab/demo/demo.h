@@ -139,6 +139,9 @@ struct demo_writer {
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
                 const struct board_start *start, unsigned flags);
 
+/* May be called before a tick: should it not come back, demo_dump has its pads. */
+void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS]);
+
 /* Call after every board_tick with the pads it got. Once a second the file grows. */
 bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
 

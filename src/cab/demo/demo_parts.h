@@ -35,26 +35,30 @@ bool demo_room_marker(struct demo *d);
 /* Hash row i. */
 uint64_t *demo_row(const struct demo *d, uint32_t i);
 
-/* ---- bytes of a file, demo_write.c; a crc is that of the record before, and becomes the new one's ---- */
+/* ---- demo_put.c: records as bytes. crc goes on from record to record, and begins at 0 ---- */
 
 struct demo_sink {
-    uint8_t *p; /* malloc */
+    uint8_t *p;
     size_t n, room;
     size_t record; /* where the open one starts */
+    bool fixed;    /* p is all the memory there is: nothing is allocated */
     bool bad;      /* no memory */
 };
 
+/* With what stands before the first record. */
+void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc);
+
 /* Frames [first, first + n), their checksums and, unless row is NULL, the hashes after them. */
-void demo_write_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
-                       uint32_t *crc);
+void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
+                     uint32_t *crc);
 
 /* The markers from *told on, up to and with a frame. */
-void demo_write_markers(struct demo_sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc);
+void demo_put_markers(struct demo_sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc);
 
-void demo_write_flags(struct demo_sink *s, unsigned flags, uint32_t *crc);
-void demo_write_end(struct demo_sink *s, const struct demo *d, uint32_t *crc);
+void demo_put_flags(struct demo_sink *s, unsigned flags, uint32_t *crc);
+void demo_put_end(struct demo_sink *s, const struct demo *d, uint32_t *crc);
 
 /* Header, flags, and what lies before the last whole row; *frames and *told are what was written. */
-void demo_write_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *told, uint32_t *crc);
+void demo_put_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *told, uint32_t *crc);
 
 #endif

@@ -61,7 +61,7 @@ static bool write_both(struct demo_writer *w, put_bytes *bytes, bool whole)
 
 static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
-    demo_write_rows(s, &w->demo, &f->written, &f->told, &f->crc);
+    demo_put_rows(s, &w->demo, &f->written, &f->told, &f->crc);
 }
 
 /* What is not in the file yet, with the newest row if that is of its end. */
@@ -70,20 +70,20 @@ static void put_second(struct demo_writer *w, struct demo_file *f, struct demo_s
     struct demo *d = &w->demo;
     bool hashed = d->seconds > 0 && demo_row_frame(d, d->seconds - 1) == d->frames;
 
-    demo_write_second(s, d, f->written, d->frames - f->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &f->crc);
+    demo_put_second(s, d, f->written, d->frames - f->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &f->crc);
     f->written = d->frames;
-    demo_write_markers(s, d, &f->told, d->frames, &f->crc);
+    demo_put_markers(s, d, &f->told, d->frames, &f->crc);
 }
 
 static void put_flags(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
-    demo_write_flags(s, w->demo.flags, &f->crc);
+    demo_put_flags(s, w->demo.flags, &f->crc);
 }
 
 static void put_end(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
-    demo_write_markers(s, &w->demo, &f->told, w->demo.frames, &f->crc);
-    demo_write_end(s, &w->demo, &f->crc);
+    demo_put_markers(s, &w->demo, &f->told, w->demo.frames, &f->crc);
+    demo_put_end(s, &w->demo, &f->crc);
 }
 
 static bool add_row(struct demo_writer *w)
@@ -214,6 +214,14 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
     if (d->frames % DEMO_SECOND != 0 || board_last(b)->fault)
         return true;
     return add_row(w) ? write_both(w, put_second, false) : out_of_memory(w);
+}
+
+void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS])
+{
+    struct demo *d = &w->demo;
+
+    if (w->on && d->frames < DEMO_MAX_FRAMES && demo_room_frames(d, 1))
+        memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
 }
 
 bool demo_flag(struct demo_writer *w, unsigned flags)

@@ -3,6 +3,8 @@
  */
 #include "config.h"
 #include "../../board/rom/manifest.h"
+#include "files.h"
+#include "views.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,25 +12,65 @@
 
 static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const aways[] = { "go-on", "stop", NULL };
+static const char *const focus_words[] = { "hold", "toggle", NULL };
+static const char *const hand_words[] = { "no", "left", "right", NULL }; /* enum keys_hand */
+static const char *const turns[] = { "none", "left", "right", "over", NULL };
+static const char *const scalings[] = { "whole", "smooth", NULL };
+static const char *const places[] = { "over", "beside", NULL };
 static const char *const speeds[] = { "full", "half", "quarter", NULL };
 
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
-    { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits" },
-    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen" },
-    { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent" },
-    { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent" },
-    { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent" },
-    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound" },
+    { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
+      "x", "what fits" },
+    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen", NULL, NULL },
+    { "turn", "turn the picture", "picture", AT(turn), 0, 3, 0, turns, 1, "for a monitor that stands upright", NULL,
+      NULL },
+    { "scaling", "scaling", "picture", AT(scaling), 0, 1, 0, scalings, 1, "smooth: as large as the window allows", NULL,
+      NULL },
+    { "crt", "tube look", "picture", AT(crt), 0, 1, 0, no_yes, 1, "the lines and the mask of a tube", NULL, NULL },
+    { "border", "border", "picture", AT(border), 0, 1, 1, no_yes, 1, "art round the picture, of games that bring it",
+      NULL, NULL },
+    { "panels", "panels", "picture", AT(panels), 0, 1, 0, places, 1, "messages and panels, if the window is wide", NULL,
+      NULL },
+    { "vsync", "wait for the screen", "picture", AT(vsync), 0, 1, 1, no_yes, 1,
+      "show pictures when the screen takes them", NULL, NULL },
+    { "run_ahead", "run ahead", "picture", AT(run_ahead), 0, 1, 0, NULL, 1,
+      "frames: 1 shows the frame after this, and answers sooner", " frame", "no" },
+    { "dim", "dim backgrounds", "seeing", AT(dim), 0, 3, 0, views_dim, 1,
+      "backgrounds darker, by a quarter to three quarters", NULL, NULL },
+    { "flashes", "flashes", "seeing", AT(flashes), 0, 1, 0, views_flashes, 1, "of the screen; soft: at a quarter", NULL,
+      NULL },
+    { "colours", "colours for", "seeing", AT(colours), 0, 3, 0, views_colours, 1, "for eyes that tell fewer apart",
+      NULL, NULL },
+    { "hitbox", "show hit shapes", "seeing", AT(hitbox), 0, 1, 0, no_yes, 1, "the ship's hit shape, always", NULL,
+      NULL },
+    { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent", " %", NULL },
+    { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent", " %", NULL },
+    { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent", " %", NULL },
+    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound", NULL, NULL },
     { "resample", "follow our clock", "sound", AT(resample), 0, 1, 1, no_yes, 1,
-      "no: sound to the bit, and the card's clock leads" },
+      "no: sound to the bit, and the card's clock leads", NULL, NULL },
     { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,
-      "stop: the game waits when another window has the keys" },
+      "stop: the game waits when another window has the keys", NULL, NULL },
     { "keep_replays", "replays kept", "playing", AT(replays), 0, 1000, 50, NULL, 10,
-      "so many last runs of a game are kept; those saved under a name are not counted" },
+      "the last runs of a game; what has a name is not counted", NULL, "none" },
     { "resume", "go on after leaving", "playing", AT(resume), 0, 1, 1, no_yes, 1,
-      "a run you leave is kept, and you are asked next time" },
-    { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording" },
+      "a run you leave is kept, and you are asked next time", NULL, NULL },
+    { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording", NULL,
+      NULL },
+    { "autofire", "autofire", "player 1", AT(autofire[0]), 0, 1, 0, no_yes, 1,
+      "fire that is held fires 15 times a second", NULL, NULL },
+    { "focus", "focus", "player 1", AT(focus[0]), 0, 1, 0, focus_words, 1,
+      "toggle: a press of focus switches it, and it stays", NULL, NULL },
+    { "one_hand", "one hand", "player 1", AT(one_hand[0]), 0, 2, 0, hand_words, 1,
+      "that half of keyboard and controller; fire holds itself", NULL, NULL },
+    { "autofire2", "autofire", "player 2", AT(autofire[1]), 0, 1, 0, no_yes, 1, "autofire of the second player", NULL,
+      NULL },
+    { "focus2", "focus", "player 2", AT(focus[1]), 0, 1, 0, focus_words, 1, "how the second player's focus does", NULL,
+      NULL },
+    { "one_hand2", "one hand", "player 2", AT(one_hand[1]), 0, 2, 0, hand_words, 1, "the second player's hand", NULL,
+      NULL },
 };
 #undef AT
 
@@ -77,38 +119,28 @@ static bool number(const char *s, int lo, int hi, int *v)
     return true;
 }
 
-static bool word(const char *s, const char *const *words, int *v)
+/* What a setting may be, for a sentence. */
+static void list_values(const struct config_setting *s, char *out, size_t size)
 {
-    for (*v = 0; words[*v]; ++*v)
-        if (strcmp(s, words[*v]) == 0)
-            return true;
-    return false;
-}
-
-/* "yes or no", "whole, smooth or none" */
-static void list_words(const char *const *words, char *out, size_t size)
-{
-    size_t n = 0;
-
-    for (int i = 0; words[i] && n < size; i++)
-        n += (size_t)snprintf(out + n, size - n, "%s%s", i == 0 ? "" : words[i + 1] ? ", " : " or ", words[i]);
+    if (s->words == no_yes)
+        snprintf(out, size, "yes or no");
+    else if (s->words)
+        views_list(s->words, out, size);
+    else
+        snprintf(out, size, "%d to %d", s->lo, s->hi);
 }
 
 static bool set_value(struct config *c, const struct config_setting *s, const char *value, char *err, size_t err_size)
 {
-    char words[128];
+    char values[128];
     int v;
 
-    if (s->words ? word(value, s->words, &v) : number(value, s->lo, s->hi, &v)) {
+    if (s->words ? (v = views_find(s->words, value)) >= 0 : number(value, s->lo, s->hi, &v)) {
         config_put(c, s, v);
         return true;
     }
-    if (s->words) {
-        list_words(s->words, words, sizeof words);
-        snprintf(err, err_size, "%s: expected %s, got \"%s\"", s->name, words, value);
-    } else {
-        snprintf(err, err_size, "%s: expected a number from %d to %d, got \"%s\"", s->name, s->lo, s->hi, value);
-    }
+    list_values(s, values, sizeof values);
+    snprintf(err, err_size, "%s: expected %s%s, got \"%s\"", s->name, s->words ? "" : "a number from ", values, value);
     return false;
 }
 
@@ -187,15 +219,17 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 bool config_load(struct config *c, char *err, size_t err_size)
 {
     config_defaults(c);
+    char shown[FILES_PATH];
     long size = plat_size(CONFIG_FILE);
     if (size < 0)
         return true;
+    files_shown(CONFIG_FILE, shown);
     char *text = size <= CONFIG_BYTES ? malloc((size_t)size + 1) : 0;
     bool good = text && plat_load(CONFIG_FILE, text, (size_t)size) == size;
     if (!good)
-        snprintf(err, err_size, "%s: cannot be read, or larger than %d bytes", CONFIG_FILE, CONFIG_BYTES);
+        snprintf(err, err_size, "%s: cannot be read, or larger than %d bytes", shown, CONFIG_BYTES);
     else
-        good = config_read(c, CONFIG_FILE, text, (size_t)size, err, err_size);
+        good = config_read(c, shown, text, (size_t)size, err, err_size);
     free(text);
     return good;
 }
@@ -209,10 +243,7 @@ void config_help(void (*line)(const char *))
     for (int i = 0; i < SETTINGS; i++) {
         const struct config_setting *s = &settings[i];
         config_text(&c, s, standard, sizeof standard);
-        if (s->words)
-            list_words(s->words, words, sizeof words);
-        else
-            snprintf(words, sizeof words, "%d to %d", s->lo, s->hi);
+        list_values(s, words, sizeof words);
         snprintf(value, sizeof value, "%s (%s)", standard, words);
         snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
         line(text);

@@ -22,22 +22,35 @@
 
 #define CONFIG_FILE "user:curtain.conf"
 
+enum scaling { SCALING_WHOLE, SCALING_SMOOTH };
+enum panels { PANELS_OVER, PANELS_BESIDE };
+
 enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
 
 struct config {
     struct keys keys;
-    int scale;      /* 0 to 16 */
-    int volume;     /* percent */
-    int mute;       /* 0 or 1 */
-    int music;      /* percent, of volume */
-    int sounds;     /* percent, of volume */
-    int resample;   /* 0 or 1 */
-    int fullscreen; /* 0 or 1 */
-    int speed;      /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
-    int away;       /* 0 or 1: stop when the window loses the keys */
-    int replays;    /* 0 to 1000: how many runs of a game are kept that have no name */
-    int resume;     /* 0 or 1: a run that is left is kept to go on with */
-    char lang[16];  /* of games that have it; "": none */
+    int scale;                                       /* 0 to 16 */
+    int volume;                                      /* percent */
+    int mute;                                        /* 0 or 1 */
+    int music;                                       /* percent, of volume */
+    int sounds;                                      /* percent, of volume */
+    int resample;                                    /* 0 or 1 */
+    int fullscreen;                                  /* 0 or 1 */
+    int turn;                                        /* enum quarter */
+    int scaling;                                     /* enum scaling */
+    int crt;                                         /* 0 or 1 */
+    int border;                                      /* 0 or 1 */
+    int vsync;                                       /* 0 or 1 */
+    int run_ahead;                                   /* frames: 0 or 1 */
+    int panels;                                      /* enum panels */
+    int speed;                                       /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
+    int away;                                        /* 0 or 1: stop when the window loses the keys */
+    int replays;                                     /* 0 to 1000: runs of a game that are kept without a name */
+    int resume;                                      /* 0 or 1: a run that is left is kept to go on with */
+    int dim, flashes, colours;                       /* as in views.h */
+    int hitbox;                                      /* 0 or 1 */
+    int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
+    char lang[16];                                   /* of games that have it; "": none */
 };
 
 /* A setting that has a number or a word: all but lang and the keys. */
@@ -50,6 +63,7 @@ struct config_setting {
     const char *const *words; /* of its values from 0 on, NULL-ended; NULL: it is a number */
     int step;                 /* of a number, on the screen */
     const char *help;         /* a sentence without its full stop */
+    const char *unit, *zero;  /* of a number, on the screen: "%"; what 0 is; NULL: nothing, and 0 */
 };
 
 /* The i-th setting, from 0 on; NULL: there are no more. */

@@ -86,11 +86,11 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
 {
     struct text t = { malloc(size + 1), size };
     struct config was;
-    char value[CONFIG_LINE];
+    char value[CONFIG_LINE], shown[FILES_PATH];
     const struct config_setting *s;
 
     config_defaults(&was);
-    if (!config_read(&was, CONFIG_FILE, text, size, err, err_size)) {
+    if (!config_read(&was, files_shown(CONFIG_FILE, shown), text, size, err, err_size)) {
         free(t.at);
         return NULL;
     }
@@ -107,21 +107,22 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
         set_line(&t, "lang", c->lang);
     for (int i = 0; i < KEYS_ACTIONS; i++)
         if (memcmp(c->keys.code[i], was.keys.code[i], sizeof c->keys.code[i]) != 0) {
-            keys_list(&c->keys, i, value, sizeof value);
+            keys_text(&c->keys, keys_action(i), value, sizeof value);
             set_line(&t, keys_action(i), value);
         }
     if (!t.at)
-        err_set(err, err_size, "%s: out of memory", CONFIG_FILE);
+        err_set(err, err_size, "%s: out of memory", files_shown(CONFIG_FILE, shown));
     return t.at;
 }
 
 bool config_save(const struct config *c, char *err, size_t err_size)
 {
+    char shown[FILES_PATH];
     uint8_t *text = NULL;
     size_t size = 0;
 
     if (files_size(CONFIG_FILE) >= 0 &&
-        !files_read(CONFIG_FILE, CONFIG_FILE, CONFIG_BYTES, &text, &size, err, err_size))
+        !files_read(CONFIG_FILE, files_shown(CONFIG_FILE, shown), CONFIG_BYTES, &text, &size, err, err_size))
         return false;
     char *now = config_edit(c, text ? (const char *)text : "", size, err, err_size);
     free(text);

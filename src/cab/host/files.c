@@ -11,13 +11,26 @@
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
 
+const char *files_shown(const char *name, char path[FILES_PATH])
+{
+    bool own = strncmp(name, "user:", 5) == 0 || strncmp(name, "pictures:", 9) == 0;
+
+    if (!own || !plat_path(name, path, FILES_PATH))
+        snprintf(path, FILES_PATH, "%s", name);
+    return path;
+}
+
 /* "NAME: cannot be VERB (why)" */
 static void explain(const char *name, const char *verb, char *err, size_t err_size)
 {
-    if (errno)
-        snprintf(err, err_size, "%s: cannot be %s (%s)", name, verb, strerror(errno));
+    char shown[FILES_PATH];
+    int why = errno;
+
+    files_shown(name, shown);
+    if (why)
+        snprintf(err, err_size, "%s: cannot be %s (%s)", shown, verb, strerror(why));
     else
-        snprintf(err, err_size, "%s: cannot be %s", name, verb);
+        snprintf(err, err_size, "%s: cannot be %s", shown, verb);
 }
 
 static bool wrote(bool good, const char *path, char *err, size_t err_size)

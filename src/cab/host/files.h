@@ -9,6 +9,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+enum { FILES_PATH = 2048, FILES_ERR = FILES_PATH + 128 };
+
+/* A name as messages show it: the real path for what lies in the user's folders, else as it is. Returns path. */
+const char *files_shown(const char *name, char path[FILES_PATH]);
+
 /* plat_save and plat_append; false and "PATH: cannot be written (No space left on device)", without what is in brackets
  * where the host does not say. */
 bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size);

@@ -2,18 +2,16 @@
  * keys.c - see keys.h.
  *
  * One table of actions is the default map, the names of the settings file and the help text. Its switches are strings
- * that go through the same parser as the user's own. A switch is 16 bits: a HID usage, or CONTROLLER | which << 5 |
- * switch.
+ * that go through the same parser as the user's own; so does what a hand has.
  */
 #include "keys.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum { CONTROLLER = 0x100, WITH_ALT = 0x1000, WITH_CTRL = 0x2000, WORD = 32 };
+enum { WORD = 32 };
 
-enum { KEY_LEFT_CTRL = 224, KEY_LEFT_ALT = 226, KEY_RIGHT_CTRL = 228, KEY_RIGHT_ALT = 230 };
+enum { KEY_ESCAPE = 41, KEY_LEFT_CTRL = 224, KEY_LEFT_ALT = 226, KEY_RIGHT_CTRL = 228, KEY_RIGHT_ALT = 230 };
 
 static const struct action {
     const char *name, *switches, *help;
@@ -67,90 +65,15 @@ static const struct action {
     { "console", "backquote", "a line of Lua; the board stands still" },
 };
 
-/* Keys by HID usage, from 4 on; letters, digits and F keys are worked out. */
-static const struct key {
-    uint8_t usage;
-    const char *name;
-} keys[] = {
-    { 40, "enter" },     { 41, "escape" },   { 42, "backspace" },   { 43, "tab" },        { 44, "space" },
-    { 45, "minus" },     { 46, "equals" },   { 47, "lbracket" },    { 48, "rbracket" },   { 49, "backslash" },
-    { 51, "semicolon" }, { 52, "quote" },    { 53, "backquote" },   { 54, "comma" },      { 55, "period" },
-    { 56, "slash" },     { 57, "capslock" }, { 70, "printscreen" }, { 71, "scrolllock" }, { 72, "pause" },
-    { 73, "insert" },    { 74, "home" },     { 75, "pageup" },      { 76, "delete" },     { 77, "end" },
-    { 78, "pagedown" },  { 79, "right" },    { 80, "left" },        { 81, "down" },       { 82, "up" },
-    { 83, "numlock" },   { 84, "kp/" },      { 85, "kp*" },         { 86, "kp-" },        { 87, "kp+" },
-    { 88, "kpenter" },   { 98, "kp0" },      { 99, "kp." },         { 224, "lctrl" },     { 225, "lshift" },
-    { 226, "lalt" },     { 227, "lgui" },    { 228, "rctrl" },      { 229, "rshift" },    { 230, "ralt" },
-    { 231, "rgui" },
+/* What one hand reaches, by the order of buttons: of a keyboard one side, of a controller one stick and what lies round
+ * it. A controller has fewer switches there than a player has buttons, but fire is held by itself (press.h), so special
+ * shares its switch. */
+static const char *const hands[][PAD_BUTTONS] = {
+    [HAND_LEFT] = { "w pad.up pad.lup", "s pad.down pad.ldown", "a pad.left pad.lleft", "d pad.right pad.lright",
+                    "space pad.l1", "q pad.l3", "lshift pad.l2", "e pad.l1", "1 pad.select", "tab" },
+    [HAND_RIGHT] = { "up pad.rup", "down pad.rdown", "left pad.rleft", "right pad.rright", "pagedown kp0 pad.r1",
+                     "delete kp1 pad.r3", "rshift rctrl pad.r2", "end kp. pad.r1", "enter pad.start", "insert" },
 };
-
-/* Switches of a controller, in the order of enum plat_switch. */
-static const char *const switches[PLAT_SWITCHES] = {
-    "up",     "down",  "left", "right", "south", "east",  "west",  "north",  "l1",  "r1",    "l2",    "r2",     "start",
-    "select", "guide", "l3",   "r3",    "lup",   "ldown", "lleft", "lright", "rup", "rdown", "rleft", "rright",
-};
-
-enum { COUNT_KEYS = sizeof keys / sizeof *keys };
-
-/* ---- names to codes; 0: no such switch ---- */
-
-static unsigned number_after(const char *s, const char *prefix, unsigned lo, unsigned hi)
-{
-    size_t n = strlen(prefix);
-    if (strncmp(s, prefix, n) != 0 || s[n] < '0' || s[n] > '9')
-        return 0;
-    char *end;
-    unsigned long v = strtoul(s + n, &end, 10);
-    return *end || v < lo || v > hi ? 0 : (unsigned)v;
-}
-
-static unsigned key_code(const char *s)
-{
-    if (s[0] >= 'a' && s[0] <= 'z' && !s[1])
-        return 4u + (unsigned)(s[0] - 'a');
-    if (s[0] >= '1' && s[0] <= '9' && !s[1])
-        return 30u + (unsigned)(s[0] - '1');
-    if (strcmp(s, "0") == 0)
-        return 39;
-    unsigned n;
-    if ((n = number_after(s, "f", 1, 12)) != 0)
-        return 57 + n;
-    if ((n = number_after(s, "kp", 1, 9)) != 0)
-        return 88 + n;
-    for (int i = 0; i < COUNT_KEYS; i++)
-        if (strcmp(s, keys[i].name) == 0)
-            return keys[i].usage;
-    return number_after(s, "key", 4, 255);
-}
-
-static unsigned switch_code(const char *s)
-{
-    unsigned which = s[3] == '1' || s[3] == '2' ? (unsigned)(s[3] - '0') : 0;
-    s += which ? 4 : 3;
-    if (*s++ != '.')
-        return 0;
-    for (unsigned i = 0; i < PLAT_SWITCHES; i++)
-        if (strcmp(s, switches[i]) == 0)
-            return CONTROLLER | which << 5 | i;
-    return 0;
-}
-
-static unsigned chord_code(const char *s, unsigned with)
-{
-    unsigned code = key_code(strchr(s, '+') + 1);
-    return code ? code | with : 0;
-}
-
-static unsigned code_of(const char *s)
-{
-    if (strncmp(s, "pad", 3) == 0)
-        return switch_code(s);
-    if (strncmp(s, "alt+", 4) == 0)
-        return chord_code(s, WITH_ALT);
-    if (strncmp(s, "ctrl+", 5) == 0)
-        return chord_code(s, WITH_CTRL);
-    return key_code(s);
-}
 
 /* ---- the map ---- */
 
@@ -177,89 +100,46 @@ static bool next_word(const char **s, char word[WORD])
     return n > 0;
 }
 
-bool keys_bind(struct keys *k, const char *action, const char *list, char *err, size_t err_size)
+/* The codes of a list; false and a sentence. */
+static bool read_list(const char *action, const char *list, uint16_t *code, int most, char *err, size_t err_size)
 {
-    uint16_t code[KEYS_EACH] = { 0 };
     char word[WORD];
-    int at = find(action), n = 0;
-    if (at < 0) {
-        snprintf(err, err_size, "no action is called \"%s\"", action);
-        return false;
-    }
+    int n = 0;
+
     for (const char *s = strcmp(list, "none") == 0 ? "" : list; next_word(&s, word);) {
-        unsigned c = code_of(word);
-        if (!c || n == KEYS_EACH) {
+        uint16_t c = switch_code(word);
+        if (!c || n == most) {
             snprintf(err, err_size, c ? "%s: \"%s\" is one switch too many" : "%s: no switch is called \"%s\"", action,
                      word);
             return false;
         }
-        code[n++] = (uint16_t)c;
+        code[n++] = c;
     }
+    return true;
+}
+
+bool keys_bind(struct keys *k, const char *action, const char *list, char *err, size_t err_size)
+{
+    uint16_t code[KEYS_EACH] = { 0 };
+    int at = find(action);
+
+    if (at < 0) {
+        snprintf(err, err_size, "no action is called \"%s\"", action);
+        return false;
+    }
+    if (!read_list(action, list, code, KEYS_EACH, err, err_size))
+        return false;
     memcpy(k->code[at], code, sizeof code);
     return true;
 }
 
-/* The name that key_code or switch_code reads as that code. */
-static void name_of(unsigned code, char *out, size_t size)
+void keys_hand(struct keys *k, int player, enum keys_hand hand)
 {
-    unsigned which = code >> 5 & 3;
+    char err[128];
 
-    for (int i = 0; i < COUNT_KEYS; i++) {
-        if (code == keys[i].usage) {
-            snprintf(out, size, "%s", keys[i].name);
-            return;
-        }
-    }
-    if (code & CONTROLLER)
-        snprintf(out, size, which ? "pad%u.%s" : "pad%.0u.%s", which, switches[code & 31]);
-    else if (code < 30)
-        snprintf(out, size, "%c", 'a' + (int)code - 4);
-    else if (code < 40)
-        snprintf(out, size, "%u", (code - 29) % 10);
-    else if (code >= 58 && code <= 69)
-        snprintf(out, size, "f%u", code - 57);
-    else if (code >= 89 && code <= 97)
-        snprintf(out, size, "kp%u", code - 88);
-    else
-        snprintf(out, size, "key%u", code);
-}
-
-/* The same of any code; "none" for 0. */
-static void chord_name(unsigned code, char *out, size_t size)
-{
-    const char *with = code & WITH_ALT ? "alt+" : code & WITH_CTRL ? "ctrl+" : "";
-
-    snprintf(out, size, "%s", code ? with : "none");
-    if (code && size > strlen(with))
-        name_of(code & ~(unsigned)(WITH_ALT | WITH_CTRL), out + strlen(with), size - strlen(with));
-}
-
-void keys_first(const struct keys *k, const char *action, char *out, size_t size)
-{
-    chord_name(k->code[find(action)][0], out, size);
-}
-
-void keys_list(const struct keys *k, int action, char *out, size_t size)
-{
-    char name[WORD + 8];
-    size_t n = 0;
-
-    snprintf(out, size, "none");
-    for (int i = 0; i < KEYS_EACH && n < size; i++)
-        if (k->code[action][i]) {
-            chord_name(k->code[action][i], name, sizeof name);
-            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? " " : "", name);
-        }
-}
-
-const char *keys_action(int action)
-{
-    return actions[action].name;
-}
-
-const char *keys_does(int action)
-{
-    return actions[action].help;
+    memset(k->hand[player], 0, sizeof k->hand[player]);
+    for (int i = 0; i < PAD_BUTTONS && hand != HAND_BOTH; i++)
+        read_list(actions[i].name, hands[hand][i], k->hand[player][i], KEYS_HAND, err, sizeof err);
 }
 
 void keys_defaults(struct keys *k)
@@ -270,72 +150,286 @@ void keys_defaults(struct keys *k)
         keys_bind(k, actions[i].name, actions[i].switches, err, sizeof err);
 }
 
+/* ---- names ---- */
+
+/* The player of an action, from 0; -1: it is the cabinet's. */
+static int player_of(int action)
+{
+    return action < PADS * PAD_BUTTONS ? action / PAD_BUTTONS : -1;
+}
+
+/* Switch i of an action, those that a hand has first; 0: none. */
+static unsigned nth_code(const struct keys *k, int action, int i)
+{
+    int player = player_of(action);
+
+    if (i >= KEYS_HAND)
+        return k->code[action][i - KEYS_HAND];
+    return player < 0 ? 0 : k->hand[player][action % PAD_BUTTONS][i];
+}
+
+/* The first that is a controller's, or a key; 0: none. */
+static unsigned first_code(const struct keys *k, int action, bool controller)
+{
+    for (int i = 0; i < KEYS_HAND + KEYS_EACH; i++) {
+        unsigned code = nth_code(k, action, i);
+        if (code && !(code & SWITCH_CONTROLLER) == !controller)
+            return code;
+    }
+    return 0;
+}
+
+void keys_first(const struct keys *k, const char *action, char *out, size_t size)
+{
+    int at = find(action), player = player_of(at);
+    const struct keys_device *last = player < 0 ? &k->cabinet : &k->player[player];
+    unsigned code = first_code(k, at, last->controller);
+
+    if (code && last->controller)
+        switch_label(code, last->kind, out, size);
+    else
+        switch_name(code ? code : first_code(k, at, !last->controller), out, size);
+}
+
+const char *keys_action(int i)
+{
+    return actions[i].name;
+}
+
+const char *keys_meaning(int i)
+{
+    return actions[i].help;
+}
+
+void keys_text(const struct keys *k, const char *action, char *out, size_t size)
+{
+    const uint16_t *code = k->code[find(action)];
+    char word[SWITCH_NAME];
+    size_t n = 0;
+
+    snprintf(out, size, "none");
+    for (int i = 0; i < KEYS_EACH && code[i] && n < size; i++) {
+        switch_name(code[i], word, sizeof word);
+        n += (size_t)snprintf(out + n, size - n, "%s%s", i ? " " : "", word);
+    }
+}
+
+/* ---- changing it by pressing ---- */
+
+static bool is_modifier(unsigned usage)
+{
+    return usage == KEY_LEFT_CTRL || usage == KEY_RIGHT_CTRL || usage == KEY_LEFT_ALT || usage == KEY_RIGHT_ALT;
+}
+
+void keys_capture_begin(struct keys_capture *c, const struct plat_input *in)
+{
+    memcpy(c->keys, in->keys, sizeof c->keys);
+    memcpy(c->controllers, in->controllers, sizeof c->controllers);
+    c->modifier = 0;
+}
+
+static unsigned captured_key(struct keys_capture *c, const struct plat_input *in)
+{
+    unsigned with = c->modifier == KEY_LEFT_ALT || c->modifier == KEY_RIGHT_ALT ? SWITCH_ALT : SWITCH_CTRL;
+
+    for (unsigned u = 4; u < PLAT_KEYS; u++) {
+        if (!plat_key(in, u) || c->keys[u >> 3] >> (u & 7) & 1)
+            continue;
+        if (!is_modifier(u))
+            return c->modifier ? u | with : u;
+        c->modifier = u;
+    }
+    return c->modifier && !plat_key(in, c->modifier) ? c->modifier : 0;
+}
+
+uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in)
+{
+    unsigned code = captured_key(c, in);
+
+    for (int i = 0; i < PLAT_CONTROLLERS && !code; i++)
+        for (unsigned bit = 0; bit < PLAT_SWITCHES && !code; bit++)
+            if ((in->controllers[i] & ~c->controllers[i]) >> bit & 1)
+                code = SWITCH_CONTROLLER | bit;
+    memcpy(c->keys, in->keys, sizeof c->keys);
+    memcpy(c->controllers, in->controllers, sizeof c->controllers);
+    return (uint16_t)code;
+}
+
+bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size_t err_size)
+{
+    uint16_t *list = k->code[find(action)];
+    int n = 0;
+
+    while (n < KEYS_EACH && list[n] && list[n] != code)
+        n++;
+    if (n == KEYS_EACH) {
+        snprintf(err, err_size, "%s has %d switches, which is all it can have", action, KEYS_EACH);
+        return false;
+    }
+    list[n] = code;
+    return true;
+}
+
+void keys_drop(struct keys *k, const char *action, uint16_t code)
+{
+    uint16_t *list = k->code[find(action)];
+    int to = 0;
+
+    for (int i = 0; i < KEYS_EACH; i++)
+        if (list[i] != code)
+            list[to++] = list[i];
+    while (to < KEYS_EACH)
+        list[to++] = 0;
+}
+
+/* Could one press be both? A plain pad.south is another controller's for each player, and all of them's for the
+ * cabinet. */
+static bool same_switch(unsigned a, int player_a, unsigned b, int player_b)
+{
+    if (!(a & b & SWITCH_CONTROLLER))
+        return a == b;
+    if (switch_bit(a) != switch_bit(b))
+        return false;
+    if (switch_which(a) && switch_which(b))
+        return switch_which(a) == switch_which(b);
+    return switch_which(a) || switch_which(b) || player_a == player_b || player_a < 0 || player_b < 0;
+}
+
+const char *keys_conflict(const struct keys *k, const char *action, uint16_t code)
+{
+    int at = find(action);
+
+    for (int i = 0; i < KEYS_ACTIONS; i++)
+        for (int n = 0; i != at && n < KEYS_EACH; n++)
+            if (k->code[i][n] && same_switch(code, player_of(at), k->code[i][n], player_of(i)))
+                return actions[i].name;
+    return NULL;
+}
+
+bool keys_reserved(uint16_t code)
+{
+    return code == KEY_ESCAPE || (code & SWITCH_CONTROLLER && switch_bit(code) == PLAT_GUIDE);
+}
+
 /* ---- reading ---- */
 
 static bool modifier(const struct plat_input *in, unsigned code)
 {
-    if (code & WITH_ALT && !plat_key(in, KEY_LEFT_ALT) && !plat_key(in, KEY_RIGHT_ALT))
+    if (code & SWITCH_ALT && !plat_key(in, KEY_LEFT_ALT) && !plat_key(in, KEY_RIGHT_ALT))
         return false;
-    return !(code & WITH_CTRL) || plat_key(in, KEY_LEFT_CTRL) || plat_key(in, KEY_RIGHT_CTRL);
-}
-
-static bool is_chord(unsigned code)
-{
-    return code & (WITH_ALT | WITH_CTRL);
+    return !(code & SWITCH_CTRL) || plat_key(in, KEY_LEFT_CTRL) || plat_key(in, KEY_RIGHT_CTRL);
 }
 
 static void eat(struct keys *k, const struct plat_input *in)
 {
     for (int i = 0; i < KEYS_ACTIONS * KEYS_EACH; i++) {
         unsigned code = k->code[i / KEYS_EACH][i % KEYS_EACH], usage = code & 255;
-        if (is_chord(code) && modifier(in, code))
+        if (switch_is_chord(code) && modifier(in, code))
             k->eaten[usage >> 3] = (uint8_t)(k->eaten[usage >> 3] | 1u << (usage & 7));
     }
     for (int i = 0; i < PLAT_KEYS / 8; i++)
         k->eaten[i] &= in->keys[i];
 }
 
-/* player: 1 or 2; 0: the cabinet, which has both controllers. */
-static uint32_t controller(const struct plat_input *in, unsigned which, unsigned player)
+/* player: -1: the cabinet, which has all controllers. */
+static uint32_t controller(const struct seats *seats, unsigned which, int player)
 {
-    which = which ? which : player;
-    return which ? in->controllers[which - 1] : in->controllers[0] | in->controllers[1];
+    uint32_t all = 0;
+
+    if (which)
+        return which <= PLAT_CONTROLLERS ? seats->switches[which - 1] : 0;
+    if (player >= 0)
+        return seats_switches(seats, player);
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        all |= seats->switches[i];
+    return all;
 }
 
-static bool code_held(const struct keys *k, const struct plat_input *in, unsigned code, unsigned player)
+static bool key_held(const struct keys *k, const struct plat_input *in, unsigned code)
 {
     unsigned usage = code & 255;
-    if (!code)
-        return false;
-    if (code & CONTROLLER)
-        return controller(in, code >> 5 & 3, player) >> (code & 31) & 1;
-    if (is_chord(code))
+
+    if (switch_is_chord(code))
         return plat_key(in, usage) && modifier(in, code);
     return plat_key(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
 }
 
-static bool action_held(const struct keys *k, const struct plat_input *in, int action)
+/* Does a hand's layout say what this switch is? To its own player of any switch, to the other of a key. */
+static bool hand_has(const struct keys *k, unsigned code, int player)
 {
-    unsigned player = action < PAD_BUTTONS ? 1 : action < PADS * PAD_BUTTONS ? 2 : 0;
-    for (int i = 0; i < KEYS_EACH; i++)
-        if (code_held(k, in, k->code[action][i], player))
+    const uint16_t *list = &k->hand[0][0][0];
+    enum { EACH = PAD_BUTTONS * KEYS_HAND };
+
+    for (int i = 0; i < PADS * EACH; i++)
+        if (list[i] == code && (i / EACH == player || !(code & SWITCH_CONTROLLER)))
             return true;
     return false;
 }
 
-void keys_read(struct keys *k, const struct plat_input *in, struct keys_read *out)
+struct by {
+    bool key, controller;
+};
+
+static struct by action_held(const struct keys *k, const struct plat_input *in, const struct seats *seats, int action)
+{
+    struct by by = { false, false };
+    int player = player_of(action);
+
+    for (int i = 0; i < KEYS_HAND + KEYS_EACH; i++) {
+        unsigned code = nth_code(k, action, i);
+        if (!code || (i >= KEYS_HAND && player >= 0 && hand_has(k, code, player)))
+            continue;
+        if (code & SWITCH_CONTROLLER)
+            by.controller = by.controller || controller(seats, switch_which(code), player) >> switch_bit(code) & 1;
+        else
+            by.key = by.key || key_held(k, in, code);
+    }
+    return by;
+}
+
+/* What a player, or anybody, pressed last. */
+static void note_device(struct keys *k, const struct seats *seats, int player, struct by fresh)
+{
+    int i = seats->seat[player];
+
+    if (!fresh.key && !fresh.controller)
+        return;
+    k->player[player].controller = !fresh.key;
+    k->player[player].kind = i == SEAT_EMPTY ? PLAT_UNKNOWN : seats->is[i].kind;
+    k->cabinet = k->player[player];
+}
+
+static uint16_t read_pad(struct keys *k, const struct plat_input *in, const struct seats *seats, int player)
+{
+    unsigned keys = 0, switches = 0;
+
+    for (int i = 0; i < PAD_BUTTONS; i++) {
+        struct by by = action_held(k, in, seats, player * PAD_BUTTONS + i);
+        keys |= (unsigned)by.key << i;
+        switches |= (unsigned)by.controller << i;
+    }
+    note_device(k, seats, player,
+                (struct by){ keys & ~(unsigned)k->by_key[player], switches & ~(unsigned)k->by_switch[player] });
+    k->by_key[player] = (uint16_t)keys;
+    k->by_switch[player] = (uint16_t)switches;
+    return (uint16_t)(keys | switches);
+}
+
+void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out)
 {
     memset(out, 0, sizeof *out);
     eat(k, in);
-    for (int i = 0; i < PADS * PAD_BUTTONS; i++)
-        if (action_held(k, in, i))
-            out->pads[i / PAD_BUTTONS] = (uint16_t)(out->pads[i / PAD_BUTTONS] | 1u << i % PAD_BUTTONS);
-    for (int i = 0; i < CAB_KEYS; i++)
-        if (action_held(k, in, PADS * PAD_BUTTONS + i))
-            out->held |= 1u << i;
+    for (int p = 0; p < PADS; p++) {
+        unsigned was = k->by_key[p] | k->by_switch[p];
+        out->pads[p] = read_pad(k, in, seats, p);
+        out->pads_fresh[p] = (uint16_t)(out->pads[p] & ~was);
+        out->fresh = out->fresh || out->pads_fresh[p];
+    }
+    for (int i = 0; i < CAB_KEYS; i++) {
+        struct by by = action_held(k, in, seats, PADS * PAD_BUTTONS + i);
+        out->held |= (uint32_t)(by.key || by.controller) << i;
+    }
     out->pressed = out->held & ~k->held;
-    out->fresh = (out->pads[0] & ~k->pads[0]) || (out->pads[1] & ~k->pads[1]);
-    memcpy(k->pads, out->pads, sizeof k->pads);
     k->held = out->held;
 }
 

@@ -8,9 +8,12 @@
  *     z  enter  kp0  lshift  f12     a key, by its place on a US keyboard
  *     key100                         the key of USB HID usage 100
  *     alt+enter  ctrl+q              a key while that modifier is held; a plain binding of the key is then not seen
- *     pad.south  pad.r1              a controller's switch: p1 has the first controller, p2 the second, the
- *                                    cabinet both
- *     pad1.south  pad2.south         a switch of a certain controller
+ *     pad.south  pad.r1              a switch of the player's controller (seats.h says which that is); to the cabinet
+ *                                    of any
+ *     pad1.south  pad4.south         a switch of a certain controller, as the host counts them
+ *
+ * A player with one hand has a layout beside the map, on one half of the keyboard and of the controller. A switch of it
+ * means to that player what the layout says and nothing else; a key of it means nothing to the other player.
  */
 #ifndef CAB_KEYS_H
 #define CAB_KEYS_H
@@ -20,6 +23,8 @@
 #include <stdint.h>
 #include "../../../platform/platform.h"
 #include "../../base/pads.h"
+#include "../pads/seats.h"
+#include "../pads/switches.h"
 
 /* The cabinet's actions, after the players' PADS * PAD_BUTTONS. */
 enum cab_key {
@@ -53,20 +58,31 @@ enum cab_key {
     CAB_KEYS
 };
 
-enum { KEYS_EACH = 6, KEYS_ACTIONS = PADS * PAD_BUTTONS + CAB_KEYS };
+enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = PADS * PAD_BUTTONS + CAB_KEYS };
+
+enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
+
+/* What somebody pressed last: a key, or a switch of a controller of that kind. */
+struct keys_device {
+    bool controller;
+    enum plat_kind kind;
+};
 
 struct keys {
-    uint16_t code[KEYS_ACTIONS][KEYS_EACH]; /* 0: none */
-    uint8_t eaten[PLAT_KEYS / 8];           /* keys a chord has used, until they are released */
-    uint16_t pads[PADS];                    /* of the last read */
+    uint16_t code[KEYS_ACTIONS][KEYS_EACH];      /* as in switches.h; 0: none */
+    uint16_t hand[PADS][PAD_BUTTONS][KEYS_HAND]; /* the layout of a player with one hand; 0: none */
+    uint8_t eaten[PLAT_KEYS / 8];                /* keys a chord has used, until they are released */
+    uint16_t by_key[PADS], by_switch[PADS];      /* of the last read: held by keys, by a controller */
+    struct keys_device player[PADS], cabinet;    /* cabinet: whichever player pressed last */
     uint32_t held;
 };
 
 /* What one poll means. */
 struct keys_read {
     uint16_t pads[PADS];
-    uint32_t held, pressed; /* cabinet keys, 1 << CAB_PAUSE ...; pressed: held now, not at the last read */
-    bool fresh;             /* a pad button is down that was not at the last read */
+    uint16_t pads_fresh[PADS]; /* those that were not held at the last read */
+    bool fresh;                /* there is one of those */
+    uint32_t held, pressed;    /* cabinet keys, 1 << CAB_PAUSE ...; pressed: held now, not at the last read */
 };
 
 /* The map of the table in keys.c; nothing held. */
@@ -76,20 +92,51 @@ void keys_defaults(struct keys *k);
  * one sentence for an unknown action or switch, or too many; the map is then unchanged. */
 bool keys_bind(struct keys *k, const char *action, const char *list, char *err, size_t err_size);
 
-/* Writes the name of an action's first switch, "enter", or "none". */
+/* Gives a player (from 0) the layout of a hand; HAND_BOTH: none. */
+void keys_hand(struct keys *k, int player, enum keys_hand hand);
+
+/* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is printed
+ * on their controller ("cross") or spelled as a key ("enter"); or the first there is, spelled; or "none". For an action
+ * of the cabinet, of what was used last by anybody. */
 void keys_first(const struct keys *k, const char *action, char *out, size_t size);
 
-/* Writes all switches of an action as keys_bind takes them: "z pad.south", or "none". */
-void keys_list(const struct keys *k, int action, char *out, size_t size);
-
-/* The name of an action, and what it does in a few words ("": as the one of player 1). */
-const char *keys_action(int action);
-const char *keys_does(int action);
-
-/* True when there is such an action. */
+/* True when there is such an action. The functions above and below take one that is known. */
 bool keys_known(const char *action);
 
-void keys_read(struct keys *k, const struct plat_input *in, struct keys_read *out);
+/* Action i of KEYS_ACTIONS, "p1.fire", and what it is for, "fire; yes in menus"; "": nothing to be said. */
+const char *keys_action(int i);
+const char *keys_meaning(int i);
+
+/* Writes the list of an action's switches, as keys_bind reads it. */
+void keys_text(const struct keys *k, const char *action, char *out, size_t size);
+
+/* Waits for a switch that is pressed anew. */
+struct keys_capture {
+    uint8_t keys[PLAT_KEYS / 8];
+    uint32_t controllers[PLAT_CONTROLLERS];
+    unsigned modifier; /* usage of Alt or Ctrl that is held, and may become a chord */
+};
+
+/* What is held now does not count. Then, each poll: the code of a switch, a key, a chord, or Alt or Ctrl when it is let
+ * go alone; of whichever controller, as the player's own (pad.south). 0: none yet. */
+void keys_capture_begin(struct keys_capture *c, const struct plat_input *in);
+uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in);
+
+/* Gives an action one switch more, as its last, or takes one away. keys_add: false and one sentence when it has
+ * KEYS_EACH; true also when it has this one. */
+bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size_t err_size);
+void keys_drop(struct keys *k, const char *action, uint16_t code);
+
+/* The first other action that one press of this switch would mean too, were it given to this one; NULL: none. What is
+ * pad.south to both players is no conflict, for each has a controller. */
+const char *keys_conflict(const struct keys *k, const char *action, uint16_t code);
+
+/* Escape and a controller's guide button open the cabinet's menu: a screen gives them to no other action, or there would
+ * be no way back. */
+bool keys_reserved(uint16_t code);
+
+/* seats: this poll's. */
+void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out);
 
 /* Hands out the default map, a line an action, for `curtain help play`. */
 void keys_help(void (*line)(const char *));

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "../../base/geom.h"
+#include "../../base/int.h"
 
 enum { ROWS = 6, COLUMNS = 3 };
 
@@ -97,6 +98,12 @@ void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
 }
 
 /* ---- text ---- */
+
+void canvas_view(const struct canvas *canvas, enum view_colours view)
+{
+    for (int i = 0; i < CANVAS_COLOURS; i++)
+        canvas->rgb[canvas->colour[i]] = view_colour(view, colours[i]);
+}
 
 static uint32_t glyph(unsigned char c)
 {
@@ -254,6 +261,21 @@ void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, e
         speck(canvas, x, y, c);
     if (r > 0)
         disc_rim(canvas, &d, units / UNIT + 1, c);
+}
+
+void canvas_disc(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c)
+{
+    int64_t units = r / FX_UNIT, reach = units / UNIT + 1, x0, x1;
+    struct disc d = { x / FX_UNIT, y / FX_UNIT, units * units };
+    const int64_t from = int64_clamp(floor_units(d.y) - reach, canvas->fb->y0, canvas->fb->y1);
+    const int64_t to = int64_clamp(floor_units(d.y) + reach + 1, canvas->fb->y0, canvas->fb->y1);
+
+    if (r < FX)
+        speck(canvas, x, y, c);
+    for (int64_t row = from; row < to; row++) {
+        span(&d, row, &x0, &x1);
+        row_of_dots(canvas, row, x0, x1, c);
+    }
 }
 
 /* The first pixel whose middle is at or after v. */

@@ -14,6 +14,7 @@
 #define CAB_CANVAS_H
 
 #include "../../../fb/fb.h"
+#include "../../board/view.h"
 
 enum canvas_colour {
     CANVAS_DARK, /* the background of text */
@@ -47,6 +48,9 @@ struct canvas {
 /* Gives the palette entries that the picture uses least the canvas's colours; pixels that used one of them take the
  * nearest other entry. fb and rgb are a copy, not the picture that screenshots are made of; fb's clip is opened. */
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
+
+/* The canvas's own colours as such a view shows them; the picture's are so already. */
+void canvas_view(const struct canvas *canvas, enum view_colours colours);
 
 /* Draws one line, its top left corner at (x, y). A tab is two blanks; a byte or UTF-8 character that is not printable
  * ASCII is one question mark. Returns the x after it. */
@@ -93,6 +97,7 @@ void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, en
  * circle of radius r, or a box of half sizes a and b, round (x, y). A shape that holds no pixel's middle, and a circle
  * of a radius below 1 px, draw the pixel of (x, y). */
 void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c);
+void canvas_disc(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c); /* filled */
 void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, int32_t b, enum canvas_colour c);
 
 /* The same of a capsule: all within r of a bar from (x - hx, y - hy) to (x + hx, y + hy). Its pixel is drawn as that

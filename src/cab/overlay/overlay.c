@@ -314,6 +314,29 @@ static void draw_shapes(const struct canvas *canvas, int y0, int y1, const struc
     fb_clip_all(canvas->fb);
 }
 
+/* White is the shape to the pixel; the ring and the dark round it make it read over a white ship and over bullets. */
+static void draw_ship(const struct canvas *canvas, const struct inspect_body *s, enum canvas_colour ring)
+{
+    enum { PIXEL = 1 << 16 };
+
+    canvas_disc(canvas, s->x, s->y, s->a + 2 * PIXEL, CANVAS_DARK);
+    canvas_disc(canvas, s->x, s->y, s->a + PIXEL, ring);
+    canvas_disc(canvas, s->x, s->y, s->a, CANVAS_WHITE);
+}
+
+void overlay_ships(const struct canvas *canvas, const struct board *b)
+{
+    static const enum canvas_colour rings[PADS] = { CANVAS_RED, CANVAS_CYAN };
+    const struct inspect_area f = inspect_field(b);
+    struct inspect_body body;
+
+    fb_clip(canvas->fb, f.x, f.y, f.w, f.h);
+    for (int i = 0; i < PADS; i++)
+        if (inspect_ship(b, i, &body))
+            draw_ship(canvas, &body, rings[i]);
+    fb_clip_all(canvas->fb);
+}
+
 /* ---- panels ---- */
 
 static void gauge_line(struct panel *s, const char *name, uint32_t live, uint32_t top, uint32_t cap, uint32_t refused)
@@ -576,34 +599,42 @@ static void draw_pointer(const struct canvas *canvas, int x, int y)
     canvas_line(canvas, x, y + NEAR, x, y + FAR, CANVAS_WHITE);
 }
 
-static void place_thing(struct layout *l, const struct canvas *canvas, const struct board *b, int x, int y)
+/* The panel of what is under the mouse: over the picture beside it, else with the other panels. */
+static void place_thing(struct layout *l, const struct overlay_place *at, const struct board *b, int x, int y)
 {
+    const int y0 = at->beside ? 0 : l->y0, y1 = at->beside ? at->picture->fb->h : l->y1;
     struct panel s = { .lines = 0 };
     struct inspect_thing t;
-    if (x < 0 || y < l->y0 || y >= l->y1 || on_panel(l, x, y))
+
+    if (x < 0 || y < y0 || y >= y1 || (!at->beside && on_panel(l, x, y)))
         return;
-    draw_pointer(canvas, x, y);
+    draw_pointer(at->picture, x, y);
     if (!inspect_at(b, x, y, MOUSE, &t))
         return;
-    draw_shape(canvas, &t.body, CANVAS_WHITE);
+    draw_shape(at->picture, &t.body, CANVAS_WHITE);
     describe(&s, b, &t);
-    place_beside_mouse(l, canvas, &s, x, y);
+    if (at->beside)
+        place(l, at->beside, &s);
+    else
+        place_beside_mouse(l, at->picture, &s, x, y);
 }
 
-void overlay_draw(const struct overlay *o, const struct canvas *canvas, int y0, int y1, const struct board *b,
-                  int mouse_x, int mouse_y)
+void overlay_draw(const struct overlay *o, const struct overlay_place *at, const struct board *b, int mouse_x,
+                  int mouse_y)
 {
-    struct layout l = { .y0 = y0, .y1 = y1, .w = canvas->fb->w, .y = y0 };
+    const struct canvas *panels = at->beside ? at->beside : at->picture;
+    struct layout l = { .y0 = at->y0, .y1 = at->y1, .w = panels->fb->w, .y = at->y0 };
+
     if (o->on[OVERLAY_SHAPES])
-        draw_shapes(canvas, y0, y1, b);
+        draw_shapes(at->picture, at->beside ? 0 : at->y0, at->beside ? at->picture->fb->h : at->y1, b);
     if (o->on[OVERLAY_GAUGES])
-        place_gauges(&l, canvas, b);
+        place_gauges(&l, panels, b);
     if (o->on[OVERLAY_SPLIT])
-        place_split(&l, canvas, &o->split);
+        place_split(&l, panels, &o->split);
     if (o->on[OVERLAY_TASKS])
-        place_tasks(&l, canvas, b);
+        place_tasks(&l, panels, b);
     if (o->on[OVERLAY_MIXER])
-        place_mixer(&l, canvas, &o->mixer, b);
+        place_mixer(&l, panels, &o->mixer, b);
     if (overlay_on(o))
-        place_thing(&l, canvas, b, mouse_x, mouse_y);
+        place_thing(&l, at, b, mouse_x, mouse_y);
 }

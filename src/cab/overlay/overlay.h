@@ -66,9 +66,18 @@ void overlay_listen(struct overlay *o, const struct board *b, const struct speak
 /* Ends the frame. */
 void overlay_end(struct overlay *o);
 
-/* Draws what is on over the picture of b, panels between the lines y0 and y1. (mouse_x, mouse_y): a pixel, or -1,
- * -1. */
-void overlay_draw(const struct overlay *o, const struct canvas *canvas, int y0, int y1, const struct board *b,
-                  int mouse_x, int mouse_y);
+/* Where it is drawn: shapes over the picture, panels there too, or beside it if that is not NULL, between its lines y0
+ * and y1. */
+struct overlay_place {
+    const struct canvas *picture, *beside;
+    int y0, y1;
+};
+
+/* Draws what is on over the picture of b. (mouse_x, mouse_y): a pixel of it, or -1, -1. */
+void overlay_draw(const struct overlay *o, const struct overlay_place *place, const struct board *b, int mouse_x,
+                  int mouse_y);
+
+/* The hit shapes of the ships that are seen, on the field, for who plays: white, in a ring of a colour a player. */
+void overlay_ships(const struct canvas *canvas, const struct board *b);
 
 #endif

@@ -27,10 +27,12 @@
 #include "lang.h"
 #include "../host/files.h"
 #include "map.h"
+#include "shade.h"
 #include "../mml/mml.h"
 #include "../sound/recording.h"
 #include "tree.h"
 #include "png.h"
+#include "../picture/border.h"
 
 enum { PATH = TREE_PATH };
 
@@ -235,6 +237,14 @@ static bool add_palettes(struct packer *p)
             !add_copy(p, "palette/", p->art.palettes[i].name, rgb, sizeof rgb))
             return false;
     return true;
+}
+
+static bool add_shades(struct packer *p)
+{
+    uint8_t tables[VIEW_SHADES];
+
+    shade_make(p->palette, tables);
+    return add_copy(p, "", "shades", tables, sizeof tables);
 }
 
 static bool add_blends(struct packer *p)
@@ -545,9 +555,32 @@ static bool add_sounds(struct packer *p)
     return true;
 }
 
+/* The art round the picture goes in as it is: the board never sees it, and it has colours of its own. */
+static bool add_border(struct packer *p)
+{
+    const char *file = p->art.border;
+    char why[256];
+    uint8_t *data, *rgba = NULL;
+    struct border border;
+    size_t size;
+    int w, h;
+
+    if (!file[0])
+        return true;
+    if (!load_in(p, file, BORDER_BYTES, &data, &size))
+        return false;
+    bool good =
+        png_read(data, size, &rgba, &w, &h, why, sizeof why) && border_open(&border, rgba, w, h, why, sizeof why);
+    free(rgba);
+    if (good)
+        return add(p, "", BORDER_LUMP, data, size);
+    free(data);
+    return err_set(p->err, p->err_size, "%s: %s", file, why);
+}
+
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_blends(p) || !add_font(p) || !add_faces(p))
+    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) || !add_border(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))

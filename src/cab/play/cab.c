@@ -2,8 +2,8 @@
  * cab.c - see cab.h: power, the frame, and its clock.
  *
  * plat_loop calls frame() and may be the host's own timer, so all state is in one struct and frame() itself cleans up
- * at the end. A frame is due every 1/60 s, counted from a base so that nothing is lost to rounding. When the host is
- * late, up to MAX_LATE ticks are made up for; later than that, frames are dropped and the game slows down.
+ * at the end. When a frame is due, and how many ticks it has, pace.h says. The switches are read just before the tick,
+ * so nothing of them is older than what the tick and the picture take.
  */
 #include "cab.h"
 
@@ -17,7 +17,6 @@
 
 enum {
     SECOND = 1000000,
-    MAX_LATE = 4,
     MAX_TURBO = 32,                 /* ticks a frame */
     TURBO_USEC = 12000,             /* of a frame spent on them */
     LOOK_USEC = 1000,               /* between two looks at what waits at the speaker */
@@ -29,20 +28,14 @@ struct cab cab;
 
 /* ---- time ---- */
 
-static uint64_t due(uint64_t frame)
-{
-    return cab.base + frame * SECOND / 60;
-}
-
 /* Where the speaker's clock leads, a frame is due when it has used one up; or after a second, for it may be stuck. */
 static bool speaker_says(uint64_t now)
 {
-    if (!speaker_due(&cab.speaker) && now < due(cab.frames) + SECOND) {
+    if (!speaker_due(&cab.speaker) && now < pace_due(&cab.pace) + SECOND) {
         plat_wait(now + LOOK_USEC);
         return false;
     }
-    cab.base = now;
-    cab.frames = 0;
+    pace_follow(&cab.pace, now);
     return true;
 }
 
@@ -51,24 +44,18 @@ static bool frame_comes(void)
 {
     if (speaker_leads(&cab.speaker))
         return speaker_says(plat_usec());
-    plat_wait(due(cab.frames));
-    return plat_usec() >= due(cab.frames);
+    pace_refresh(&cab.pace, cab.window.refresh, plat_usec());
+    plat_wait(pace_due(&cab.pace));
+    return pace_comes(&cab.pace, plat_usec());
 }
 
-/* Frames that are due by now, at least one; those that are too late are dropped. */
+/* Frames that are due by now, at least one. */
 static struct speaker_time frames_due(uint64_t now)
 {
-    int n = 1;
-    while (n < MAX_LATE && due(cab.frames + (uint64_t)n) <= now)
-        n++;
-    struct speaker_time time = { .sixtieths = n, .late = due(cab.frames) };
-    cab.frames += (uint64_t)n;
-    if (due(cab.frames) <= now) {
-        time.lost = now + SECOND / 60 - due(cab.frames);
-        cab.base = now;
-        cab.frames = 1;
-    }
-    return time;
+    const struct pace_frame f = pace_take(&cab.pace, now);
+
+    cab.frames += (uint64_t)f.ticks;
+    return (struct speaker_time){ .sixtieths = f.ticks, .late = f.due, .lost = f.lost };
 }
 
 /* What was ticked is heard. */
@@ -158,7 +145,7 @@ static bool keeps_nvram(void)
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
 static void keep_damaged(const char *name, const uint8_t *image, size_t size)
 {
-    char beside[CAB_NAME + 32];
+    char beside[CAB_NAME + 32], shown[FILES_PATH], shown_beside[FILES_PATH];
 
     snprintf(beside, sizeof beside, "%s.damaged", name);
     for (int i = 2; plat_size(beside) >= 0; i++)
@@ -167,12 +154,12 @@ static void keep_damaged(const char *name, const uint8_t *image, size_t size)
     cab.no_scores = !kept; /* then the file is not written either */
     cab_say(kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
                  : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
-            name, beside);
+            files_shown(name, shown), files_shown(beside, shown_beside));
 }
 
 uint8_t *cab_load_nvram(struct board_start *start)
 {
-    char name[CAB_NAME];
+    char name[CAB_NAME], shown[FILES_PATH];
     nvram_name(name);
     long size = plat_size(name);
     if (start->nvram || start->practice.section[0] || cab.options.demo || size < 0)
@@ -180,7 +167,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
     size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
     uint8_t *image = malloc((size_t)size + 1);
     if (!image || plat_load(name, image, (size_t)size) != size) {
-        cab_say("curtain: %s: cannot be read; scores are not saved", name);
+        cab_say("curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
         cab.no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
@@ -194,7 +181,7 @@ uint8_t *cab_load_nvram(struct board_start *start)
 
 void cab_save_nvram(void)
 {
-    char name[CAB_NAME], err[CAB_NAME + 128];
+    char name[CAB_NAME], err[FILES_ERR];
     uint32_t changed;
     size_t size;
     const uint8_t *image = board_nvram(cab_live(), &size, &changed);
@@ -215,6 +202,7 @@ void cab_powered(const struct board_start *start)
     cab.fault_reported = cab.paused = cab.scrubbed = cab.waiting = cab.taken = false;
     cab.timebar_left = cab.slow_frames = 0;
     memset(cab.pads, 0, sizeof cab.pads);
+    cab_pads_power();
     if (cab.slow > 1 && !cab.session.demo)
         cab_mark_assisted();
 }
@@ -247,6 +235,8 @@ static void finish(void)
     cab_guest_close();
     cab_picture_close(&cab.picture);
     console_close(&cab.console);
+    cab_window_close();
+    ahead_close(&cab.ahead);
     free(cab.nvram);
     plat_close();
 }
@@ -260,12 +250,11 @@ static bool frame(void)
     cab_poll(&k);
     cab_check_folder();
     struct speaker_time time = frames_due(now);
+    cab.ticked = false;
     overlay_begin(&cab.overlay, cab.attracting ? &cab.attract_guard : &cab.session.now->guard);
-    if (cab.practice.open)
-        cab_menu(&k);
-    else if (cab.session.state != SESSION_PLAYING)
+    if (cab.session.state != SESSION_PLAYING)
         cab_seek_or_reload(now);
-    else if (cab.console.open || screens_are_open(&cab.screens))
+    else if (cab.console.open || cab.stands || screens_are_open(&cab.screens))
         memset(cab.pads, 0, sizeof cab.pads);
     else
         run(time.sixtieths, &k, now);
@@ -278,9 +267,11 @@ static bool frame(void)
         records_save(&cab.practice.records);
     }
     overlay_lap(&cab.overlay, SPLIT_CABINET);
+    cab_look_ahead();
     cab_picture_draw(&cab.picture);
     overlay_lap(&cab.overlay, SPLIT_DRAW);
     cab_picture_show(&cab.picture);
+    cab_look_back();
     overlay_lap(&cab.overlay, SPLIT_SHOW);
     overlay_end(&cab.overlay);
     if (cab.quit)
@@ -295,17 +286,19 @@ static enum result refuse(enum result result, const char *what)
     speaker_close(&cab.speaker);
     session_close(&cab.session);
     cab_picture_close(&cab.picture);
+    cab_window_close();
     free(cab.nvram);
     plat_close();
     return result;
 }
 
-static void want_window(void)
+/* What was typed comes before what is in the file. */
+static void take_options(void)
 {
     const struct cab_options *o = &cab.options;
 
-    cab.want = (struct plat_want){ .scale = o->scale ? o->scale : cab.config.scale,
-                                   .fullscreen = o->fullscreen || cab.config.fullscreen };
+    cab.config.scale = o->scale ? o->scale : cab.config.scale;
+    cab.config.fullscreen = o->fullscreen || cab.config.fullscreen;
 }
 
 void cab_take_lang(struct board_start *start)
@@ -318,7 +311,7 @@ void cab_take_lang(struct board_start *start)
 
 enum result cab_play(const struct cab_options *options)
 {
-    char err[512];
+    char err[FILES_ERR + CONFIG_LINE];
     memset(&cab, 0, sizeof cab);
     cab.options = *options;
     cab.start = options->start;
@@ -326,6 +319,7 @@ enum result cab_play(const struct cab_options *options)
         cab_say("curtain: %s", err);
         return RESULT_REFUSED;
     }
+    cab.kept = cab.config;
     speaker_open(&cab.speaker, cab.config.volume, options->mute || cab.config.mute, !cab.config.resample);
     speaker_levels(&cab.speaker, cab.config.music, cab.config.sounds);
     cab.slow = 1 << cab.config.speed;
@@ -336,11 +330,12 @@ enum result cab_play(const struct cab_options *options)
     cab.nvram = cab_load_nvram(&cab.start);
     if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
         return refuse(RESULT_REFUSED, cab.session.err);
-    want_window();
+    take_options();
     if (!cab_open_window())
         return refuse(RESULT_HOST, "there is no window to play in");
     if (!cab_picture_open(&cab.picture, cab_live()))
         return refuse(RESULT_HOST, "not enough memory for the picture");
+    cab_pads_open();
     practice_init(&cab.practice, options->cart, &cab.start);
     if (!options->demo)
         practice_began(&cab.practice, &cab.start);
@@ -352,7 +347,7 @@ enum result cab_play(const struct cab_options *options)
         cab_report_fault();
     folder_open(&cab.folder, options->path);
     cab_open_resume();
-    cab.base = plat_usec();
+    pace_open(&cab.pace, plat_usec());
     plat_loop(frame);
     return cab.result;
 }

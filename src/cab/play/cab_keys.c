@@ -10,7 +10,7 @@ enum { MAX_SLOW = 4, LOUDER = 10 /* percent, a press */ };
 
 static void reopen(void)
 {
-    cab.want.fullscreen = !cab.want.fullscreen;
+    cab.config.fullscreen = !cab.config.fullscreen;
     cab.quit = !cab_open_window() || cab.quit;
 }
 
@@ -39,13 +39,20 @@ static void sound_keys(const struct keys_read *k)
         set_sound(false, cab.speaker.volume + LOUDER);
 }
 
-static void cabinet_keys(const struct keys_read *k)
+/* The keys that work over a screen, too. */
+static void host_keys(const struct keys_read *k)
 {
     if (k->pressed & 1 << CAB_QUIT)
         cab.quit = true;
     if (k->pressed & 1 << CAB_FULLSCREEN)
         reopen();
+    if (k->pressed & 1 << CAB_SCREENSHOT)
+        cab_screenshot(&cab.picture);
     sound_keys(k);
+}
+
+static void clock_keys(const struct keys_read *k)
+{
     if (k->pressed & 1 << CAB_PAUSE)
         cab.paused = !cab.paused;
     if (k->pressed & 1 << CAB_STEP)
@@ -54,8 +61,6 @@ static void cabinet_keys(const struct keys_read *k)
         cab_mark_assisted();
         cab.slow = cab.slow == MAX_SLOW ? 1 : cab.slow * 2;
     }
-    if (k->pressed & 1 << CAB_SCREENSHOT)
-        cab_screenshot(&cab.picture);
 }
 
 /* The keys that move in time. */
@@ -123,7 +128,7 @@ static void take_pads(const struct keys_read *k)
 /* While the console is open it has all keys. Scores are saved before a line can touch them. */
 static void console_keys(const struct plat_input *in, struct keys_read *k)
 {
-    bool stands = !cab_fault() && !cab.attracting && !cab.practice.open && cab.session.state == SESSION_PLAYING;
+    bool stands = !cab_fault() && !cab.attracting && cab.session.state == SESSION_PLAYING;
     if (k->pressed & 1 << CAB_CONSOLE)
         cab_save_nvram();
     console_poll(&cab.console, in, k, stands ? cab_live() : NULL, !cab.session.demo);
@@ -141,11 +146,15 @@ void cab_poll(struct keys_read *k)
 {
     struct plat_input in;
     plat_poll(&in);
+    cab_window_mouse(&in.mouse_x, &in.mouse_y);
+    cab.stands = false;
     cab.mouse_x = in.mouse_x;
     cab.mouse_y = in.mouse_y;
     cab.quit = cab.quit || in.quit;
-    keys_read(&cab.config.keys, &in,
-              k);             /* also while the prompt is open: the key that closes it must not be read afterwards */
+    cab_seats_poll(&in);
+    /* Also while the prompt is open: the key that closes it must not be read afterwards. */
+    keys_read(&cab.config.keys, &in, &cab.seats, k);
+    cab_seats_told(k);
     if (cab.guest.resuming) { /* what was left is played again: nothing but leaving */
         cab.quit = cab.quit || k->pressed & 1 << CAB_QUIT;
         memset(k, 0, sizeof *k);
@@ -155,7 +164,9 @@ void cab_poll(struct keys_read *k)
         memset(k, 0, sizeof *k);
         return;
     }
-    if (cab_screen_keys(&in, k)) {
+    cab.stands = cab_screen_keys(&in, k);
+    if (cab.stands) {
+        host_keys(k);
         memset(k->pads, 0, sizeof k->pads);
         k->held = k->pressed = 0;
         return;
@@ -167,9 +178,10 @@ void cab_poll(struct keys_read *k)
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);
     take_pads(k);
-    cabinet_keys(k);
+    host_keys(k);
+    clock_keys(k);
     cab_practice_keys(k);
-    if (cab.practice.open)
+    if (screens_are_open(&cab.screens))
         return;
     time_keys(k);
     if (k->pressed & 1 << CAB_GOTO && !cab.attracting)

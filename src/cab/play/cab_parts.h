@@ -1,6 +1,8 @@
 /*
  * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
- * time, reload), cab_practice.c (the practice menu), cab_show.c (window and picture), cab_keys.c (switches).
+ * time, reload), cab_practice.c (the practice menu), cab_show.c (the picture and what is over it), cab_window.c (the
+ * window), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
+ * players press).
  * floor: cab
  */
 #ifndef CAB_CAB_PARTS_H
@@ -9,10 +11,17 @@
 #include "../overlay/prompt.h"
 #include "cab.h"
 #include "../host/config.h"
+#include "../host/files.h"
 #include "../overlay/console.h"
 #include "../host/folder.h"
+#include "../host/pace.h"
+#include "../picture/compose.h"
+#include "../run/ahead.h"
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
+#include "../pack/shade.h"
+#include "../pads/press.h"
+#include "../pads/seats.h"
 #include "practice.h"
 #include "../screens/screen.h"
 #include "session.h"
@@ -30,12 +39,35 @@ enum {
     CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
 };
 
-/* fb, rgb: the board's picture as it drew it. composed, composed_rgb: a copy with the overlay drawn on it. */
+/* fb, rgb: the board's picture as it drew it, by the view of the settings. composed, composed_rgb: a copy with the
+ * overlay drawn on it. */
 struct picture {
     struct fb fb, composed;
     void *memory;
     void *scratch;
     uint32_t rgb[256], composed_rgb[256];
+    struct shade_kept shades;
+    bool ahead; /* fb is the picture of the frame after the present one */
+};
+
+/* The window, and how the last picture was shown in it. */
+struct cab_window {
+    struct compose compose;
+    struct border border; /* of the ROM; rgba NULL: it has none */
+    uint8_t *border_rgba; /* malloc */
+    bool border_read;
+    uint32_t border_crc;     /* of the ROM it was read from */
+    int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it does at once */
+    bool composes;           /* this picture will be composed */
+    bool cannot;             /* the port has no plat_paint, or there is no memory */
+    bool composed;           /* the last one was */
+    enum quarter shown_turn; /* if not, how it was turned */
+    int w, h;                /* its size, not turned; 0: none was shown */
+    uint8_t *turned;         /* malloc */
+    size_t turned_room;
+    struct fb side; /* beside the picture */
+    void *side_memory;
+    bool has_side;
 };
 
 /* What is known of the run that is on, and of its replay. */
@@ -66,8 +98,8 @@ struct cab_guest {
 struct cab {
     struct cab_options options;
     struct board_start start;
-    uint8_t *nvram; /* what start.nvram points to, if the cabinet loaded it; malloc */
-    struct config config;
+    uint8_t *nvram;             /* what start.nvram points to, if the cabinet loaded it; malloc */
+    struct config config, kept; /* as it is now; as it is in the file, or goes there */
     struct plat_want want;
     char title[sizeof((struct manifest *)0)->title];
     struct session session;
@@ -76,20 +108,30 @@ struct cab {
     bool attracting;
     struct speaker speaker;
     struct picture picture;
-    uint64_t base;        /* usec: when frame 0 was due */
-    uint64_t frames;      /* counted from base: the next one that is due */
-    int since_save;       /* frames since nvram was last looked at */
-    uint32_t nvram_saved; /* board_nvram's count when it was last saved */
-    bool no_scores;       /* the score file could not be read: it is left as it is */
+    struct cab_window window;
+    struct pace pace;
+    uint64_t frames; /* of the cabinet, since the beginning */
+    struct ahead ahead;
+    uint16_t last_pads[PADS]; /* of the last tick */
+    bool ticked;              /* the live board did, in this frame */
+    int since_save;           /* frames since nvram was last looked at */
+    uint32_t nvram_saved;     /* board_nvram's count when it was last saved */
+    bool no_scores;           /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct cab_keep keep;
     struct cab_guest guest;
     bool taken;   /* the player plays on from a playback: nothing of it is kept */
     bool waiting; /* paused until a button is pressed */
     struct screens screens;
+    bool stands;          /* the board does in this frame, for a screen is open or was */
     bool focus;           /* at the last poll */
-    uint16_t pads[PADS];  /* held since the last tick */
+    uint16_t pads[PADS];  /* buttons held since the last tick, before press */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
+    struct seats seats;
+    struct press_modes modes[PADS];
+    struct press press[PADS];
+    uint32_t pressed_to; /* the frame after the last tick that got pads of press */
+    bool unplugged;      /* a player's controller is gone, and the game pauses for it */
     bool paused, step;
     bool rewinding;   /* time runs backwards */
     bool scrubbed;    /* the player moved in time in a playback: at its end it pauses and does not quit */
@@ -106,7 +148,7 @@ struct cab {
     uint32_t differs; /* the value of session.differs that was last reported */
     int since_check;  /* frames since the folder was last looked at */
     bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
-    char notice[DEMO_PATH + 128];
+    char notice[FILES_PATH + 256];
     int notice_left;     /* frames; -1: until a reload works */
     bool fault_reported; /* of the fault that the board has now */
     bool quit;
@@ -150,8 +192,9 @@ const struct board_fault *cab_fault(void);
 /* Flags the recording: slow motion or steps were used. */
 void cab_mark_assisted(void);
 
-/* Finds a name "ID-N.what" that no file in the current folder has. */
-void cab_free_name(char name[CAB_NAME], const char *what);
+/* Finds a name "ID-N.what" that no file of a folder has: where is what stands before it, "pictures:", or "" for the
+ * current one. */
+void cab_free_name(char name[CAB_NAME], const char *where, const char *what);
 
 /* Writes to the log what scripts printed in the last tick. */
 void cab_log_lines(const struct board_out *out);
@@ -190,10 +233,9 @@ void cab_seek_or_reload(uint64_t now);
 
 uint64_t cab_seed_from_clock(void);
 
-/* Handles the keys that open the menu and retry; runs a frame of the open menu, which reads player 1's pad while the
- * board stands still. */
+/* Handles the keys that open the menu and retry; does what was chosen in a frame of the open menu. */
 void cab_practice_keys(const struct keys_read *k);
-void cab_menu(const struct keys_read *k);
+void cab_practice_screen(void);
 
 /* Opens the practice menu, if this run may be left for it. Begins the game anew, from its title. */
 void cab_open_practice(void);
@@ -258,23 +300,22 @@ void cab_open_keys(void);
 void cab_open_replays(void);
 void cab_open_resume(void);
 
-/* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands. */
-bool cab_screen_keys(const struct plat_input *in, const struct keys_read *k);
+/* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
+ * is left in k->pressed are the cabinet's keys that none of them took. */
+bool cab_screen_keys(const struct plat_input *in, struct keys_read *k);
 
 /* The line below a screen: what to press. */
 void cab_screens_foot(char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 
+/* Looks a frame ahead if that is wanted, and goes back: between them everything is drawn. */
+void cab_look_ahead(void);
+void cab_look_back(void);
+
 /* Allocates the pictures of a board. False: not enough memory. */
 bool cab_picture_open(struct picture *p, const struct board *b);
 void cab_picture_close(struct picture *p);
-
-/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
-int cab_sound_rate(void);
-
-/* Opens the window, or changes it, as cab.want and the game's manifest say. False: there is none. */
-bool cab_open_window(void);
 
 /* Draws the board that is to be seen; shows the picture with the overlay on it. */
 void cab_picture_draw(struct picture *p);
@@ -283,12 +324,54 @@ void cab_picture_show(struct picture *p);
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
 bool cab_timebar_shown(void);
 
-/* Saves the board's picture, without the overlay, under the first free number. */
-void cab_screenshot(const struct picture *p);
+/* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
+ * number, and says where. */
+void cab_screenshot(struct picture *p);
+
+/* ---- cab_window.c ---- */
+
+/* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
+int cab_sound_rate(void);
+
+/* Opens the window, or changes it, as cab.config and the game's manifest say: at any time. False: there is none. */
+bool cab_open_window(void);
+void cab_window_close(void);
+
+/* To be called before a picture of w x h is shown: looks how large the window is. Afterwards cab_window_side is what can
+ * be drawn on beside the picture, in its colours; NULL: there is no room, or it is not wanted. */
+void cab_window_begin(int w, int h);
+struct fb *cab_window_side(void);
+
+/* Shows a picture; side: and what stands beside it. */
+void cab_window_show(const struct fb *fb, const uint32_t rgb[256], bool side);
+
+/* From what plat_input says to a pixel of the picture; -1, -1: none. */
+void cab_window_mouse(int *x, int *y);
 
 /* ---- cab_keys.c ---- */
 
 /* Reads the switches and carries out the cabinet's own keys. */
 void cab_poll(struct keys_read *k);
+
+/* ---- cab_pads.c ---- */
+
+void cab_pads_open(void);
+
+/* Takes over the settings of how each player presses; at any time. */
+void cab_pads_apply(void);
+
+/* The board was powered anew. */
+void cab_pads_power(void);
+
+/* The pads of the live board's next tick, from cab.pads. */
+void cab_pads_tick(uint16_t pads[PADS]);
+
+/* Before keys_read: what is plugged in, and who plays with it. After it: tells of what changed, pauses for a player
+ * whose controller is gone, and goes on at START. */
+void cab_seats_poll(const struct plat_input *in);
+void cab_seats_told(const struct keys_read *k);
+
+/* Its own name, or what kind it is. */
+const char *cab_controller_name(const struct plat_controller *c);
 
 #endif

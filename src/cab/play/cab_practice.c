@@ -58,7 +58,6 @@ static bool may_practise(void)
 
 static void retry(void)
 {
-    cab.practice.open = false;
     if (cab.start.practice.section[0])
         power_anew(cab.start);
     else
@@ -71,8 +70,8 @@ void cab_open_practice(void)
         return;
     if (cab.attracting)
         cab_attract_end();
-    practice_open(&cab.practice, cab.slow);
     cab.practice.hitbox = cab.overlay.on[OVERLAY_SHAPES];
+    practice_open(&cab.practice, &cab.screens, cab.slow);
 }
 
 void cab_home_start(struct board_start *start)
@@ -108,29 +107,24 @@ void cab_practice_keys(const struct keys_read *k)
         if (cab.attracting)
             cab_attract_end();
         retry();
-    } else if (k->pressed & 1 << CAB_PRACTICE && cab.practice.open) {
-        cab.practice.open = false;
     } else if (k->pressed & 1 << CAB_PRACTICE) {
         cab_open_practice();
     }
 }
 
-void cab_menu(const struct keys_read *k)
+void cab_practice_screen(void)
 {
     struct board_start start;
 
-    memcpy(cab.stale, k->pads, sizeof cab.stale);
-    memset(cab.pads, 0, sizeof cab.pads);
-    enum practice_choice choice = practice_poll(&cab.practice, k->pads[0]);
     if (cab.practice.slow != cab.slow)
         cab_mark_assisted();
     cab.slow = cab.practice.slow;
     cab.overlay.on[OVERLAY_SHAPES] = cab.practice.hitbox;
-    if (choice != PRACTICE_START)
+    if (!cab.practice.start_chosen)
         return;
+    cab.practice.start_chosen = false;
     practice_chosen(&cab.practice, &start);
     if (!start.practice.section[0] && cab.guest.home) {
-        cab.practice.open = false;
         cab_home();
         return;
     }

@@ -9,6 +9,7 @@
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
 #include "../host/clean.h"
+#include "../host/files.h"
 
 enum {
     LOOK_EVERY = 15,  /* frames between two looks at the game's folder */
@@ -20,7 +21,7 @@ enum {
 
 void cab_say(const char *format, ...)
 {
-    char line[2048];
+    char line[2 * FILES_PATH + 256];
     va_list args;
 
     va_start(args, format);
@@ -74,11 +75,11 @@ void cab_mark_assisted(void)
     cab_check_recording(session_mark_assisted(&cab.session));
 }
 
-void cab_free_name(char name[CAB_NAME], const char *what)
+void cab_free_name(char name[CAB_NAME], const char *where, const char *what)
 {
     int i = 1;
     do
-        snprintf(name, CAB_NAME, "%s-%d.%s", cab_cart()->m.id, i++, what);
+        snprintf(name, CAB_NAME, "%s%s-%d.%s", where, cab_cart()->m.id, i++, what);
     while (plat_size(name) >= 0);
 }
 
@@ -213,6 +214,8 @@ static bool at_end(void)
 
 void cab_tick(void)
 {
+    uint16_t pads[PADS] = { 0 };
+
     if (cab.quit || screens_are_open(&cab.screens))
         return;
     if (cab.attracting) {
@@ -221,7 +224,11 @@ void cab_tick(void)
     }
     if (cab_fault() || at_end())
         return;
-    cab_check_recording(session_tick(&cab.session, cab.pads));
+    if (!cab.session.demo)
+        cab_pads_tick(pads);
+    memcpy(cab.last_pads, pads, sizeof pads);
+    cab.ticked = true;
+    cab_check_recording(session_tick(&cab.session, pads));
     report_difference();
     cab_keep_tick();
     handle_output();
@@ -269,6 +276,7 @@ void cab_rewind(uint32_t frames)
 void cab_take_over(void)
 {
     static char name[CAB_NAME];
+    char shown[FILES_PATH];
 
     if (!cab.session.demo) {
         cab_notice(CAB_NOTICE_FRAMES, "nothing to take over: it is you who plays");
@@ -279,10 +287,12 @@ void cab_take_over(void)
         cab_check_recording(session_take_over(&cab.session, NULL));
         cab_notice(CAB_NOTICE_FRAMES, "you play, for practice: nothing of it counts");
     } else {
-        cab_free_name(name, "demo");
+        cab_free_name(name, "", "demo");
         bool given = cab.options.record != NULL;
         cab_check_recording(session_take_over(&cab.session, given ? cab.options.record : name));
-        cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", given ? cab.options.record : name);
+        if (given || !plat_path(name, shown, sizeof shown))
+            snprintf(shown, sizeof shown, "%s", given ? cab.options.record : name);
+        cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", shown);
         cab_say("curtain: %s: %s", cab_game(), cab.notice);
     }
     cab.paused = false;
@@ -334,6 +344,7 @@ void cab_check_folder(void)
 void cab_fit_cart(void)
 {
     const struct manifest *m = &cab_cart()->m;
+    const int w = cab.picture.fb.w, h = cab.picture.fb.h;
 
     cab.fault_reported = false;
     practice_reloaded(&cab.practice, cab_cart());
@@ -344,8 +355,7 @@ void cab_fit_cart(void)
         cab.quit = true;
         return;
     }
-    if (cab.want.w != m->screen_w || cab.want.h != m->screen_h || strcmp(cab.title, m->title) != 0 ||
-        cab.want.rate != cab_sound_rate())
+    if (w != m->screen_w || h != m->screen_h || strcmp(cab.title, m->title) != 0 || cab.want.rate != cab_sound_rate())
         cab.quit = !cab_open_window() || cab.quit;
 }
 

@@ -15,19 +15,16 @@ bool cab_run_is_on(void)
 void cab_apply_settings(void)
 {
     const struct config *c = &cab.config;
-    const bool window = cab.want.fullscreen != (c->fullscreen != 0) || cab.want.scale != c->scale;
     const int slow = 1 << c->speed;
 
+    cab_pads_apply();
     cab.speaker.volume = c->volume;
     cab.speaker.muted = c->mute;
     speaker_levels(&cab.speaker, c->music, c->sounds);
     if (slow != cab.slow)
         cab_mark_assisted();
     cab.slow = slow;
-    cab.want.scale = c->scale;
-    cab.want.fullscreen = c->fullscreen;
-    if (window || (!c->mute && !cab.want.rate && cab_sound_rate()))
-        cab.quit = !cab_open_window() || cab.quit;
+    cab.quit = !cab_open_window() || cab.quit;
 }
 
 static void open_asked(enum board_ask what)
@@ -62,7 +59,7 @@ static void heed_focus(const struct plat_input *in)
     const bool left = cab.focus && !in->focus;
 
     cab.focus = in->focus;
-    if (!left || !cab.config.away || cab.attracting || cab.practice.open || cab.console.open || cab.prompt.open)
+    if (!left || !cab.config.away || cab.attracting || cab.console.open || cab.prompt.open)
         return;
     if (cab.session.demo)
         cab.paused = true;
@@ -70,26 +67,38 @@ static void heed_focus(const struct plat_input *in)
         cab_open_menu();
 }
 
-bool cab_screen_keys(const struct plat_input *in, const struct keys_read *k)
+/* The keys that open a screen, while none is open. */
+static void opening_keys(const struct keys_read *k)
+{
+    if (cab.console.open)
+        return;
+    if (k->pressed & (uint32_t)1 << CAB_HELP)
+        cab_open_keys();
+    else if (k->pressed & (uint32_t)1 << CAB_MENU)
+        cab_open_menu();
+}
+
+bool cab_screen_keys(const struct plat_input *in, struct keys_read *k)
 {
     const bool were = screens_are_open(&cab.screens);
 
-    if (were)
-        screens_poll(&cab.screens, in, k);
-    else
+    if (were) {
+        const bool practice = screens_top(&cab.screens) == &practice_screen;
+        const bool listened = screens_poll(&cab.screens, in, k);
+        if (practice)
+            cab_practice_screen();
+        if (listened)
+            k->pressed = 0;
+        if (k->pressed & ((uint32_t)1 << CAB_HELP | (uint32_t)1 << CAB_PRACTICE))
+            screens_close_all(&cab.screens);
+    } else {
         heed_focus(in);
-    if (!were && !screens_are_open(&cab.screens) && !cab.console.open && k->pressed & (uint32_t)1 << CAB_HELP)
-        cab_open_keys();
-    else if (!were && !screens_are_open(&cab.screens) && !cab.console.open && k->pressed & (uint32_t)1 << CAB_MENU) {
-        if (cab.practice.open)
-            cab.practice.open = false;
-        else
-            cab_open_menu();
+        if (!screens_are_open(&cab.screens))
+            opening_keys(k);
     }
     if (!were && !screens_are_open(&cab.screens))
         return false;
-    for (int i = 0; i < PADS; i++)
-        cab.stale[i] = k->pads[i];
+    memcpy(cab.stale, k->pads, sizeof cab.stale);
     memset(cab.pads, 0, sizeof cab.pads);
     return true;
 }

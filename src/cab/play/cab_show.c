@@ -1,5 +1,7 @@
 /*
- * cab_show.c - the window: the board's picture, and over a copy of it the message, time bar, panels, console or menu.
+ * cab_show.c - the board's picture, and over a copy of it, or beside it, the message, time bar, panels, console or menu.
+ *
+ * What is over the picture stands at its bottom, for scores stand at the top of most games.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +15,7 @@
 
 enum { BLINK = 20 }; /* frames; PRESS START is there for two of three */
 
-/* ---- the window, and the picture ---- */
+/* ---- the picture ---- */
 
 bool cab_picture_open(struct picture *p, const struct board *b)
 {
@@ -35,28 +37,54 @@ void cab_picture_close(struct picture *p)
     *p = (struct picture){ 0 };
 }
 
-int cab_sound_rate(void)
+/* The board that is to be seen; of one with a fault nothing is drawn any more. */
+static const struct board *board_seen(void)
 {
-    return board_has_sound(cab_live()) && (!cab.speaker.muted || cab.want.rate) ? SPEAKER_RATE : 0;
+    return cab.attracting ? cab.attract_guard.board : cab_fault() ? NULL : cab_live();
 }
 
-bool cab_open_window(void)
+/* What the settings say now. */
+static struct view view_now(struct picture *p)
 {
-    const struct manifest *m = &cab_cart()->m;
-
-    cab.want.rate = cab_sound_rate();
-    cab.want.w = m->screen_w;
-    cab.want.h = m->screen_h;
-    snprintf(cab.title, sizeof cab.title, "%s", m->title); /* the manifest may go */
-    cab.want.title = cab.title;
-    return plat_open(&cab.want);
+    return (struct view){ .dim = (enum view_dim)cab.config.dim,
+                          .soft_flashes = cab.config.flashes,
+                          .colours = (enum view_colours)cab.config.colours,
+                          .shades = cab.config.dim ? shade_for(&p->shades, cab_cart()) : NULL };
 }
 
 void cab_picture_draw(struct picture *p)
 {
-    const struct board *b = cab.attracting ? cab.attract_guard.board : cab_live();
-    if (cab.attracting || !cab_fault())
-        board_draw(b, &p->fb, p->rgb, p->scratch);
+    const struct view view = view_now(p);
+    const struct board *b = board_seen();
+
+    if (b)
+        board_draw(b, &view, &p->fb, p->rgb, p->scratch);
+}
+
+/* Are the hit shapes of ships to be drawn, and is there one? */
+static bool ships_shown(void)
+{
+    struct inspect_body ship;
+
+    return cab.config.hitbox && !cab.attracting && !cab_fault() &&
+           (inspect_ship(cab_live(), 0, &ship) || inspect_ship(cab_live(), 1, &ship));
+}
+
+/* Only where the next tick is the player's own, and nothing asks what stands there now. */
+void cab_look_ahead(void)
+{
+    const bool own = cab.ticked && !cab.session.demo && !cab.attracting && !cab.paused && !cab.rewinding &&
+                     cab.slow == 1 && cab.session.state == SESSION_PLAYING;
+
+    if (cab.config.run_ahead && own && !screens_are_open(&cab.screens) && !cab.console.open && !cab.quit &&
+        !cab_fault())
+        ahead_begin(&cab.ahead, &cab.session.now->guard, cab.last_pads);
+    cab.picture.ahead = cab.ahead.on;
+}
+
+void cab_look_back(void)
+{
+    ahead_end(&cab.ahead, &cab.session.now->guard);
 }
 
 static struct canvas copy_picture(struct picture *p)
@@ -67,6 +95,9 @@ static struct canvas copy_picture(struct picture *p)
         memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
     canvas_open(&canvas, &p->composed, p->composed_rgb);
+    canvas_view(&canvas, (enum view_colours)cab.config.colours);
+    if (ships_shown())
+        overlay_ships(&canvas, cab_live());
     return canvas;
 }
 
@@ -128,60 +159,120 @@ bool cab_timebar_shown(void)
            (cab.prompt.open || cab.rewinding || cab.timebar_left > 0 || (cab.session.demo && cab.paused));
 }
 
-static void draw_progress(const struct canvas *canvas)
+static void draw_progress(const struct canvas *canvas, int y)
 {
     int w = canvas->fb->w, done = (int)((int64_t)w * session_progress(&cab.session) / 1000);
 
-    canvas_rect(canvas, 0, CANVAS_CELL_H + 1, w, 2, CANVAS_GREY);
-    canvas_rect(canvas, 0, CANVAS_CELL_H + 1, done, 2, CANVAS_GREEN);
+    canvas_rect(canvas, 0, y, w, 2, CANVAS_GREY);
+    canvas_rect(canvas, 0, y, done, 2, CANVAS_GREEN);
+}
+
+/* What is over the picture, or beside it: the texts, and where there is room for them. */
+struct over {
+    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
+    struct canvas picture, beside; /* beside.fb NULL: all of it is over the picture */
+    int y0, y1;                    /* rows that are free for panels */
+};
+
+static bool anything(const struct over *o)
+{
+    return o->text[0] || o->hint[0] || cab_timebar_shown() || cab.console.open || overlay_on(&cab.overlay) ||
+           ships_shown();
+}
+
+static struct canvas side_canvas(const struct canvas *picture)
+{
+    struct canvas side = *picture;
+
+    side.fb = cab_window_side();
+    if (!side.fb)
+        return side;
+    fb_clip_all(side.fb);
+    fb_fill(side.fb, side.colour[CANVAS_DARK]);
+    return side;
+}
+
+/* From the bottom upwards: the console or the time bar, the message above it. */
+static void draw_over(struct over *o)
+{
+    const struct canvas *canvas = &o->picture;
+    const bool bar = cab_timebar_shown() && !cab.console.open;
+
+    o->y1 = console_draw(&cab.console, canvas) - (bar ? TIMEBAR_H : 0);
+    if (o->text[0])
+        o->y1 = message_draw_above(canvas, o->y1, o->text);
+    if (cab.session.state != SESSION_PLAYING)
+        draw_progress(canvas, o->y1 -= 2);
+    if (o->hint[0] && !cab.console.open && !bar)
+        draw_hint(canvas, o->hint);
+}
+
+/* The message at the top, the console at the bottom, panels between them. */
+static void draw_beside(struct over *o)
+{
+    const struct canvas *canvas = &o->beside;
+
+    o->y1 = console_draw(&cab.console, canvas);
+    o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : o->hint[0] ? message_draw(canvas, 0, o->hint) : 0;
+    if (cab.session.state != SESSION_PLAYING) {
+        draw_progress(canvas, o->y0 + 1);
+        o->y0 += 3;
+    }
+}
+
+static void show_over(struct picture *p, struct over *o)
+{
+    o->picture = copy_picture(p);
+    o->beside = side_canvas(&o->picture);
+    if (o->beside.fb)
+        draw_beside(o);
+    else
+        draw_over(o);
+    const struct overlay_place place = { &o->picture, o->beside.fb ? &o->beside : NULL, o->y0, o->y1 };
+    overlay_draw(&cab.overlay, &place, cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
+    if (cab_timebar_shown() && (o->beside.fb || !cab.console.open))
+        timebar_draw(&o->picture, &cab.session);
+    cab_window_show(&p->composed, p->composed_rgb, true);
 }
 
 void cab_picture_show(struct picture *p)
 {
-    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
+    struct over o = { .y0 = 0 };
 
-    if (cab.practice.open || screens_are_open(&cab.screens)) {
+    cab_window_begin(p->fb.w, p->fb.h);
+    if (screens_are_open(&cab.screens)) {
         struct canvas canvas = copy_picture(p);
-        cab_screens_foot(hint, sizeof hint);
-        if (cab.practice.open)
-            practice_draw(&cab.practice, &canvas);
-        else
-            screens_draw(&cab.screens, &canvas, hint);
-        plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
+        cab_screens_foot(o.hint, sizeof o.hint);
+        screens_draw(&cab.screens, &canvas, o.hint);
+        cab_window_show(&p->composed, p->composed_rgb, false);
         return;
     }
-    message_text(text, sizeof text);
-    hint_text(text, hint, sizeof hint);
-    if (!text[0] && !hint[0] && !cab_timebar_shown() && !cab.console.open && !overlay_on(&cab.overlay)) {
-        plat_show(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb);
-        return;
-    }
-    struct canvas canvas = copy_picture(p);
-    int y0 = text[0] ? message_draw(&canvas, 0, text) : 0, y1 = console_draw(&cab.console, &canvas);
-    overlay_draw(&cab.overlay, &canvas, y0, cab_timebar_shown() && !cab.console.open ? y1 - TIMEBAR_H : y1,
-                 cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
-    if (cab.session.state != SESSION_PLAYING)
-        draw_progress(&canvas);
-    if (hint[0] && !cab.console.open && !cab_timebar_shown())
-        draw_hint(&canvas, hint);
-    if (cab_timebar_shown() && !cab.console.open)
-        timebar_draw(&canvas, &cab.session);
-    plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
+    message_text(o.text, sizeof o.text);
+    hint_text(o.text, o.hint, sizeof o.hint);
+    if (anything(&o))
+        show_over(p, &o);
+    else
+        cab_window_show(&p->fb, p->rgb, false);
 }
 
-void cab_screenshot(const struct picture *p)
+void cab_screenshot(struct picture *p)
 {
-    char name[CAB_NAME];
-    char err[CAB_NAME + 128];
+    const struct board *b = board_seen();
+    const struct fb *fb = b ? &p->composed : &p->fb;
+    const uint32_t *rgb = b ? p->composed_rgb : p->rgb;
+    char name[CAB_NAME], shown[FILES_PATH], err[FILES_ERR];
     uint8_t *png;
     size_t size;
 
-    cab_free_name(name, "png");
-    if (!png_write(p->fb.pix, p->fb.pitch, p->fb.w, p->fb.h, p->rgb, &png, &size)) {
+    cab_free_name(name, "pictures:", "png");
+    if (b)
+        board_draw(b, NULL, &p->composed, p->composed_rgb, p->scratch);
+    if (!png_write(fb->pix, fb->pitch, fb->w, fb->h, rgb, &png, &size)) {
         plat_log("curtain: no memory for a screenshot");
         return;
     }
     bool good = files_save(name, png, size, err, sizeof err);
-    cab_say(good ? "wrote %s" : "curtain: %s", good ? name : err);
+    cab_say(good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
+    cab_notice(CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
     free(png);
 }

@@ -1,6 +1,5 @@
 /*
- * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections. It scrolls,
- * so it fits every screen; names are cut before they reach the numbers' column.
+ * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections.
  */
 #include "practice.h"
 
@@ -46,20 +45,9 @@ static struct row row_at(const struct practice_menu *m, int at)
 }
 
 /* Rows that cannot be chosen: the blank line, and the bosses' headings. */
-static bool is_heading(const struct practice_menu *m, int at)
+static bool is_heading(const struct practice_menu *m, struct row r)
 {
-    struct row r = row_at(m, at);
-
     return r.kind == ROW_BLANK || (r.kind == ROW_SECTION && m->sections.section[r.i].kind == SECTION_BOSS);
-}
-
-/* The next row that can be chosen, round the list's ends. */
-static int step(const struct practice_menu *m, int at, int direction)
-{
-    do
-        at = (at + direction + rows(m)) % rows(m);
-    while (is_heading(m, at));
-    return at;
 }
 
 /* The row of a section; if none has that id the first section's, or the title's. */
@@ -69,7 +57,7 @@ static int row_of(const struct practice_menu *m, const char *id)
 
     for (int at = rows(m) - 1; at > 0; at--) {
         struct row r = row_at(m, at);
-        if (r.kind != ROW_SECTION || is_heading(m, at))
+        if (r.kind != ROW_SECTION || is_heading(m, r))
             continue;
         if (strcmp(m->sections.section[r.i].id, id) == 0)
             return at;
@@ -180,19 +168,6 @@ static void take_settings(struct practice_menu *m)
                 m->value[i] = p->reg[k].value;
 }
 
-void practice_open(struct practice_menu *m, int slow)
-{
-    if (!m->listed)
-        list(m);
-    take_settings(m);
-    m->slow = slow;
-    m->row = row_of(m, m->section);
-    m->top = 0;
-    m->held = PAD_ALL;
-    m->held_for = 0;
-    m->open = true;
-}
-
 void practice_chosen(const struct practice_menu *m, struct board_start *out)
 {
     struct practice *p = &out->practice;
@@ -226,19 +201,22 @@ static int32_t add_within(int32_t v, int by)
     return (int32_t)(sum < 0 ? 0 : sum > INT32_MAX ? INT32_MAX : sum);
 }
 
-static void change(struct practice_menu *m, int direction, int times)
+/* by: -1 or 1, or ten times as much for what is counted. */
+static void change(void *of, int at, int by)
 {
-    struct row r = row_at(m, m->row);
+    struct practice_menu *m = of;
+    const struct row r = row_at(m, at);
+    const int direction = by < 0 ? -1 : 1;
 
     switch (r.kind) {
     case ROW_DIFFICULTY:
         m->difficulty = round_to(m->difficulty + direction, 0, m->cart->m.n_difficulties - 1);
         break;
     case ROW_LIVES:
-        m->lives = round_to(m->lives + direction * times, 0, PRACTICE_LIVES);
+        m->lives = round_to(m->lives + by, 0, PRACTICE_LIVES);
         break;
     case ROW_REGISTER:
-        m->value[r.i] = add_within(m->value[r.i], direction * times);
+        m->value[r.i] = add_within(m->value[r.i], by);
         break;
     case ROW_INVINCIBLE:
         m->invincible = !m->invincible;
@@ -254,87 +232,24 @@ static void change(struct practice_menu *m, int direction, int times)
     }
 }
 
-static enum practice_choice accept(struct practice_menu *m)
+static void accept(void *of, int at)
 {
-    struct row r = row_at(m, m->row);
+    struct practice_menu *m = of;
+    const struct row r = row_at(m, at);
 
     if (r.kind == ROW_TITLE)
         m->section[0] = 0;
-    else if (r.kind == ROW_SECTION)
+    else
         memcpy(m->section, m->sections.section[r.i].id, sizeof m->section);
-    else {
-        change(m, 1, 1);
-        return PRACTICE_STAYS;
-    }
-    m->open = false;
-    return PRACTICE_START;
+    m->start_chosen = true;
+    screens_close_all(m->screens);
 }
 
-/* Buttons that were just pressed, and arrows that repeat because they are held. */
-static uint16_t pressed(struct practice_menu *m, uint16_t pad)
+/* ---- rows as they are shown ---- */
+
+static int count(void *of)
 {
-    enum { WAIT = 20, AGAIN = 3 };
-    const uint16_t arrows = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT;
-    uint16_t fresh = (uint16_t)(pad & ~m->held);
-
-    m->held_for = pad & arrows && !(fresh & arrows) ? m->held_for + 1 : 0;
-    m->held = pad;
-    if (m->held_for >= WAIT && (m->held_for - WAIT) % AGAIN == 0)
-        fresh |= (uint16_t)(pad & arrows);
-    return fresh;
-}
-
-enum practice_choice practice_poll(struct practice_menu *m, uint16_t pad)
-{
-    uint16_t fresh = pressed(m, pad);
-    int times = pad & PAD_FOCUS ? 10 : 1;
-
-    if (fresh & PAD_UP)
-        m->row = step(m, m->row, -1);
-    if (fresh & PAD_DOWN)
-        m->row = step(m, m->row, 1);
-    if (fresh & PAD_LEFT)
-        change(m, -1, times);
-    if (fresh & PAD_RIGHT)
-        change(m, 1, times);
-    if (fresh & PAD_FIRE)
-        return accept(m);
-    m->open = !(fresh & PAD_BOMB);
-    return m->open ? PRACTICE_STAYS : PRACTICE_BACK;
-}
-
-/* ---- drawing ---- */
-
-enum { ROW_H = CANVAS_CELL_H + 1, EDGE = 2, FOOT_FROM = 160 /* px of height with room for a line of help */ };
-
-/* The menu's rectangle, in pixels; the numbers' column ends at its right edge. */
-struct page {
-    const struct canvas *canvas;
-    int x, y, w, h;
-};
-
-/* Text cut to w pixels, with two dots where it is cut. */
-static void draw_cut(const struct page *p, int x, int y, int w, enum canvas_colour c, const char *text)
-{
-    int room = w / CANVAS_CELL_W, n = (int)strlen(text);
-
-    if (n <= room) {
-        canvas_text(p->canvas, x, y, c, text);
-        return;
-    }
-    int kept = room > 2 ? room - 2 : 0;
-    x = canvas_bytes(p->canvas, x, y, c, text, kept);
-    canvas_bytes(p->canvas, x, y, c, "..", room - kept);
-}
-
-/* Draws a row's left part, cut where it must be, and its right part, which never is, at the right edge. */
-static void line(const struct page *p, int y, int indent, enum canvas_colour c, const char *left, enum canvas_colour rc,
-                 const char *right)
-{
-    int x = p->x + EDGE + indent * CANVAS_CELL_W, end = p->x + p->w - EDGE, w = canvas_width(right);
-
-    draw_cut(p, x, y, end - x - (w ? w + CANVAS_CELL_W : 0), c, left);
-    canvas_text(p->canvas, end - w, y, rc, right);
+    return rows(of);
 }
 
 static const struct record *record_of(const struct practice_menu *m, const struct section *section)
@@ -348,149 +263,91 @@ static enum canvas_colour colour_of(const struct record *r)
     return !r || !r->attempts ? CANVAS_GREY : r->captures ? CANVAS_GREEN : CANVAS_YELLOW;
 }
 
-/* A boss is shown by its title, with its name in the numbers' column; other sections by name and title. */
-static void draw_section(const struct practice_menu *m, const struct page *p, int y, const struct section *section,
-                         bool chosen)
+/* A boss is shown by its title, with its name beside it; other sections by name and title. */
+static void describe_section(const struct practice_menu *m, const struct section *section, struct screen_row *row)
 {
     const struct record *r = record_of(m, section);
-    bool stage = section->kind == SECTION_STAGE;
-    char left[96], right[32];
+    const bool stage = section->kind == SECTION_STAGE, titled = section->title[0];
 
     if (section->kind == SECTION_BOSS) {
-        line(p, y, 0, CANVAS_CYAN, section->title[0] ? section->title : section->name, CANVAS_GREY,
-             section->title[0] ? section->name : "");
+        snprintf(row->label, sizeof row->label, "%s", titled ? section->title : section->name);
+        snprintf(row->value, sizeof row->value, "%s", titled ? section->name : "");
+        row->value_ink = CANVAS_GREY;
         return;
     }
-    snprintf(left, sizeof left, "%s%s%s%s", stage ? "stage " : "", section->name, section->title[0] ? "  " : "",
+    snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "stage " : "  ", section->name, titled ? "  " : "",
              section->title);
-    snprintf(right, sizeof right, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
-    line(p, y, stage ? 0 : 2,
-         chosen  ? CANVAS_DARK
-         : stage ? CANVAS_CYAN
-                 : CANVAS_WHITE,
-         left, chosen ? CANVAS_DARK : colour_of(r), right);
+    snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
+    if (m->records.damaged)
+        snprintf(row->help, sizeof row->help, "not counted: the file of tries is damaged");
+    else if (r && r->attempts)
+        snprintf(row->help, sizeof row->help, "won %d of %d tries", (int)r->captures, (int)r->attempts);
+    else
+        snprintf(row->help, sizeof row->help, "never tried");
+    row->ink = stage ? CANVAS_CYAN : CANVAS_WHITE;
+    row->value_ink = colour_of(r);
 }
 
-/* The text of a setting. */
-static void setting(const struct practice_menu *m, struct row r, char left[64], char right[32])
+static void describe_setting(const struct practice_menu *m, struct row r, struct screen_row *row)
 {
-    static const char *const speeds[] = { "", "1", "1/2", "", "1/4" };
-    static const char *const names[] = { "", "difficulty", "lives", "", "invincible", "hitbox", "speed" };
+    static const char *const speeds[] = { "", "full", "half", "", "quarter" };
+    static const char *const names[] = { "", "difficulty", "lives", "", "invincible", "hit shapes", "speed" };
 
-    snprintf(left, 64, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].name : names[r.kind]);
+    snprintf(row->label, sizeof row->label, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].name : names[r.kind]);
+    row->changes = true;
     switch (r.kind) {
     case ROW_DIFFICULTY:
-        snprintf(right, 32, "%s", m->cart->m.difficulties[m->difficulty]);
+        snprintf(row->value, sizeof row->value, "%s", m->cart->m.difficulties[m->difficulty]);
         break;
     case ROW_LIVES:
-        snprintf(right, 32, m->lives ? "%d" : "ship: %d", m->lives ? m->lives : (int)m->sections.lives);
+        snprintf(row->value, sizeof row->value, m->lives ? "%d" : "ship: %d",
+                 m->lives ? m->lives : (int)m->sections.lives);
         break;
     case ROW_REGISTER:
-        snprintf(right, 32, "%d", (int)m->value[r.i]);
+        snprintf(row->value, sizeof row->value, "%d", (int)m->value[r.i]);
         break;
     case ROW_INVINCIBLE:
-        snprintf(right, 32, "%s", m->invincible ? "yes" : "no");
+        snprintf(row->value, sizeof row->value, "%s", m->invincible ? "yes" : "no");
         break;
     case ROW_HITBOX:
-        snprintf(right, 32, "%s", m->hitbox ? "shown" : "no");
+        snprintf(row->value, sizeof row->value, "%s", m->hitbox ? "shown" : "no");
         break;
     default:
-        snprintf(right, 32, "%s", speeds[m->slow]);
+        snprintf(row->value, sizeof row->value, "%s", speeds[m->slow]);
     }
 }
 
-static void draw_row(const struct practice_menu *m, const struct page *p, int y, int at)
+static void describe(void *of, int at, struct screen_row *row)
 {
-    struct row r = row_at(m, at);
-    bool chosen = at == m->row;
-    char left[64], right[32], both[40];
+    const struct practice_menu *m = of;
+    const struct row r = row_at(m, at);
 
-    if (chosen)
-        canvas_rect(p->canvas, p->x, y - 1, p->w, ROW_H, CANVAS_WHITE);
+    row->heading = is_heading(m, r);
     if (r.kind == ROW_SECTION)
-        draw_section(m, p, y, &m->sections.section[r.i], chosen);
+        describe_section(m, &m->sections.section[r.i], row);
     else if (r.kind == ROW_TITLE)
-        line(p, y, 0, chosen ? CANVAS_DARK : CANVAS_WHITE, "the game from its title", CANVAS_DARK, "");
-    else if (r.kind != ROW_BLANK) {
-        setting(m, r, left, right);
-        snprintf(both, sizeof both, chosen ? "< %s >" : "%s", right);
-        line(p, y, 0, chosen ? CANVAS_DARK : CANVAS_WHITE, left, chosen ? CANVAS_DARK : CANVAS_YELLOW, both);
-    }
+        snprintf(row->label, sizeof row->label, "the game from its title");
+    else if (r.kind != ROW_BLANK)
+        describe_setting(m, r, row);
 }
 
-/* How many bytes of s fit on one line; it breaks at blanks where there are some. */
-static int line_length(const char *s, int room)
+static const char *text(void *of)
 {
-    int n = (int)strlen(s), at = room;
-
-    if (n <= room)
-        return n;
-    while (at > room / 2 && s[at] != ' ')
-        at--;
-    return s[at] == ' ' ? at : room;
+    return ((const struct practice_menu *)of)->sections.why;
 }
 
-/* Draws a sentence in lines from y down; returns the y after it. */
-static int draw_text(const struct page *p, int y, const char *s)
+const struct screen_def practice_screen = {
+    .title = "practice", .text = text, .rows = count, .row = describe, .change = change, .accept = accept
+};
+
+void practice_open(struct practice_menu *m, struct screens *screens, int slow)
 {
-    int room = (p->w - 2 * EDGE) / CANVAS_CELL_W;
-
-    while (*s && room > 0 && y + CANVAS_CELL_H <= p->y + p->h / 2) {
-        int n = line_length(s, room);
-        canvas_bytes(p->canvas, p->x + EDGE, y, CANVAS_RED, s, n);
-        s += n;
-        s += strspn(s, " ");
-        y += ROW_H;
-    }
-    return y;
-}
-
-/* The first row to show so that the chosen row and its neighbours are visible: the one above may be a heading. */
-static int scrolled(const struct practice_menu *m, int shown)
-{
-    int top = m->top, most = rows(m) - shown;
-
-    if (m->row < top + 1)
-        top = m->row - 1;
-    if (m->row > top + shown - 2)
-        top = m->row - shown + 2;
-    if (top > most)
-        top = most;
-    return top < 0 ? 0 : top;
-}
-
-static struct page page_of(const struct canvas *canvas)
-{
-    int w = canvas->fb->w, h = canvas->fb->h, margin = w >= 160 && h >= 160 ? 8 : 0;
-
-    return (struct page){ canvas, margin, margin, w - 2 * margin, h - 2 * margin };
-}
-
-static void draw_bar(const struct practice_menu *m, const struct page *p, int y)
-{
-    int n = rows(m), h = m->shown * ROW_H;
-
-    if (n > m->shown)
-        canvas_rect(p->canvas, p->x + p->w - 1, y + h * m->top / n, 1, h * m->shown / n, CANVAS_GREY);
-}
-
-void practice_draw(struct practice_menu *m, const struct canvas *canvas)
-{
-    struct page p = page_of(canvas);
-    int y = p.y + EDGE;
-
-    canvas_rect(canvas, p.x, p.y, p.w, p.h, CANVAS_DARK);
-    canvas_frame(canvas, p.x - 1, p.y - 1, p.w + 2, p.h + 2, CANVAS_GREY);
-    line(&p, y, 0, CANVAS_GREY, "practice", CANVAS_GREY, m->records.damaged ? "not counted" : "won/tried");
-    y += ROW_H;
-    if (m->sections.why[0])
-        y = draw_text(&p, y, m->sections.why);
-    bool foot = p.h >= FOOT_FROM;
-    m->shown = (p.y + p.h - y) / ROW_H - foot;
-    if (foot)
-        line(&p, p.y + p.h - ROW_H, 0, CANVAS_GREY, "fire: start   bomb: back   left, right: change", CANVAS_GREY, "");
-    m->top = scrolled(m, m->shown);
-    for (int i = 0; i < m->shown && m->top + i < rows(m); i++)
-        draw_row(m, &p, y + 1 + i * ROW_H, m->top + i);
-    draw_bar(m, &p, y);
+    if (!m->listed)
+        list(m);
+    take_settings(m);
+    m->screens = screens;
+    m->start_chosen = false;
+    m->slow = slow;
+    screens_open(screens, &practice_screen, m);
+    screens_choose(screens, row_of(m, m->section));
 }

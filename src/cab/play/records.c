@@ -183,9 +183,9 @@ char *records_text(const struct records *r, size_t *size)
 
 static void report(const char *file, const char *what)
 {
-    char line[512];
+    char line[FILES_PATH + 512], shown[FILES_PATH];
 
-    snprintf(line, sizeof line, "curtain: %s: %s", file, what);
+    snprintf(line, sizeof line, "curtain: %s: %s", files_shown(file, shown), what);
     plat_log(line);
 }
 
@@ -219,7 +219,7 @@ void records_load(struct records *r, const char *id)
 
 void records_save(struct records *r)
 {
-    char err[256], line[300];
+    char err[FILES_ERR], line[FILES_ERR + 16];
     size_t size;
 
     if (!r->changed || r->damaged)

@@ -1,10 +1,192 @@
 /*
- * screen_keys.c - every key and button, what it does, and another one in its place by pressing it.
+ * screen_keys.c - every key and button and what it does; another one by pressing it. What a new switch did before it
+ * does no more, but for the same button of the other player's controller.
  */
 #include <stdio.h>
 #include <string.h>
+#include "../pads/switches.h"
 #include "cab_parts.h"
+
+enum { GROUPS = PADS + 1, STANDARD = KEYS_ACTIONS + GROUPS, ROWS };
+
+static struct {
+    bool listening;
+    int action; /* for which */
+    struct keys_capture capture;
+    bool began; /* capture has seen what was held */
+} wait;
+
+/* The action of a row; -1: a heading, or the last row. Each group has a heading: the players, then the cabinet. */
+static int action_at(int at)
+{
+    for (int group = 0, first = 0; group < GROUPS; group++) {
+        const int n = group < PADS ? PAD_BUTTONS : CAB_KEYS;
+        if (at < first + n + 1)
+            return at == first ? -1 : at - group - 1;
+        first += n + 1;
+    }
+    return -1;
+}
+
+static int rows(void *of)
+{
+    (void)of;
+    return ROWS;
+}
+
+/* All switches of an action as they are printed: "z, cross". */
+static void labels_of(int action, char *out, size_t size)
+{
+    const struct keys *k = &cab.config.keys;
+    const struct keys_device *d = action < PADS * PAD_BUTTONS ? &k->player[action / PAD_BUTTONS] : &k->cabinet;
+    char label[SWITCH_NAME];
+    size_t n = 0;
+
+    snprintf(out, size, "-");
+    for (int i = 0; i < KEYS_EACH && n < size; i++) {
+        if (!k->code[action][i])
+            continue;
+        switch_label(k->code[action][i], d->kind, label, sizeof label);
+        n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", label);
+    }
+}
+
+static const char *button_name(int action)
+{
+    const char *dot = strchr(keys_action(action), '.');
+
+    return dot ? dot + 1 : keys_action(action);
+}
+
+static void describe_heading(int at, struct screen_row *row)
+{
+    row->heading = at != STANDARD;
+    if (at == STANDARD) {
+        snprintf(row->label, sizeof row->label, "all as they were");
+        snprintf(row->help, sizeof row->help, "every key and button does again what it does in a new installation");
+    } else if (at < PADS * (PAD_BUTTONS + 1)) {
+        snprintf(row->label, sizeof row->label, "player %d", at / (PAD_BUTTONS + 1) + 1);
+    } else {
+        snprintf(row->label, sizeof row->label, "the cabinet");
+    }
+}
+
+static void describe(void *of, int at, struct screen_row *row)
+{
+    const int action = action_at(at);
+
+    (void)of;
+    if (action < 0) {
+        describe_heading(at, row);
+        return;
+    }
+    const int same =
+        action < PADS * PAD_BUTTONS ? action % PAD_BUTTONS : action; /* both players' buttons mean the same */
+    snprintf(row->label, sizeof row->label, "%s", button_name(action));
+    labels_of(action, row->value, sizeof row->value);
+    if (wait.listening && wait.action == action)
+        snprintf(row->value, sizeof row->value, "press it ...");
+    snprintf(row->help, sizeof row->help, "%s\nEnter: one more, by pressing it. Delete: one less.", keys_meaning(same));
+}
+
+/* ---- changes ---- */
+
+static void take(uint16_t code)
+{
+    struct keys *k = &cab.config.keys;
+    const char *name = keys_action(wait.action), *other = keys_conflict(k, name, code);
+    char err[160], label[SWITCH_NAME];
+
+    switch_label(code, k->cabinet.kind, label, sizeof label);
+    if (!keys_add(k, name, code, err, sizeof err)) {
+        screens_say(&cab.screens, "%s", err);
+        return;
+    }
+    if (!other) {
+        screens_say(&cab.screens, "%s: %s", name, label);
+        return;
+    }
+    screens_say(&cab.screens, "%s: %s, which was %s before", name, label, other);
+    for (; other; other = keys_conflict(k, name, code))
+        keys_drop(k, other, code);
+}
+
+static bool listen(void *of, const struct plat_input *in)
+{
+    (void)of;
+    if (!wait.listening)
+        return false;
+    if (!wait.began)
+        keys_capture_begin(&wait.capture, in);
+    const uint16_t code = wait.began ? keys_capture(&wait.capture, in) : 0;
+    wait.began = true;
+    if (code) {
+        wait.listening = false;
+        if (!keys_reserved(code))
+            take(code);
+    }
+    return true;
+}
+
+static void all_as_they_were(void *of)
+{
+    struct keys standard;
+
+    (void)of;
+    keys_defaults(&standard);
+    memcpy(cab.config.keys.code, standard.code, sizeof standard.code);
+    cab_apply_settings();
+}
+
+static void accept(void *of, int at)
+{
+    (void)of;
+    if (at == STANDARD) {
+        screens_ask(&cab.screens, "All keys and buttons that you have changed are as they were.", "yes",
+                    all_as_they_were, NULL);
+        return;
+    }
+    wait.listening = true;
+    wait.began = false;
+    wait.action = action_at(at);
+    screens_say(&cab.screens, "%s: press a key or button. Escape: leave it.", keys_action(wait.action));
+}
+
+/* The last switch that may be taken away. */
+static void drop_one(void *of, int at)
+{
+    const int action = action_at(at);
+
+    (void)of;
+    for (int i = KEYS_EACH - 1; action >= 0 && i >= 0; i--) {
+        const uint16_t code = cab.config.keys.code[action][i];
+        if (code && !keys_reserved(code)) {
+            keys_drop(&cab.config.keys, keys_action(action), code);
+            return;
+        }
+    }
+}
+
+static void closed(void *of)
+{
+    (void)of;
+    wait.listening = false;
+    memcpy(cab.kept.keys.code, cab.config.keys.code, sizeof cab.kept.keys.code);
+    cab_save_settings();
+}
+
+static const struct screen_def keys_screen = { .title = "keys",
+                                               .rows = rows,
+                                               .row = describe,
+                                               .accept = accept,
+                                               .remove = drop_one,
+                                               .listen = listen,
+                                               .closed = closed };
 
 void cab_open_keys(void)
 {
+    if (cab.attracting)
+        cab_attract_end();
+    wait.listening = false;
+    screens_open(&cab.screens, &keys_screen, NULL);
 }

@@ -126,7 +126,7 @@ static void accept(void *of, int at)
     }
 }
 
-static const struct screen menu = { .title = "menu", .small = true, .rows = rows, .row = row, .accept = accept };
+static const struct screen_def menu = { .title = "menu", .small = true, .rows = rows, .row = row, .accept = accept };
 
 void cab_open_menu(void)
 {

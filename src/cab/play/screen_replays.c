@@ -222,14 +222,14 @@ static void act_closed(void *of)
     want_text(false);
 }
 
-static const struct screen acts = { .title = "replay",
-                                    .small = true,
-                                    .rows = act_rows,
-                                    .row = act_row,
-                                    .text = act_text,
-                                    .accept = act,
-                                    .listen = listen,
-                                    .closed = act_closed };
+static const struct screen_def acts = { .title = "replay",
+                                        .small = true,
+                                        .rows = act_rows,
+                                        .row = act_row,
+                                        .text = act_text,
+                                        .accept = act,
+                                        .listen = listen,
+                                        .closed = act_closed };
 
 /* ---- the list ---- */
 
@@ -340,15 +340,15 @@ static void draw(void *of, int at, const struct canvas *canvas, struct screen_ar
     draw_words(card(at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
-static const struct screen replays = { .title = "replays",
-                                       .rows = rows,
-                                       .row = row,
-                                       .text = text,
-                                       .accept = accept,
-                                       .remove = ask_delete,
-                                       .closed = closed,
-                                       .height = height,
-                                       .draw = draw };
+static const struct screen_def replays = { .title = "replays",
+                                           .rows = rows,
+                                           .row = row,
+                                           .text = text,
+                                           .accept = accept,
+                                           .remove = ask_delete,
+                                           .closed = closed,
+                                           .height = height,
+                                           .draw = draw };
 
 void cab_open_replays(void)
 {

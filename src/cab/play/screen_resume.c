@@ -46,7 +46,7 @@ static void accept(void *of, int at)
         cab_keep_left();
 }
 
-static const struct screen question = {
+static const struct screen_def question = {
     .title = "you left in the middle", .small = true, .rows = rows, .row = row, .text = text, .accept = accept
 };
 

@@ -17,7 +17,7 @@ static struct {
         const struct config_setting *setting; /* of VALUE, and the first of a GROUP */
     } row[MOST_ROWS];
     int rows;
-    struct config before; /* as it was when the screen was opened */
+    char lang[16]; /* as it was when the screen was opened */
 } list;
 
 static void add(enum kind kind, const struct config_setting *s)
@@ -59,6 +59,7 @@ static void change_lang(int by)
     const int n = cab_cart()->langs + 1, to = (lang_number(cab.config.lang) + (by < 0 ? -1 : 1) + n) % n;
 
     snprintf(cab.config.lang, sizeof cab.config.lang, "%s", to ? cart_lang_name(cab_cart(), to - 1) : "");
+    memcpy(cab.kept.lang, cab.config.lang, sizeof cab.kept.lang);
 }
 
 /* ---- rows ---- */
@@ -71,7 +72,13 @@ static int rows(void *of)
 
 static void describe_value(const struct config_setting *s, struct screen_row *row)
 {
-    config_text(&cab.config, s, row->value, sizeof row->value);
+    char value[SCREEN_VALUE / 2];
+
+    config_text(&cab.config, s, value, sizeof value);
+    if (s->zero && config_value(&cab.config, s) == 0)
+        snprintf(row->value, sizeof row->value, "%s", s->zero);
+    else
+        snprintf(row->value, sizeof row->value, "%s%s", value, s->unit ? s->unit : "");
     snprintf(row->label, sizeof row->label, "%s", s->label);
     snprintf(row->help, sizeof row->help, "%s", s->help);
     row->changes = true;
@@ -107,10 +114,8 @@ static void change_value(const struct config_setting *s, int by)
 {
     const int v = config_value(&cab.config, s), n = s->hi - s->lo + 1;
 
-    if (s->words)
-        config_put(&cab.config, s, s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n);
-    else
-        config_put(&cab.config, s, v + by * s->step);
+    config_put(&cab.config, s, s->words ? s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n : v + by * s->step);
+    config_put(&cab.kept, s, config_value(&cab.config, s));
     cab_apply_settings();
 }
 
@@ -139,15 +144,17 @@ static void begin_anew(void *of)
 
 static void closed(void *of)
 {
+    const bool other = strcmp(cab.config.lang, list.lang) != 0;
+
     (void)of;
     cab_save_settings();
-    if (cab.quit || cab.session.demo || strcmp(cab.config.lang, list.before.lang) == 0)
+    if (cab.quit || cab.session.demo || !other)
         return;
     screens_ask(&cab.screens, "Another language is there when the game begins anew. What is on now ends then.",
                 "begin anew now", begin_anew, NULL);
 }
 
-static const struct screen settings = {
+static const struct screen_def settings = {
     .title = "settings", .rows = rows, .row = describe, .change = change, .accept = accept, .closed = closed
 };
 
@@ -157,9 +164,8 @@ void cab_open_settings(void)
 {
     cab.config.volume = cab.speaker.volume; /* keys may have changed these for now */
     cab.config.mute = cab.speaker.muted;
-    cab.config.fullscreen = cab.want.fullscreen;
     cab.config.speed = cab.slow == 4 ? 2 : cab.slow - 1;
-    list.before = cab.config;
+    memcpy(list.lang, cab.config.lang, sizeof list.lang);
     make_list();
     screens_open(&cab.screens, &settings, NULL);
 }
@@ -168,7 +174,7 @@ void cab_save_settings(void)
 {
     char err[512];
 
-    if (config_save(&cab.config, err, sizeof err))
+    if (config_save(&cab.kept, err, sizeof err))
         return;
     cab_notice(CAB_NOTICE_FRAMES, "the settings are not kept: %s", err);
     screens_say(&cab.screens, "%s", cab.notice);

@@ -142,7 +142,12 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
     struct session_run *r = s->now;
     bool seen = board_frame(r->guard.board) < r->writer.demo.frames;
 
+    s->at = board_frame(r->guard.board);
+    if (!seen)
+        demo_tick_begins(&r->writer, pads);
+    s->ticking = true;
     guard_tick(&r->guard, pads);
+    s->ticking = false;
     if (s->ticked)
         s->ticked(s);
     if (seen)

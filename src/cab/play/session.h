@@ -46,9 +46,11 @@ struct session {
     const char *record;             /* NULL: in memory only */
     struct session_run *now, *next; /* next: what a reload is making; it replaces now */
     enum session_state state;
-    uint32_t from, to; /* frames: of the seek or reload */
-    uint32_t differs;  /* the first frame of a playback found not to be as it was recorded; 0: none */
-    bool rewound;      /* a live run went back once: scores do not count any more */
+    uint32_t from, to;     /* frames: of the seek or reload */
+    uint32_t differs;      /* the first frame of a playback found not to be as it was recorded; 0: none */
+    volatile uint32_t at;  /* the frame that the tick under way began in, for a report of a crash in it */
+    volatile bool ticking; /* one is */
+    bool rewound;          /* a live run went back once: scores do not count any more */
     void (*ticked)(const struct session *s); /* called after each tick of the board; may be NULL */
     char gone[64];                           /* the piece of music that played when a reload took its name away; "" */
     char err[DEMO_PATH + 64];                /* one sentence: why the last session_* call failed */

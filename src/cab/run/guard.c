@@ -124,6 +124,17 @@ const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS])
     return out->fault && out->fault->kind == FAULT_INTERRUPTED ? run_again(g, frame) : out;
 }
 
+/* It is not run again to find out why: the tick that is no look ahead will. */
+bool guard_ahead(struct guard *g, const uint16_t pads[PADS])
+{
+    board_on_phase(g->board, NULL, NULL);
+    if (!g->counting && !watch(g))
+        board_count(g->board, true);
+    const struct board_out *out = board_tick(g->board, pads);
+    unwatch(g);
+    return !out->fault;
+}
+
 void guard_close(struct guard *g)
 {
     rewind_close(&g->past);

@@ -47,6 +47,10 @@ bool guard_again(struct guard *g, const struct board_start *start, char *err, si
 /* board_tick, and never FAULT_INTERRUPTED. */
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS]);
 
+/* Ticks once for somebody who has a snapshot and goes back to it: the past is not told, and nobody measures the phases.
+ * False: the tick faulted, or it takes too long. */
+bool guard_ahead(struct guard *g, const uint16_t pads[PADS]);
+
 /* Forgets the past: call it after board_restore or anything else that changed the board between frames. */
 void guard_forget(struct guard *g);
 

@@ -70,7 +70,12 @@ static void keep_chosen(struct screen_place *p)
         p->row = step(p, p->row, 1);
 }
 
-void screens_open(struct screens *s, const struct screen *screen, void *of)
+const struct screen_def *screens_top(const struct screens *s)
+{
+    return s->deep > 0 ? s->place[s->deep - 1].screen : NULL;
+}
+
+void screens_open(struct screens *s, const struct screen_def *screen, void *of)
 {
     if (s->deep == SCREENS_DEEP)
         return;
@@ -149,7 +154,7 @@ static void ask_accept(void *of, int at)
         s->asked.then(s->asked.of);
 }
 
-static const struct screen ask = {
+static const struct screen_def ask = {
     .title = "sure?", .small = true, .text = ask_text, .rows = ask_rows, .row = ask_row, .accept = ask_accept
 };
 
@@ -303,10 +308,10 @@ static void move_page(struct screens *s, struct screen_place *p, int by)
     }
 }
 
-void screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k)
+bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k)
 {
     if (s->deep == 0)
-        return;
+        return false;
     struct screen_place *p = top_of(s);
     const uint32_t held = of_keyboard(in) | of_controllers(in) | of_pads(k);
 
@@ -314,7 +319,7 @@ void screens_poll(struct screens *s, const struct plat_input *in, const struct k
     if (p->screen->listen && p->screen->listen(p->of, in)) {
         s->held = UINT32_MAX;
         s->mouse = 255;
-        return;
+        return true;
     }
     keep_chosen(p);
     const uint32_t fresh = pressed(s, held) | use_mouse(s, p, in);
@@ -334,4 +339,5 @@ void screens_poll(struct screens *s, const struct plat_input *in, const struct k
         p->screen->remove(p->of, p->row);
     else if (fresh & YES && rows_of(p) > 0)
         accept(p);
+    return false;
 }

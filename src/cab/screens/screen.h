@@ -21,16 +21,17 @@
 #define SCREEN_PRINTF(at, first)
 #endif
 
-enum { SCREENS_DEEP = 8, SCREEN_LABEL = 64, SCREEN_VALUE = 64, SCREEN_HELP = 256 };
+enum { SCREENS_DEEP = 8, SCREEN_LABEL = 96, SCREEN_VALUE = 64, SCREEN_HELP = 256 };
 
 /* A row, as its screen describes it. */
 struct screen_row {
     char label[SCREEN_LABEL];
-    char value[SCREEN_VALUE]; /* at the right; "": none */
-    char help[SCREEN_HELP];   /* sentences, shown below the list while the row is chosen; "": none */
-    bool heading;             /* cannot be chosen */
-    bool changes;             /* left and right change it */
-    bool faint;               /* of no use at present */
+    char value[SCREEN_VALUE];          /* at the right; "": none */
+    char help[SCREEN_HELP];            /* sentences, shown below the list while the row is chosen; "": none */
+    bool heading;                      /* cannot be chosen */
+    bool changes;                      /* left and right change it */
+    bool faint;                        /* of no use at present */
+    enum canvas_colour ink, value_ink; /* CANVAS_DARK: the usual ones */
 };
 
 /* A rectangle of the picture, in px. */
@@ -38,7 +39,7 @@ struct screen_area {
     int x, y, w, h;
 };
 
-struct screen {
+struct screen_def {
     const char *title;
     bool small; /* a window in the middle, as large as its rows; else the whole picture */
     int (*rows)(void *of);
@@ -62,7 +63,7 @@ struct screen {
 
 struct screens {
     struct screen_place {
-        const struct screen *screen;
+        const struct screen_def *screen;
         void *of;
         int row, top; /* the chosen row; the first that is shown */
     } place[SCREENS_DEEP];
@@ -87,9 +88,12 @@ static inline bool screens_are_open(const struct screens *s)
     return s->deep > 0;
 }
 
+/* The topmost screen; NULL: none is open. */
+const struct screen_def *screens_top(const struct screens *s);
+
 /* Opens a screen above those that are open, its first row chosen that can be; the screens' depth is SCREENS_DEEP at
  * most, and one more is not opened. Both must outlive it. */
-void screens_open(struct screens *s, const struct screen *screen, void *of);
+void screens_open(struct screens *s, const struct screen_def *screen, void *of);
 
 /* Closes the topmost screen, or all of them; harmless when there is none. */
 void screens_close(struct screens *s);
@@ -105,8 +109,8 @@ SCREEN_PRINTF(2, 3) void screens_say(struct screens *s, const char *format, ...)
  * that screen is closed already. */
 void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of);
 
-/* A frame of the topmost screen, with these switches. */
-void screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k);
+/* A frame of the topmost screen, with these switches. True: it listened, and they mean nothing else. */
+bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k);
 
 /* Draws the topmost screen. foot: a line that says what to press, "" for none. */
 void screens_draw(struct screens *s, const struct canvas *canvas, const char *foot);

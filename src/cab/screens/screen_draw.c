@@ -7,10 +7,13 @@
 #include "screen.h"
 
 enum {
-    LINE = CANVAS_CELL_H + 2,
-    EDGE = 4, /* px between a frame and what is in it */
+    LINE = CANVAS_LINE_H,
+    LETTER = 3, /* px from a line's top to that of a capital */
+    EDGE = 5,   /* px between a frame and what is in it */
+    TITLE = LINE + 2,
     HELP_LINES = 3,
-    FOOT_FROM = 120 /* px of height with room for a foot */
+    HELP_FROM = 100, /* px of height with room for a line of help, of twice as many with room for more */
+    FOOT_FROM = 120  /* and for a foot */
 };
 
 int screen_row_height(void)
@@ -24,38 +27,41 @@ static int lines_of(const char *text, int w)
     int n = 0;
 
     while (*text) {
-        text += canvas_fit(text, w / CANVAS_CELL_W);
+        text += canvas_say_fit(text, w);
         text += *text == '\n';
         n++;
     }
     return n;
 }
 
-/* Draws at most `most` lines; returns the y after them. */
+/* Draws at most `most` lines, the first one's top at y; returns the y after them. */
 static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most, enum canvas_colour c,
                       const char *text)
 {
+    char line[SCREEN_HELP];
+
     for (int i = 0; i < most && *text; i++, y += LINE) {
-        const int n = canvas_fit(text, w / CANVAS_CELL_W);
-        canvas_bytes(canvas, x, y, c, text, n);
+        const int n = canvas_say_fit(text, w);
+        snprintf(line, sizeof line, "%.*s", n, text);
+        canvas_say(canvas, x, y + LETTER, c, line);
         text += n;
         text += *text == '\n';
     }
     return y;
 }
 
-/* Cut to w px, with two dots where it is cut. */
-static void draw_cut(const struct canvas *canvas, int x, int y, int w, enum canvas_colour c, const char *text)
+static enum canvas_colour label_ink(const struct screen_row *row)
 {
-    const int room = w / CANVAS_CELL_W;
-    char cut[SCREEN_LABEL + SCREEN_VALUE];
+    if (row->ink)
+        return row->ink;
+    return row->heading ? CANVAS_CYAN : row->faint ? CANVAS_GREY : CANVAS_WHITE;
+}
 
-    if (canvas_width(text) <= w) {
-        canvas_text(canvas, x, y, c, text);
-    } else if (room > 2) {
-        snprintf(cut, sizeof cut, "%.*s..", room - 2, text);
-        canvas_text(canvas, x, y, c, cut);
-    }
+static enum canvas_colour value_ink(const struct screen_row *row)
+{
+    if (row->value_ink)
+        return row->value_ink;
+    return row->faint ? CANVAS_GREY : CANVAS_YELLOW;
 }
 
 static void draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to)
@@ -66,16 +72,15 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
 
     p->screen->row(p->of, at, &row);
     if (chosen)
-        canvas_rect(canvas, to.x, to.y - 1, to.w, LINE, CANVAS_WHITE);
+        canvas_rect(canvas, to.x, to.y, to.w, LINE, CANVAS_WHITE);
     snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
-    const int right = canvas_width(value), x = to.x + to.w - EDGE - right;
-    const enum canvas_colour ink = chosen ? CANVAS_DARK : CANVAS_WHITE;
-    draw_cut(canvas, to.x + EDGE, to.y, x - to.x - 2 * EDGE,
-             row.heading ? CANVAS_CYAN
-             : row.faint ? CANVAS_GREY
-                         : ink,
-             row.label);
-    canvas_text(canvas, x, to.y, chosen ? CANVAS_DARK : row.faint ? CANVAS_GREY : CANVAS_YELLOW, value);
+    const int room = to.w - 2 * EDGE, beside = room - canvas_say_width(row.label) - 2 * EDGE;
+    const int most = beside > room / 2 ? beside : room / 2, wide = canvas_say_width(value);
+    const int right = wide < most ? wide : most;
+    const int x = to.x + to.w - EDGE - right;
+    canvas_say_within(canvas, to.x + EDGE, to.y + LETTER, chosen ? CANVAS_DARK : label_ink(&row), row.label,
+                      x - to.x - 2 * EDGE);
+    canvas_say_within(canvas, x, to.y + LETTER, chosen ? CANVAS_DARK : value_ink(&row), value, right);
 }
 
 /* The first row to show so that the chosen one and its neighbours are seen: the one above may be a heading. */
@@ -101,7 +106,7 @@ static void draw_list(struct screens *s, struct screen_place *p, const struct ca
     p->top = scrolled(p, n, s->shown);
     for (int i = 0; i < s->shown && p->top + i < n; i++)
         draw_row(p, p->top + i, canvas, (struct screen_area){ to.x, to.y + i * LINE, to.w, LINE });
-    if (n > s->shown) {
+    if (n > s->shown && n > 0) {
         const int h = s->shown * LINE;
         canvas_rect(canvas, to.x + to.w - 1, to.y + h * p->top / n, 1, h * s->shown / n, CANVAS_GREY);
     }
@@ -110,15 +115,30 @@ static void draw_list(struct screens *s, struct screen_place *p, const struct ca
 /* px that the widest row takes */
 static int widest(const struct screen_place *p)
 {
-    int most = canvas_width(p->screen->title);
+    int most = canvas_say_width(p->screen->title);
 
     for (int i = 0, n = p->screen->rows(p->of); i < n; i++) {
         struct screen_row row = { 0 };
         p->screen->row(p->of, i, &row);
-        const int w = canvas_width(row.label) + (row.value[0] ? canvas_width(row.value) + 6 * CANVAS_CELL_W : 0);
+        const int w = canvas_say_width(row.label) +
+                      (row.value[0] ? canvas_say_width(row.value) + canvas_say_width("<  >") + 2 * EDGE : 0);
         most = w > most ? w : most;
     }
     return most;
+}
+
+/* Lines for the longest help of a row. */
+static int help_lines(const struct screen_place *p, int w)
+{
+    int most = 0;
+
+    for (int i = 0, n = p->screen->rows(p->of); i < n; i++) {
+        struct screen_row row = { 0 };
+        p->screen->row(p->of, i, &row);
+        const int lines = lines_of(row.help, w);
+        most = lines > most ? lines : most;
+    }
+    return most < HELP_LINES ? most : HELP_LINES;
 }
 
 static int at_most(int v, int most)
@@ -138,15 +158,17 @@ static struct screen_area area_of(const struct screen_place *p, const struct can
         wide = w * 2 / 3;
     wide = at_most(wide, w);
     const int lines = lines_of(text, wide - 2 * EDGE);
-    int high = (1 + lines + p->screen->rows(p->of) + HELP_LINES) * LINE + 4 * EDGE;
+    const int help = help_lines(p, wide - 2 * EDGE);
+    int high =
+        TITLE + EDGE + (lines + p->screen->rows(p->of) + help) * LINE + (help ? 2 : 1) * EDGE + (lines ? EDGE : 0);
     high = at_most(high, h);
     return (struct screen_area){ (w - wide) / 2, (h - high) / 2, wide, high };
 }
 
-static void draw_title(const struct screen *screen, const struct canvas *canvas, const struct screen_area *a)
+static void draw_title(const struct screen_def *screen, const struct canvas *canvas, const struct screen_area *a)
 {
-    canvas_rect(canvas, a->x, a->y, a->w, LINE + EDGE, CANVAS_CYAN);
-    canvas_text(canvas, a->x + EDGE, a->y + EDGE / 2 + 1, CANVAS_DARK, screen->title);
+    canvas_rect(canvas, a->x, a->y, a->w, TITLE, CANVAS_CYAN);
+    canvas_say(canvas, a->x + EDGE, a->y + LETTER + 1, CANVAS_DARK, screen->title);
 }
 
 /* Below the list: what was just said, or the chosen row's help. */
@@ -158,14 +180,14 @@ static void draw_help(const struct screens *s, const struct screen_place *p, con
     if (p->screen->rows(p->of) > 0)
         p->screen->row(p->of, p->row, &row);
     canvas_rect(canvas, a->x, a->y - EDGE / 2, a->w, 1, CANVAS_GREY);
-    draw_lines(canvas, a->x + EDGE, a->y + 1, a->w - 2 * EDGE, HELP_LINES, s->said_for ? CANVAS_YELLOW : CANVAS_GREY,
+    draw_lines(canvas, a->x + EDGE, a->y, a->w - 2 * EDGE, HELP_LINES, s->said_for ? CANVAS_YELLOW : CANVAS_GREY,
                s->said_for ? s->said : row.help);
 }
 
 /* A screen's own picture stands above the list in a picture that is upright, and beside it in one that is wide. */
 static void take_picture(const struct screen_place *p, const struct canvas *canvas, struct screen_area *list)
 {
-    const struct screen *s = p->screen;
+    const struct screen_def *s = p->screen;
     const int h = s->height ? s->height(p->of, list->w, list->h) : 0;
 
     if (h <= 0 || s->rows(p->of) == 0)
@@ -183,19 +205,22 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
     const char *text = p->screen->text ? p->screen->text(p->of) : "";
     const struct screen_area a = area_of(p, canvas, text);
     const bool feet = !p->screen->small && foot[0] && a.h >= FOOT_FROM;
-    const int help = HELP_LINES * LINE + EDGE, bottom = a.y + a.h - (feet ? LINE + 1 : 0) - help;
+    const int most = a.h < HELP_FROM ? 0 : a.h < 2 * HELP_FROM ? 1 : HELP_LINES;
+    const int lines = p->screen->small ? help_lines(p, a.w - 2 * EDGE) : most;
+    const int help = lines ? lines * LINE + EDGE : 0, bottom = a.y + a.h - (feet ? LINE + 1 : 0) - help;
 
     canvas_rect(canvas, a.x, a.y, a.w, a.h, CANVAS_DARK);
     if (p->screen->small)
         canvas_frame(canvas, a.x - 1, a.y - 1, a.w + 2, a.h + 2, CANVAS_GREY);
     draw_title(p->screen, canvas, &a);
-    int y = a.y + LINE + 2 * EDGE;
+    int y = a.y + TITLE + EDGE;
     y = draw_lines(canvas, a.x + EDGE, y, a.w - 2 * EDGE, a.h / LINE / 2, CANVAS_WHITE, text);
     struct screen_area list = { a.x, y + (text[0] ? EDGE : 0), a.w, 0 };
     list.h = bottom - list.y - EDGE / 2;
     take_picture(p, canvas, &list);
     draw_list(s, p, canvas, list);
-    draw_help(s, p, canvas, &(struct screen_area){ a.x, bottom + EDGE / 2, a.w, help });
+    if (help)
+        draw_help(s, p, canvas, &(struct screen_area){ a.x, bottom + EDGE / 2, a.w, help });
     if (feet)
-        canvas_text(canvas, a.x + EDGE, a.y + a.h - LINE, CANVAS_CYAN, foot);
+        canvas_say(canvas, a.x + EDGE, a.y + a.h - LINE + LETTER - 1, CANVAS_CYAN, foot);
 }

@@ -1,0 +1,181 @@
+/*
+ * pace.c - see pace.h.
+ *
+ * Locked, the clock of the refreshes is a sum of equal steps, so it has no jitter; a tick is handed out for each whole
+ * number that it passes. How late the screen is heard of beside it is smoothed. When that is out of the dead band the
+ * clock is set right by it at once, and as it took `counted` refreshes to come to that, each step was wrong by its part
+ * of it. In the dead band nothing is done, so at a rate of 60 one refresh has one tick for a very long time, and
+ * jitter cannot make it two and none.
+ */
+#include "pace.h"
+
+#include "../../base/int.h"
+
+enum {
+    TICK = 1000000,
+    SMOOTH = 16,     /* refreshes */
+    BAND = TICK / 4, /* of what the clock may be off; of a fast screen a quarter of its refresh */
+    MARGIN = 4,    /* a picture is handed in a quarter after the refresh before its own, so that it is not that one's */
+    SETTLES = 2,   /* ticks */
+    BELIEVED = 30, /* refreshes that an error of the rate is spread over at least */
+    RATE_MOST = 32,     /* the rate is believed to be wrong by a 32nd part at most */
+    EARLIEST = TICK / 4 /* after its time that a tick is handed out, the dead band deducted: it is due then */
+};
+
+void pace_open(struct pace *p, uint64_t now)
+{
+    *p = (struct pace){ .base = now };
+}
+
+static int64_t step_of(int refresh)
+{
+    return (int64_t)60 * TICK * 1000 / refresh;
+}
+
+static void begin_locked(struct pace *p, uint64_t now)
+{
+    p->base = now;
+    p->ticks = 0;
+    p->step = step_of(p->refresh);
+    p->at = TICK / 2;
+    p->off = 0;
+    p->counted = 0;
+    p->asleep = false;
+}
+
+void pace_refresh(struct pace *p, int refresh, uint64_t now)
+{
+    refresh = refresh < PACE_LEAST || refresh > PACE_MOST ? 0 : refresh;
+    if (refresh == p->refresh)
+        return;
+    p->refresh = refresh;
+    if (refresh)
+        begin_locked(p, now);
+    else
+        pace_open(p, now);
+}
+
+/* When so many millionths of a tick have passed since the base. */
+static uint64_t moment(const struct pace *p, int64_t at)
+{
+    return p->base + (uint64_t)int64_max(at, 0) / 60;
+}
+
+static uint64_t free_due(const struct pace *p, uint64_t tick)
+{
+    return p->base + tick * PACE_SECOND / 60;
+}
+
+/* The clock of the refreshes is TICK / 2 ahead of the base, where the first tick is. */
+static uint64_t refresh_due(const struct pace *p, int64_t at)
+{
+    return moment(p, at - TICK / 2);
+}
+
+uint64_t pace_due(const struct pace *p)
+{
+    if (!p->refresh)
+        return free_due(p, p->ticks);
+    return p->asleep ? refresh_due(p, p->at + p->step + p->step / MARGIN) : 0;
+}
+
+/* The clock was off by so much in the end: it is set right, and so is its rate. */
+static void set_right(struct pace *p)
+{
+    const int64_t right = step_of(p->refresh), most = right / RATE_MOST;
+
+    p->step = int64_clamp(p->step + p->off / int_max(p->counted, BELIEVED), right - most, right + most);
+    p->at += p->off;
+    p->off = 0;
+    p->counted = 0;
+}
+
+/* The first refreshes are where the middle of a tick is, so that both ways there is as much room. */
+static bool settle(struct pace *p, uint64_t now)
+{
+    p->base = now - (p->ticks + 1) * PACE_SECOND / 60;
+    p->at = (int64_t)p->ticks * TICK + TICK + TICK / 2;
+    return true;
+}
+
+/* Counts the refresh that has just been. False: the screen did not wait for it. */
+static bool count_refresh(struct pace *p, uint64_t now)
+{
+    if (p->ticks < SETTLES)
+        return settle(p, now);
+    const int64_t heard = (int64_t)(now - p->base) * 60 + TICK / 2, late = heard - p->at - p->step;
+
+    if (late < -p->step / 2)
+        return false;
+    p->at += p->step;
+    p->counted++;
+    if (late > p->step / 2) { /* some were missed: of the one that was heard of nothing is known */
+        p->at += (late + p->step / 2) / p->step * p->step;
+        return true;
+    }
+    p->off += (late - p->off) / SMOOTH;
+    if (int64_abs(p->off) > int64_min(BAND, p->step / 4))
+        set_right(p);
+    return true;
+}
+
+bool pace_comes(struct pace *p, uint64_t now)
+{
+    if (!p->refresh)
+        return now >= free_due(p, p->ticks);
+    if (p->asleep && now < pace_due(p)) /* the host does not wait, it calls again */
+        return false;
+    if (p->asleep) {
+        p->at += p->step;
+        p->counted++;
+        p->asleep = false;
+    } else if (!count_refresh(p, now)) {
+        p->asleep = true;
+        return false;
+    }
+    p->asleep = p->at / TICK < (int64_t)p->ticks + 1;
+    return !p->asleep;
+}
+
+static struct pace_frame take_free(struct pace *p, uint64_t now)
+{
+    struct pace_frame f = { .ticks = 1, .due = free_due(p, p->ticks) };
+
+    while (f.ticks < PACE_LATE && free_due(p, p->ticks + (uint64_t)f.ticks) <= now)
+        f.ticks++;
+    p->ticks += (uint64_t)f.ticks;
+    const uint64_t next = free_due(p, p->ticks);
+    if (next <= now) {
+        f.lost = now + PACE_SECOND / 60 - next;
+        p->base = now;
+        p->ticks = 1;
+    }
+    return f;
+}
+
+static struct pace_frame take_locked(struct pace *p, uint64_t now)
+{
+    const int64_t ready = p->at / TICK - (int64_t)p->ticks;
+    struct pace_frame f = { .ticks = (int)int64_clamp(ready, 1, PACE_LATE) };
+    const uint64_t due = moment(p, (int64_t)p->ticks * TICK + EARLIEST);
+
+    f.due = due < now ? due : now;
+    p->ticks += (uint64_t)f.ticks;
+    if (ready > PACE_LATE) {
+        f.lost = (uint64_t)(ready - PACE_LATE) * PACE_SECOND / 60;
+        p->ticks += (uint64_t)(ready - PACE_LATE);
+    }
+    return f;
+}
+
+struct pace_frame pace_take(struct pace *p, uint64_t now)
+{
+    return p->refresh ? take_locked(p, now) : take_free(p, now);
+}
+
+void pace_follow(struct pace *p, uint64_t now)
+{
+    p->refresh = 0;
+    p->base = now;
+    p->ticks = 0;
+}

@@ -1,0 +1,59 @@
+/*
+ * press.c - see press.h.
+ */
+#include "press.h"
+
+enum { MOVES = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT };
+
+void press_resume(struct press *p, uint16_t pads)
+{
+    *p = (struct press){ .held = PAD_ALL, .focus = pads & PAD_FOCUS, .fires = pads & PAD_FIRE };
+}
+
+static unsigned toggled(struct press *p, unsigned held, unsigned fresh)
+{
+    if (fresh & PAD_FOCUS)
+        p->focus = !p->focus;
+    return (held & ~(unsigned)PAD_FOCUS) | (p->focus ? PAD_FOCUS : 0);
+}
+
+/* A press of fire is released for a tick first, so that the game sees it. */
+static unsigned with_one_hand(struct press *p, unsigned held, unsigned fresh)
+{
+    if (fresh & PAD_FIRE) {
+        held &= p->fires ? ~(unsigned)PAD_FIRE : ~0u;
+        p->fires = false;
+    } else if (held & MOVES && !(held & PAD_FIRE)) {
+        p->fires = true;
+    }
+    return held | (p->fires ? PAD_FIRE : 0);
+}
+
+static unsigned in_bursts(struct press *p, unsigned held)
+{
+    if (!(held & PAD_FIRE)) {
+        p->fire_ticks = 0;
+        return held;
+    }
+    bool on = p->fire_ticks++ % (PRESS_ON + PRESS_OFF) < PRESS_ON;
+    return on ? held : held & ~(unsigned)PAD_FIRE;
+}
+
+uint16_t press_tick(struct press *p, const struct press_modes *modes, bool plays, uint16_t held)
+{
+    unsigned out = held, fresh = held & ~(unsigned)p->held;
+
+    p->held = held;
+    if (!plays) {
+        p->fires = false;
+        p->fire_ticks = 0;
+        return held;
+    }
+    if (modes->toggle_focus)
+        out = toggled(p, out, fresh);
+    if (modes->one_hand)
+        out = with_one_hand(p, out, fresh);
+    if (modes->autofire)
+        out = in_bursts(p, out);
+    return (uint16_t)out;
+}

@@ -1,0 +1,100 @@
+/*
+ * border.c - see border.h. A window pixel is the mean of SAMPLES x SAMPLES points in it; where each column and row of
+ * points comes from is found once.
+ */
+#include "border.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/err.h"
+#include "../../base/int.h"
+
+enum { SAMPLES = 4 };
+
+bool border_open(struct border *b, const uint8_t *rgba, int w, int h, char *err, size_t err_size)
+{
+    int x0 = w, y0 = h, x1 = -1, y1 = -1;
+
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++) {
+            if (rgba[4 * ((size_t)y * (size_t)w + (size_t)x) + 3])
+                continue;
+            x0 = int_min(x0, x);
+            x1 = int_max(x1, x);
+            y0 = int_min(y0, y);
+            y1 = y;
+        }
+    *b = (struct border){ rgba, w, h, { x0, y0, x1 - x0 + 1, y1 - y0 + 1 } };
+    if (x1 >= 0)
+        return true;
+    *b = (struct border){ 0 };
+    return err_set(err, err_size, "a border needs a hole: pixels that are wholly transparent, where the picture goes");
+}
+
+/* One way: the art's pixel that a point at p (in parts of a window pixel, SAMPLES each) shows. from, size: where the
+ * picture is; hole, hole_size: where it is in the art of n pixels. */
+static int art_at(int64_t p, int64_t from, int64_t size, int64_t hole, int64_t hole_size, int64_t window, int64_t n)
+{
+    const int64_t at = 2 * p + 1, unit = 2 * SAMPLES; /* so the middle of a point is a whole number */
+    const int64_t left = from, right = window - from - size, rest = n - hole - hole_size;
+
+    if (at >= from * unit && at < (from + size) * unit)
+        return (int)(hole + (at - from * unit) * hole_size / (size * unit));
+    if (at < from * unit) {
+        const int64_t away =
+            from * unit - at; /* the art is size / hole_size as large, or as large as the margin asks */
+        const bool reaches = hole * size >= left * hole_size;
+        const int64_t back = reaches ? away * hole_size / (size * unit) : away * hole / (left * unit);
+        return (int)int64_clamp(hole - 1 - back, 0, n - 1);
+    }
+    const int64_t away = at - (from + size) * unit;
+    const bool reaches = rest * size >= right * hole_size;
+    const int64_t on = reaches ? away * hole_size / (size * unit) : away * rest / (right * unit);
+    return (int)int64_clamp(hole + hole_size + on, 0, n - 1);
+}
+
+static uint32_t mean(const struct border *b, const int *columns, const int *rows)
+{
+    uint32_t sum[3] = { 0 };
+
+    for (int i = 0; i < SAMPLES; i++)
+        for (int j = 0; j < SAMPLES; j++) {
+            const uint8_t *p = b->rgba + 4 * ((size_t)rows[i] * (size_t)b->w + (size_t)columns[j]);
+            for (int c = 0; c < 3; c++)
+                sum[c] += (uint32_t)p[c] * p[3];
+        }
+    for (int c = 0; c < 3; c++)
+        sum[c] = (sum[c] + 255 * SAMPLES * SAMPLES / 2) / (255 * SAMPLES * SAMPLES);
+    return sum[0] << 16 | sum[1] << 8 | sum[2];
+}
+
+static void paint(const struct border *b, uint32_t *out, int w, int h, const int *columns, const int *rows,
+                  enum quarter turn)
+{
+    int pitch = w, turned_h = h;
+
+    quarter_size(turn, &pitch, &turned_h);
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++) {
+            int tx = x, ty = y;
+            quarter_point(turn, w, h, &tx, &ty);
+            out[(size_t)ty * (size_t)pitch + (size_t)tx] = mean(b, columns + x * SAMPLES, rows + y * SAMPLES);
+        }
+}
+
+void border_paint(const struct border *b, uint32_t *out, int w, int h, struct area picture, enum quarter turn)
+{
+    const struct area p = quarter_area(quarter_back(turn), w, h, picture), *hole = &b->hole;
+
+    memset(out, 0, (size_t)w * (size_t)h * sizeof *out);
+    quarter_size(turn, &w, &h); /* from here on as who looks at it sees it */
+    int *points = b->rgba ? malloc((size_t)(w + h) * SAMPLES * sizeof *points) : NULL;
+    if (!points)
+        return;
+    for (int i = 0; i < w * SAMPLES; i++)
+        points[i] = art_at(i, p.x, p.w, hole->x, hole->w, w, b->w);
+    for (int i = 0; i < h * SAMPLES; i++)
+        points[w * SAMPLES + i] = art_at(i, p.y, p.h, hole->y, hole->h, h, b->h);
+    paint(b, out, w, h, points, points + w * SAMPLES, turn);
+    free(points);
+}

@@ -1,0 +1,129 @@
+/*
+ * cab_pads.c - whose controller is whose, and from the buttons that are held to the pads of a tick.
+ */
+#include <stdio.h>
+#include "../../board/inspect.h"
+#include "../pads/switches.h"
+#include "cab_parts.h"
+
+void cab_pads_open(void)
+{
+    seats_open(&cab.seats);
+    cab_pads_apply();
+    cab_pads_power();
+}
+
+void cab_pads_apply(void)
+{
+    const struct config *c = &cab.config;
+
+    for (int p = 0; p < PADS; p++) {
+        keys_hand(&cab.config.keys, p, (enum keys_hand)c->one_hand[p]);
+        cab.modes[p] = (struct press_modes){ .autofire = c->autofire[p],
+                                             .toggle_focus = c->focus[p],
+                                             .one_hand = c->one_hand[p] != HAND_BOTH };
+    }
+}
+
+/* ---- pads ---- */
+
+void cab_pads_power(void)
+{
+    cab.pressed_to = 0;
+    for (int p = 0; p < PADS; p++)
+        press_resume(&cab.press[p], 0);
+}
+
+/* Time was turned: what the players had switched is what they had then. */
+static void resume(uint32_t frame)
+{
+    uint16_t were[PADS] = { 0 };
+
+    if (frame)
+        demo_pads(&cab.session.now->writer.demo, frame - 1, were);
+    for (int p = 0; p < PADS; p++)
+        press_resume(&cab.press[p], were[p]);
+}
+
+void cab_pads_tick(uint16_t pads[PADS])
+{
+    const struct board *b = cab_live();
+    const uint32_t frame = board_frame(b);
+
+    if (frame != cab.pressed_to)
+        resume(frame);
+    cab.pressed_to = frame + 1;
+    for (int p = 0; p < PADS; p++)
+        pads[p] = press_tick(&cab.press[p], &cab.modes[p], inspect_plays(b, p), cab.pads[p]);
+}
+
+/* ---- controllers ---- */
+
+void cab_seats_poll(const struct plat_input *in)
+{
+    struct plat_controller is[PLAT_CONTROLLERS];
+    const struct plat_controller *plugged[PLAT_CONTROLLERS];
+
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
+    seats_poll(&cab.seats, cab_cart()->m.players, in->controllers, plugged);
+}
+
+const char *cab_controller_name(const struct plat_controller *c)
+{
+    return c->name[0] ? c->name : switch_kind_name(c->kind);
+}
+
+/* A player lost what they played with: the game waits for them. */
+static bool waits_for(int player)
+{
+    return cab.config.keys.player[player].controller && !cab.session.demo && !cab.attracting && !cab_fault();
+}
+
+static void lost(int player, const char *name)
+{
+    if (!waits_for(player)) {
+        cab_notice(CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
+        return;
+    }
+    cab.paused = cab.unplugged = true;
+    cab_notice(-1, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1, name);
+}
+
+static void seat_event(const struct seats_event *e)
+{
+    const char *name = cab_controller_name(&e->controller);
+
+    if (e->what == SEATS_LOST)
+        lost(e->player, name);
+    else if (e->what == SEATS_FULL)
+        cab_notice(CAB_NOTICE_FRAMES, "every player has a controller already");
+    else if (cab.unplugged)
+        cab_notice(-1, "player %d has %s. START goes on", e->player + 1, name);
+    else if (!e->first)
+        cab_notice(CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
+}
+
+/* START ends the pause that a lost controller began, and the game does not get it. */
+static void go_on(const struct keys_read *k)
+{
+    if (!cab.unplugged)
+        return;
+    for (int p = 0; p < PADS; p++) {
+        if (k->pads_fresh[p] & PAD_START) {
+            cab.stale[p] |= PAD_START;
+            cab.paused = false;
+        }
+    }
+    if (cab.paused)
+        return;
+    cab.unplugged = false;
+    cab.notice_left = 0;
+}
+
+void cab_seats_told(const struct keys_read *k)
+{
+    for (int i = 0; i < cab.seats.events; i++)
+        seat_event(&cab.seats.event[i]);
+    go_on(k);
+}

@@ -1,0 +1,254 @@
+/*
+ * pads.c - controllers that are not there: a library to be loaded before SDL (LD_PRELOAD). It plugs SDL's virtual
+ * joysticks into a program that uses SDL, as `curtain play` does, and moves them as a script says. tests/pads.sh builds
+ * it and writes such a script while the program runs.
+ *
+ *     PADS=FILE   a command a line. The file is read on as it grows, so a test may add to it at any time.
+ *
+ *     wait N            what follows waits for N polls
+ *     plug P KIND       controller P, 1 to 8, is plugged in: xbox, xbox360, ps3, ps4, ps5, nintendo or unknown
+ *     unplug P          and pulled out
+ *     down P SWITCH...  switches go down, all in one poll: names as in the settings without "pad.", as south, l1, lup
+ *     up P SWITCH...    and up
+ *     tap P SWITCH...   one after the other is down for 4 polls and up for 4
+ *     say TEXT          writes "pads: TEXT" to standard error: what came before has been done
+ *
+ * A poll is all calls of SDL_PollEvent until it has no more, so plat_poll is one. Commands are done before the first
+ * event of a poll is handed out, and are seen by that poll. A line that is none ends the program with exit code 99 and
+ * a sentence. Where the window may lack the focus, SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS=1 lets switches through. Of a
+ * program built with AddressSanitizer, its library comes first in LD_PRELOAD.
+ */
+#define _GNU_SOURCE
+#include <SDL.h>
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PADS_MOST = 8, LINE = 256, TAP = 4, FULL = 32767, REST = -32768 };
+
+static SDL_Joystick *pads[PADS_MOST];
+static char line[LINE]; /* the one that is being read */
+static size_t length;
+static int waits;  /* polls */
+static char *taps; /* what is left of a tap's line */
+static int tapped, tapping = -1;
+
+/* Switches: a button, or an axis and which way it goes. */
+static const struct {
+    const char *name;
+    int button, axis, way;
+} switches[] = {
+    { "up", SDL_CONTROLLER_BUTTON_DPAD_UP, 0, 0 },      { "down", SDL_CONTROLLER_BUTTON_DPAD_DOWN, 0, 0 },
+    { "left", SDL_CONTROLLER_BUTTON_DPAD_LEFT, 0, 0 },  { "right", SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 0, 0 },
+    { "south", SDL_CONTROLLER_BUTTON_A, 0, 0 },         { "east", SDL_CONTROLLER_BUTTON_B, 0, 0 },
+    { "west", SDL_CONTROLLER_BUTTON_X, 0, 0 },          { "north", SDL_CONTROLLER_BUTTON_Y, 0, 0 },
+    { "l1", SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 0, 0 }, { "r1", SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 0, 0 },
+    { "start", SDL_CONTROLLER_BUTTON_START, 0, 0 },     { "select", SDL_CONTROLLER_BUTTON_BACK, 0, 0 },
+    { "guide", SDL_CONTROLLER_BUTTON_GUIDE, 0, 0 },     { "l3", SDL_CONTROLLER_BUTTON_LEFTSTICK, 0, 0 },
+    { "r3", SDL_CONTROLLER_BUTTON_RIGHTSTICK, 0, 0 },   { "l2", -1, SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1 },
+    { "r2", -1, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1 },  { "lup", -1, SDL_CONTROLLER_AXIS_LEFTY, -1 },
+    { "ldown", -1, SDL_CONTROLLER_AXIS_LEFTY, 1 },      { "lleft", -1, SDL_CONTROLLER_AXIS_LEFTX, -1 },
+    { "lright", -1, SDL_CONTROLLER_AXIS_LEFTX, 1 },     { "rup", -1, SDL_CONTROLLER_AXIS_RIGHTY, -1 },
+    { "rdown", -1, SDL_CONTROLLER_AXIS_RIGHTY, 1 },     { "rleft", -1, SDL_CONTROLLER_AXIS_RIGHTX, -1 },
+    { "rright", -1, SDL_CONTROLLER_AXIS_RIGHTX, 1 },
+};
+
+static const struct {
+    const char *kind, *name;
+    Uint16 vendor, product;
+} kinds[] = {
+    { "xbox", "Xbox One Controller", 0x045e, 0x02ea }, { "xbox360", "Xbox 360 Controller", 0x045e, 0x028e },
+    { "ps3", "PS3 Controller", 0x054c, 0x0268 },       { "ps4", "PS4 Controller", 0x054c, 0x09cc },
+    { "ps5", "PS5 Controller", 0x054c, 0x0ce6 },       { "nintendo", "Nintendo Switch Pro Controller", 0x057e, 0x2009 },
+    { "unknown", "Honest Joystick", 0x1111, 0x2222 },
+};
+
+static void stop(const char *what, const char *word)
+{
+    fprintf(stderr, "pads: %s \"%s\"\n", what, word ? word : "");
+    exit(99);
+}
+
+static int which_pad(const char *word)
+{
+    int n = word ? atoi(word) : 0;
+
+    if (n < 1 || n > PADS_MOST)
+        stop("no such controller:", word);
+    return n - 1;
+}
+
+static void set(SDL_Joystick *pad, const char *name, int down)
+{
+    size_t i = 0;
+
+    while (i < sizeof switches / sizeof *switches && strcmp(name, switches[i].name) != 0)
+        i++;
+    if (i == sizeof switches / sizeof *switches)
+        stop("no such switch:", name);
+    if (!pad)
+        stop("not plugged in, for", name);
+    int axis = switches[i].axis,
+        trigger = axis == SDL_CONTROLLER_AXIS_TRIGGERLEFT || axis == SDL_CONTROLLER_AXIS_TRIGGERRIGHT;
+    if (switches[i].button >= 0)
+        SDL_JoystickSetVirtualButton(pad, switches[i].button, (Uint8)down);
+    else
+        SDL_JoystickSetVirtualAxis(pad, axis, (Sint16)(down ? switches[i].way * FULL : trigger ? REST : 0));
+}
+
+static int attach(const char *kind)
+{
+    size_t i = 0;
+
+    while (i < sizeof kinds / sizeof *kinds && (!kind || strcmp(kind, kinds[i].kind) != 0))
+        i++;
+    if (i == sizeof kinds / sizeof *kinds)
+        stop("no such kind:", kind);
+#if SDL_VERSION_ATLEAST(2, 24, 0)
+    SDL_VirtualJoystickDesc desc = { .version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION,
+                                     .type = SDL_JOYSTICK_TYPE_GAMECONTROLLER,
+                                     .naxes = SDL_CONTROLLER_AXIS_MAX,
+                                     .nbuttons = SDL_CONTROLLER_BUTTON_MAX,
+                                     .vendor_id = kinds[i].vendor,
+                                     .product_id = kinds[i].product,
+                                     .name = kinds[i].name };
+    return SDL_JoystickAttachVirtualEx(&desc);
+#else
+    return SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                     SDL_CONTROLLER_BUTTON_MAX, 0);
+#endif
+}
+
+static void plug(int n, const char *kind)
+{
+    if (pads[n])
+        stop("is plugged in already, the", kind);
+    int device = attach(kind);
+    pads[n] = device < 0 ? NULL : SDL_JoystickOpen(device);
+    if (!pads[n])
+        stop("no virtual joystick:", SDL_GetError());
+    set(pads[n], "l2", 0);
+    set(pads[n], "r2", 0);
+}
+
+static void unplug(int n)
+{
+    SDL_JoystickID id = pads[n] ? SDL_JoystickInstanceID(pads[n]) : -1;
+
+    for (int i = 0; i < SDL_NumJoysticks(); i++) {
+        if (SDL_JoystickGetDeviceInstanceID(i) == id) {
+            SDL_JoystickDetachVirtual(i);
+            SDL_JoystickClose(pads[n]);
+            pads[n] = NULL;
+            return;
+        }
+    }
+    stop("not plugged in, to", "unplug");
+}
+
+/* A tap goes on: the switch that is down goes up, or the next one down. */
+static void tap_on(void)
+{
+    static char held[LINE];
+
+    waits = TAP;
+    if (tapped) {
+        set(pads[tapping], held, 0);
+        tapped = 0;
+        return;
+    }
+    char *word = strtok_r(NULL, " ", &taps);
+    if (!word) {
+        tapping = -1;
+        waits = 0;
+        return;
+    }
+    snprintf(held, sizeof held, "%s", word);
+    set(pads[tapping], held, 1);
+    tapped = 1;
+}
+
+static void command(void)
+{
+    char *rest, *verb = strtok_r(line, " ", &rest), *word;
+
+    if (!verb || verb[0] == '#')
+        return;
+    if (strcmp(verb, "say") == 0) {
+        fprintf(stderr, "pads: %s\n", rest);
+        return;
+    }
+    if (!(word = strtok_r(NULL, " ", &rest)))
+        stop("a word is missing after", verb);
+    if (strcmp(verb, "wait") == 0) {
+        waits = atoi(word);
+        return;
+    }
+    int n = which_pad(word);
+    if (strcmp(verb, "plug") == 0) {
+        plug(n, strtok_r(NULL, " ", &rest));
+    } else if (strcmp(verb, "unplug") == 0) {
+        unplug(n);
+    } else if (strcmp(verb, "tap") == 0) {
+        taps = rest;
+        tapping = n;
+        tap_on();
+    } else if (strcmp(verb, "down") == 0 || strcmp(verb, "up") == 0) {
+        while ((word = strtok_r(NULL, " ", &rest)) != NULL)
+            set(pads[n], word, strcmp(verb, "down") == 0);
+    } else {
+        stop("no such command:", verb);
+    }
+}
+
+/* Reads the file on to the next line's end; 0: there is none yet. */
+static int next_line(void)
+{
+    static int file = -1;
+    char c;
+
+    if (file < 0 && (file = open(getenv("PADS"), O_RDONLY)) < 0)
+        return 0;
+    while (read(file, &c, 1) == 1) {
+        if (c == '\n') {
+            line[length] = 0;
+            length = 0;
+            return 1;
+        }
+        if (length + 1 == sizeof line)
+            stop("a line is too long:", line);
+        line[length++] = c;
+    }
+    return 0;
+}
+
+static void poll_begins(void)
+{
+    if (!getenv("PADS") || !SDL_WasInit(SDL_INIT_GAMECONTROLLER))
+        return;
+    while (waits > 0 ? (--waits, 0) : 1) {
+        if (tapping >= 0)
+            tap_on();
+        else if (next_line())
+            command();
+        else
+            break;
+    }
+    SDL_JoystickUpdate();
+}
+
+int SDL_PollEvent(SDL_Event *e)
+{
+    static int (*real)(SDL_Event *);
+    static int going;
+
+    if (!real)
+        *(void **)&real = dlsym(RTLD_NEXT, "SDL_PollEvent");
+    if (!going)
+        poll_begins();
+    going = real(e);
+    return going;
+}

@@ -1,0 +1,21 @@
+# pads.sh - controllers for a program in a window (tests/inject/pads.c, which lists commands, kinds and switches).
+#
+#     . "$(dirname "$0")/../xserver.sh"
+#     . "$(dirname "$0")/../pads.sh"
+#     pads_none                                        # before each start: no controller, nothing to be done
+#     start "Glass Tide" "${padded[@]}" "$OUT/curtain" play ...
+#     pad plug 1 xbox                                  # returns when the program has seen it
+#     pad tap 1 start south
+#     pad down 1 lleft
+pads_script=$scratch/pads.script pads_said=0
+cc -std=gnu11 -O1 -shared -fPIC $(sdl2-config --cflags) "$repo/tests/inject/pads.c" -o "$scratch/pads.so" \
+    $(sdl2-config --libs) -ldl || exit 2
+padded=(env "PADS=$pads_script" "LD_PRELOAD=$scratch/pads.so")
+
+pads_none() { : >"$pads_script"; }
+# pad COMMAND...: false: the program did not get that far, or the library says that it is no command.
+pad() {
+    pads_said=$((pads_said + 1))
+    printf '%s\nwait 1\nsay %d\n' "$*" $pads_said >>"$pads_script"
+    soon grep -qx "pads: $pads_said" "$scratch/err" || { tail -1 "$scratch/err" >&2; return 1; }
+}

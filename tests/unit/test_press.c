@@ -1,0 +1,200 @@
+/* test_press.c - how players press: sequences of held buttons to sequences of pads. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/pads/press.h"
+
+static const struct press_modes off, autofire = { .autofire = true }, toggle = { .toggle_focus = true },
+                                     one_hand = { .one_hand = true };
+static struct press p;
+
+/* What is held, and what comes out: a letter a tick, F fire, f focus, L left, . nothing, * fire and left, + fire and
+ * focus; a blank before a tick: the player does not play. */
+static uint16_t pads_of(char c)
+{
+    switch (c) {
+    case 'F':
+        return PAD_FIRE;
+    case 'f':
+        return PAD_FOCUS;
+    case 'L':
+        return PAD_LEFT;
+    case '*':
+        return PAD_FIRE | PAD_LEFT;
+    case '+':
+        return PAD_FIRE | PAD_FOCUS;
+    default:
+        return 0;
+    }
+}
+
+static char letter_of(uint16_t pads)
+{
+    for (const char *c = "FfL*+."; *c; c++)
+        if (pads_of(*c) == pads)
+            return *c;
+    return '?';
+}
+
+static void ticks(const struct press_modes *modes, const char *held, const char *want)
+{
+    char got[128] = "";
+    size_t n = 0;
+
+    for (; *held; held++) {
+        bool plays = *held != ' ';
+        held += !plays;
+        got[n++] = letter_of(press_tick(&p, modes, plays, pads_of(*held)));
+    }
+    assert_string_equal(got, want);
+}
+
+static void power(void)
+{
+    press_resume(&p, 0);
+    press_tick(&p, &off, true, 0);
+}
+
+/* With everything off the pads are what is held, whatever went before. */
+static void off_is_off(void **state)
+{
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 7);
+    press_resume(&p, PAD_ALL);
+    for (int i = 0; i < 20000; i++) {
+        uint64_t n = rng_next(&r);
+        uint16_t held = (uint16_t)(n & PAD_ALL);
+        if (n >> 20 & 1)
+            press_resume(&p, (uint16_t)(n >> 32 & PAD_ALL));
+        assert_int_equal(press_tick(&p, &off, n >> 21 & 1, held), held);
+    }
+}
+
+/* A mode touches its own button alone, and nothing when the player does not play. */
+static void no_other_button_changes(void **state)
+{
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 8);
+    power();
+    for (int i = 0; i < 20000; i++) {
+        uint64_t n = rng_next(&r);
+        uint16_t held = (uint16_t)(n & PAD_ALL);
+        bool plays = n >> 20 & 3;
+        struct press_modes modes = { n >> 22 & 1, n >> 23 & 1, n >> 24 & 1 };
+        uint16_t may =
+            (uint16_t)((modes.autofire || modes.one_hand ? PAD_FIRE : 0) | (modes.toggle_focus ? PAD_FOCUS : 0));
+        uint16_t got = press_tick(&p, &modes, plays, held);
+        assert_int_equal((got ^ held) & ~(plays ? may : 0), 0);
+    }
+}
+
+static void fire_in_bursts(void **state)
+{
+    (void)state;
+    power();
+    ticks(&autofire, "..FFFFFFFFFF..F..FFFFF", "..FF..FF..FF..F..FF..F");
+    /* Focus comes and goes meanwhile. */
+    ticks(&autofire, ".FF++++FF", ".FFff++..");
+    /* A tick that the game stands for is not counted; its menu sees what is held. */
+    ticks(&autofire, ".FFF F F F F FFF", ".FF.FFFFFFF");
+    assert_int_equal(PRESS_ON + PRESS_OFF, 60 / 15);
+}
+
+static void focus_is_switched(void **state)
+{
+    (void)state;
+    power();
+    ticks(&toggle, ".f..f..f.F.fff.", ".fff...ff+f....");
+    /* A pause menu has focus as a button, and afterwards it is as it was: a press there is no switch. */
+    ticks(&toggle, ".f. f . f . .", ".fff.f..");
+}
+
+static void focus_over_a_power_on(void **state)
+{
+    (void)state;
+    power();
+    ticks(&toggle, ".f..", ".fff");
+    press_resume(&p, 0); /* focus held through it: neither on nor a press */
+    ticks(&toggle, "fff..f..", ".....fff");
+}
+
+/* Time is turned to where focus was on, or off. */
+static void focus_over_a_rewind(void **state)
+{
+    (void)state;
+    power();
+    ticks(&toggle, ".f..f..", ".fff...");
+    press_resume(&p, PAD_FOCUS);
+    ticks(&toggle, "...f.", "fff..");
+    press_resume(&p, PAD_FIRE);
+    ticks(&toggle, "..f", "..f");
+}
+
+/* The window lost the keyboard: everything is let go, and what is switched stays. */
+static void focus_over_a_loss_of_the_window(void **state)
+{
+    (void)state;
+    power();
+    ticks(&toggle, ".f.......f", ".ffffffff.");
+    ticks(&one_hand, "LL.......", "**FFFFFFF");
+}
+
+static void fire_holds_itself(void **state)
+{
+    (void)state;
+    power();
+    /* From the first move on, also standing; a press of fire lets it go for a tick, and is then a press. */
+    ticks(&one_hand, "..LL...FFF...L.", "..**FFF.FF...*F");
+    /* Moving on while fire is held: when it is let go, fire holds itself again. */
+    ticks(&one_hand, "..**LL..", "FFL***FF");
+    /* In a menu nothing is held; the first move after it holds again. */
+    ticks(&one_hand, ". L . L..L", "FL.L..*");
+}
+
+static void one_hand_in_bursts(void **state)
+{
+    const struct press_modes both = { .autofire = true, .one_hand = true };
+
+    (void)state;
+    power();
+    ticks(&both, ".L......", ".*F..FF.");
+}
+
+/* A late frame gives the same buttons to several ticks: nothing is switched twice, and bursts go on in ticks. */
+static void several_ticks_a_poll(void **state)
+{
+    static const struct press_modes all = { true, true, true };
+    uint16_t got[6];
+
+    (void)state;
+    power();
+    for (int i = 0; i < 6; i++)
+        got[i] = press_tick(&p, &all, true, PAD_FOCUS | PAD_FIRE);
+    for (int i = 0; i < 6; i++)
+        assert_int_equal(got[i], i % 4 < 2 ? PAD_FOCUS | PAD_FIRE : PAD_FOCUS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(off_is_off),
+        cmocka_unit_test(no_other_button_changes),
+        cmocka_unit_test(fire_in_bursts),
+        cmocka_unit_test(focus_is_switched),
+        cmocka_unit_test(focus_over_a_power_on),
+        cmocka_unit_test(focus_over_a_rewind),
+        cmocka_unit_test(focus_over_a_loss_of_the_window),
+        cmocka_unit_test(fire_holds_itself),
+        cmocka_unit_test(one_hand_in_bursts),
+        cmocka_unit_test(several_ticks_a_poll),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

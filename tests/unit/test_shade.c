@@ -1,0 +1,134 @@
+/* test_shade.c - shade.h: every entry of the tables against a look at all colours, and which ROM they are made for. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/pack/art.h"
+#include "../../src/cab/pack/shade.h"
+
+static int brightness(const uint8_t *rgb, int i)
+{
+    return 2 * rgb[3 * i] + 3 * rgb[3 * i + 1] + rgb[3 * i + 2];
+}
+
+/* What shade.h promises, word by word. */
+static int wanted(const uint8_t *rgb, int entry, int dim, int before)
+{
+    double least = 1e9;
+    int best = before;
+
+    for (int k = 255; k >= 0; k--) {
+        double d = 0;
+        if ((k > 0 && k % 16 == 0) || brightness(rgb, k) > brightness(rgb, before))
+            continue;
+        for (int c = 0; c < 3; c++) {
+            const double off = rgb[3 * k + c] - rgb[3 * entry + c] * (4 - dim) / 4.0;
+            d += off * off;
+        }
+        if (d <= least) {
+            least = d;
+            best = k;
+        }
+    }
+    return best;
+}
+
+static void check(const uint8_t *rgb)
+{
+    uint8_t tables[VIEW_SHADES];
+
+    memset(tables, 0xaa, sizeof tables);
+    shade_make(rgb, tables);
+    for (int i = 0; i < 256; i++) {
+        int before = i;
+        for (int dim = VIEW_DIM_QUARTER; dim <= VIEW_DIM_MOST; dim++) {
+            const int got = tables[(dim - 1) * 256 + i];
+            assert_int_equal(got, wanted(rgb, i, dim, before));
+            assert_true(brightness(rgb, got) <= brightness(rgb, before));
+            before = got;
+        }
+    }
+}
+
+static void test_tables(void **state)
+{
+    uint8_t rgb[CART_PALETTE];
+    struct rng r;
+
+    (void)state;
+    art_default_palette(rgb);
+    check(rgb);
+    rng_seed(&r, 8);
+    for (int round = 0; round < 12; round++) {
+        for (int i = 0; i < CART_PALETTE; i++)
+            rgb[i] = (uint8_t)(rng_next(&r) >> (round % 3 ? 56 : 59)); /* or all in one corner */
+        if (round > 8)
+            memset(rgb, round == 9 ? 0 : 255, CART_PALETTE / 2);
+        check(rgb);
+    }
+}
+
+/* On the default palette, which is made of ramps, shades are about as dark as they should be. */
+static void test_dark(void **state)
+{
+    uint8_t rgb[CART_PALETTE], tables[VIEW_SHADES];
+
+    (void)state;
+    art_default_palette(rgb);
+    shade_make(rgb, tables);
+    for (int dim = VIEW_DIM_QUARTER; dim <= VIEW_DIM_MOST; dim++) {
+        long was = 0, is = 0;
+        for (int i = 0; i < 256; i++) {
+            was += brightness(rgb, i);
+            is += brightness(rgb, tables[(dim - 1) * 256 + i]);
+        }
+        assert_in_range(100 * is / was, 100 - 25 * dim - 6, 100 - 25 * dim + 6);
+    }
+}
+
+/* A ROM without the lump gets tables, made once a palette; one that has it none. */
+static void test_kept(void **state)
+{
+    static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[VIEW_SHADES];
+    uint8_t rgb[CART_PALETTE];
+    struct shade_kept kept = { 0 };
+    struct cart cart;
+    struct manifest m;
+    struct rom rom;
+    char err[256];
+
+    (void)state;
+    art_default_palette(rgb);
+    manifest_default(&m);
+    manifest_pack(&m, manifest);
+    for (int with = 0; with < 3; with++) {
+        struct lump lumps[] = { { "manifest", manifest, sizeof manifest },
+                                { "palette/main", rgb, sizeof rgb },
+                                { "script/main.lua", (const uint8_t *)"", 0 },
+                                { "shades", want, VIEW_SHADES } };
+        rgb[33] ^= (uint8_t)(with == 1);
+        const int n = with == 2 ? 4 : 3;
+        assert_true(rom_write_size(lumps, n) <= sizeof bytes);
+        rom_write(bytes, lumps, n);
+        assert_true(rom_open(&rom, bytes, rom_write_size(lumps, n), err, sizeof err));
+        assert_true(cart_open(&cart, &rom, err, sizeof err));
+        assert_int_equal(cart.shades != NULL, with == 2);
+        const uint8_t *got = shade_for(&kept, &cart);
+        assert_ptr_equal(got, with == 2 ? NULL : kept.tables);
+        shade_make(rgb, want);
+        assert_true(with == 2 || memcmp(got, want, VIEW_SHADES) == 0);
+        kept.tables[5] ^= (uint8_t)(with == 0);
+        assert_true(with > 0 || shade_for(&kept, &cart)[5] == (want[5] ^ 1)); /* not made again */
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_tables), cmocka_unit_test(test_dark),
+                                        cmocka_unit_test(test_kept) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
