@@ -4,7 +4,7 @@
 #include "verify_json.h"
 
 #include <stdio.h>
-#include "host/json.h"
+#include "store/json.h"
 
 static const char *const kinds[MARKER_KINDS] = {
     [MARKER_STAGE] = "stage", [MARKER_MARK] = "mark",   [MARKER_WAVE] = "wave",   [MARKER_BOSS] = "boss",

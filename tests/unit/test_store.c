@@ -317,7 +317,7 @@ static void test_folder(void **state)
         add(&r, i);
     add(&r, 4); /* in the same second */
     listed(&r, 6);
-    assert_string_equal(r.list[0].stem, "20260921-141324-2");
+    assert_string_equal(r.list[0].stem, "20260921-141324-002");
     assert_string_equal(r.list[1].stem, "20260921-141324");
     assert_int_equal(r.list[5].card.points[1], 0); /* the oldest comes last */
     assert_true(r.list[0].card.hash != 0 && r.list[0].card.bytes == 64);
@@ -462,7 +462,7 @@ static void test_refused(void **state)
     shell("mkdir -p curtain && touch curtain/replays");
     assert_true(replays_open(&r, "lanterns"));
     assert_false(replays_add(&r, bytes, sizeof bytes, &c, NULL, err, sizeof err));
-    assert_string_equal(err, "user:replays/lanterns/20260921-141321.demo: cannot be written (Not a directory)");
+    assert_non_null(strstr(err, "/replays/lanterns/20260921-141321.demo: cannot be written (Not a directory)"));
     assert_int_equal(r.n, 0);
     replays_close(&r);
 }

@@ -33,18 +33,30 @@ static struct tm utc(int64_t date)
     return tm ? *tm : (struct tm){ .tm_year = 70, .tm_mday = 1 };
 }
 
-/* The first name of that second that nobody has. */
+/* The number behind a stem's second; -1: it is of another second. */
+static int number_of(const char *stem, const char *second, size_t n)
+{
+    return strncmp(stem, second, n) != 0 ? -1 : stem[n] == '-' ? atoi(stem + n + 1) : 1;
+}
+
+/* The next name of that second: it comes after all that are listed. */
 static void free_stem(const struct replays *r, int64_t date, char stem[REPLAY_STEM])
 {
     const struct tm tm = utc(date);
+    const size_t n = strftime(stem, REPLAY_STEM, "%Y%m%d-%H%M%S", &tm);
     char path[REPLAY_PATH];
-    int n = (int)strftime(stem, REPLAY_STEM, "%Y%m%d-%H%M%S", &tm);
+    int last = 0;
 
-    path_of(r, stem, "demo", path);
-    for (int i = 2; plat_size(path) >= 0 && i < 1000; i++) {
-        snprintf(stem + n, (size_t)(REPLAY_STEM - n), "-%d", i);
-        path_of(r, stem, "demo", path);
+    for (int i = 0; i < r->n; i++) {
+        const int k = number_of(r->list[i].stem, stem, n);
+        last = k > last ? k : last;
     }
+    do {
+        if (last > 0)
+            snprintf(stem + n, REPLAY_STEM - n, "-%03d", last + 1);
+        path_of(r, stem, "demo", path);
+        last++;
+    } while (plat_size(path) >= 0 && last < 999);
 }
 
 /* Days from 1970 to a date, as the calendar goes now. */

@@ -6,7 +6,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <time.h>
-#include "../host/json.h"
+#include "../../../platform/platform.h"
+#include "json.h"
 
 const char *replays_end_word(enum card_end end)
 {
@@ -100,12 +101,12 @@ static void print_json(const char *path, const struct card *c)
 bool replays_print(const char *id, bool json)
 {
     struct replays r;
-    char path[REPLAY_PATH];
+    char path[REPLAY_PATH], file[DEMO_PATH];
     const bool all = replays_open(&r, id);
 
     for (int i = 0; i < r.n; i++) {
         replays_path(&r, i, path);
-        (json ? print_json : print_line)(path, &r.list[i].card);
+        (json ? print_json : print_line)(plat_path(path, file, sizeof file) ? file : path, &r.list[i].card);
     }
     replays_close(&r);
     return all;

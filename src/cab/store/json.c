@@ -4,7 +4,7 @@
 #include "json.h"
 
 #include <inttypes.h>
-#include "clean.h"
+#include "../host/clean.h"
 
 static void put_string(FILE *out, const char *text)
 {
