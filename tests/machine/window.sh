@@ -32,7 +32,7 @@ for scale in 1 2 3; do
     if start "port probe" "$probe" show 240 160 $scale; then
         check "the window at scale $scale" size_is $((240 * scale))x$((160 * scale))
         check "pixels at scale $scale" same_pixels 240 160 $((240 * scale)) $((160 * scale))
-        stop
+        stop Escape
     fi
 done
 if start "port probe" "$probe" show 240 160 2; then
@@ -40,11 +40,11 @@ if start "port probe" "$probe" show 240 160 2; then
         timeout 100 xdotool windowsize --sync "$win" ${size/x/ }
         check "pixels in a window of $size" same_pixels 240 160 ${size/x/ }
     done
-    stop
+    stop Escape
 fi
 if start "port probe" "$probe" show 64 1000 0; then
     check "a picture taller than the screen gets scale 1" size_is 64x1000
-    stop
+    stop Escape
 fi
 
 # ---- fullscreen: X has it only with a window manager ----
@@ -59,11 +59,11 @@ if start "port probe" "$probe" show 240 160 2; then
     check "pixels in fullscreen" same_pixels 240 160 1100 1000
     xdotool key --delay 100 f
     check "pixels after fullscreen" same_pixels 240 160 480 320
-    stop
+    stop Escape
 fi
 if start "port probe" "$probe" show 240 160 1 full; then
     check "pixels in fullscreen from the start" same_pixels 240 160 1100 1000
-    stop
+    stop Escape
 fi
 kill $wm
 wait $wm 2>/dev/null
@@ -95,7 +95,7 @@ if start "port probe" "$probe" show 240 160 2; then
     check "the mouse is in picture pixels" soon says "mouse 1 at 50 25"
     check "no card, no sound" says "sound 0"
     check "which is mentioned" grep -q "no sound" "$scratch/err"
-    stop
+    stop Escape
     check "closing twice is harmless" says closed
 fi
 if SDL_AUDIODRIVER=dummy start "port probe" "$probe" show 64 64 1; then

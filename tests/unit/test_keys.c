@@ -284,14 +284,14 @@ static void hints_name_what_is_used(void **state)
     read_keys(&k, &in, &r);
     keys_first(&k, "p2.bomb", name, sizeof name);
     assert_string_equal(name, "A");
-    keys_bind(&k, "mute", "m pad.north", err, sizeof err);
-    keys_first(&k, "mute", name, sizeof name);
+    keys_bind(&k, "silence", "m pad.north", err, sizeof err);
+    keys_first(&k, "silence", name, sizeof name);
     assert_string_equal(name, "X");
     press(&in, 29); /* the controllers are still held: what is new counts */
     read_keys(&k, &in, &r);
     keys_first(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "z");
-    keys_first(&k, "mute", name, sizeof name);
+    keys_first(&k, "silence", name, sizeof name);
     assert_string_equal(name, "m");
     keys_first(&k, "p2.fire", name, sizeof name);
     assert_string_equal(name, "B");
