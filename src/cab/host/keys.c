@@ -191,19 +191,19 @@ void keys_first(const struct keys *k, const char *action, char *out, size_t size
         switch_name(code ? code : first_code(k, at, !last->controller), out, size);
 }
 
-const char *keys_action(int i)
+const char *keys_action(int action)
 {
-    return actions[i].name;
+    return actions[action].name;
 }
 
-const char *keys_meaning(int i)
+const char *keys_does(int action)
 {
-    return actions[i].help;
+    return actions[action].help;
 }
 
-void keys_text(const struct keys *k, const char *action, char *out, size_t size)
+void keys_list(const struct keys *k, int action, char *out, size_t size)
 {
-    const uint16_t *code = k->code[find(action)];
+    const uint16_t *code = k->code[action];
     char word[SWITCH_NAME];
     size_t n = 0;
 
