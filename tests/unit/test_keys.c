@@ -8,8 +8,6 @@
 #include "../../src/board/board.h"
 #include "../../src/cab/host/config.h"
 
-enum { BOMB = 5, STEP = PADS * PAD_BUTTONS + CAB_STEP };
-
 static char err[256];
 static int lines;
 
@@ -317,18 +315,18 @@ static void lists_are_written_and_read(void **state)
     keys_defaults(&k);
     assert_true(keys_bind(&k, "step", "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0", err, sizeof err));
     assert_true(keys_bind(&k, "slow", "none", err, sizeof err));
-    keys_list(&k, STEP, text, sizeof text);
+    keys_text(&k, "step", text, sizeof text);
     assert_string_equal(text, "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0");
-    keys_list(&k, STEP + 1, text, sizeof text);
+    keys_text(&k, "slow", text, sizeof text);
     assert_string_equal(text, "none");
     memset(&again, 0, sizeof again);
     for (int i = 0; i < KEYS_ACTIONS; i++) {
-        keys_list(&k, i, text, sizeof text);
+        keys_text(&k, keys_action(i), text, sizeof text);
         assert_true(keys_bind(&again, keys_action(i), text, err, sizeof err));
-        assert_non_null(keys_does(i));
+        assert_non_null(keys_meaning(i));
     }
     assert_memory_equal(k.code, again.code, sizeof k.code);
-    keys_list(&k, STEP, text, 6);
+    keys_text(&k, "step", text, 6);
     assert_string_equal(text, "alt+k");
 }
 
@@ -383,11 +381,11 @@ static void switches_are_added_and_dropped(void **state)
     keys_defaults(&k);
     assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x pad.east q");
     keys_drop(&k, "p1.bomb", switch_code("pad.east"));
     keys_drop(&k, "p1.bomb", switch_code("f1"));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x q");
     assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
@@ -395,7 +393,7 @@ static void switches_are_added_and_dropped(void **state)
     assert_string_equal(err, "p1.bomb has 6 switches, which is all it can have");
     for (int i = 1; i < 7; i++)
         keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "none");
 }
 

@@ -102,7 +102,8 @@ static void lost(int player, const char *name)
         return;
     }
     cab.paused = cab.unplugged = true;
-    tell(CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1, name);
+    tell(CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1,
+         name);
 }
 
 static void seat_event(const struct seats_event *e)
