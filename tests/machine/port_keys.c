@@ -2,9 +2,10 @@
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, f when another window has the
  * keys, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to
- * the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture shown, a
- * line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes its words. With
- * KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm. With
+ * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_kind, -N pulls it
+ * out; without any such word all of them are there, of no known kind. Time passes only when waited for. Of every picture
+ * shown, a line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes its words.
+ * With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm. With
  * KEYS_WINDOW=WxH there is a window of that size, for which pictures can be composed; those are hashed whole. With
  * KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of that rate.
  * floor: tests
@@ -18,6 +19,37 @@
 
 static uint64_t now = 1000000;
 static bool text; /* is wanted */
+
+static struct plat_controller plugged[PLAT_CONTROLLERS];
+static bool there[PLAT_CONTROLLERS], plugs; /* plugs: the script says what is there */
+
+static void plug(const char *word)
+{
+    static const char *const names[PLAT_KINDS] = { "",
+                                                   "Xbox One Controller",
+                                                   "Xbox 360 Controller",
+                                                   "PS3 Controller",
+                                                   "PS4 Controller",
+                                                   "DualSense Wireless Controller",
+                                                   "Nintendo Switch Pro Controller" };
+    static uint32_t id;
+    unsigned which = 0, kind = 0;
+
+    if (sscanf(word + 1, "%u:%u", &which, &kind) < 1 || which < 1 || which > PLAT_CONTROLLERS || kind >= PLAT_KINDS)
+        return;
+    struct plat_controller *c = &plugged[which - 1];
+    plugs = true;
+    there[which - 1] = word[0] == '+';
+    *c = (struct plat_controller){ .id = ++id, .kind = (enum plat_kind)kind };
+    snprintf(c->name, sizeof c->name, "%s", names[kind]);
+}
+
+bool plat_controller(int i, struct plat_controller *controller)
+{
+    *controller = plugged[i];
+    controller->id += plugs ? 0 : (uint32_t)i;
+    return there[i] || !plugs;
+}
 
 bool plat_open(const struct plat_want *want)
 {
@@ -47,6 +79,8 @@ void plat_poll(struct plat_input *in)
             in->mouse = sscanf(word, "@%d,%d", &in->mouse_x, &in->mouse_y) == 2;
         } else if (word[0] == '~') {
             sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
+        } else if (word[0] == '+' || word[0] == '-') {
+            plug(word);
         } else if (word[0] == 'c') {
             unsigned which = 1, bits = 0;
             if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)

@@ -7,8 +7,7 @@
 #include <cmocka.h>
 #include "../../src/board/board.h"
 #include "../../src/cab/host/config.h"
-
-enum { BOMB = 5, STEP = PADS * PAD_BUTTONS + CAB_STEP };
+#include "../../src/cab/picture/quarter.h"
 
 static char err[256];
 static int lines;
@@ -215,6 +214,24 @@ static void refuse(const char *text, size_t n, const char *want)
     assert_memory_equal(&c, &was, sizeof c);
 }
 
+static void settings_of_the_window(void **state)
+{
+    static const char text[] = "turn = over\nscaling = smooth\ncrt = yes\nborder = no\nvsync = no\nrun_ahead = 1\n"
+                               "panels = beside\n";
+    struct config c;
+    (void)state;
+    config_defaults(&c);
+    assert_true(c.turn == QUARTER_NONE && c.scaling == SCALING_WHOLE && c.panels == PANELS_OVER);
+    assert_true(!c.crt && c.border && c.vsync && !c.run_ahead);
+    assert_true(config_read(&c, "x.conf", text, sizeof text - 1, err, sizeof err));
+    assert_true(c.turn == QUARTER_OVER && c.scaling == SCALING_SMOOTH && c.panels == PANELS_BESIDE);
+    assert_true(c.crt && !c.border && !c.vsync && c.run_ahead);
+    assert_true(config_read(&c, "x.conf", "turn = left", 11, err, sizeof err));
+    assert_int_equal(c.turn, QUARTER_LEFT);
+    assert_true(config_read(&c, "x.conf", "turn = right", 12, err, sizeof err));
+    assert_int_equal(c.turn, QUARTER_RIGHT);
+}
+
 static void bad_settings(void **state)
 {
     char longline[CONFIG_LINE + 8];
@@ -231,6 +248,9 @@ static void bad_settings(void **state)
     REFUSE("mute = 1", "x.conf:1: mute: expected yes or no, got \"1\"");
     REFUSE("focus = held", "x.conf:1: focus: expected hold or toggle, got \"held\"");
     REFUSE("one_hand2 = yes", "x.conf:1: one_hand2: expected no, left or right, got \"yes\"");
+    REFUSE("turn = up", "x.conf:1: turn: expected none, left, right or over, got \"up\"");
+    REFUSE("panels = 1", "x.conf:1: panels: expected over or beside, got \"1\"");
+    REFUSE("run_ahead = 2", "x.conf:1: run_ahead: expected a number from 0 to 1, got \"2\"");
     REFUSE("hello", "x.conf:1: expected name = value, got \"hello\"");
     REFUSE("= 4", "x.conf:1: no setting is called \"\"");
     REFUSE("p1.fire = q qq", "x.conf:1: p1.fire: no switch is called \"qq\"");
@@ -317,18 +337,18 @@ static void lists_are_written_and_read(void **state)
     keys_defaults(&k);
     assert_true(keys_bind(&k, "step", "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0", err, sizeof err));
     assert_true(keys_bind(&k, "slow", "none", err, sizeof err));
-    keys_list(&k, STEP, text, sizeof text);
+    keys_text(&k, "step", text, sizeof text);
     assert_string_equal(text, "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0");
-    keys_list(&k, STEP + 1, text, sizeof text);
+    keys_text(&k, "slow", text, sizeof text);
     assert_string_equal(text, "none");
     memset(&again, 0, sizeof again);
     for (int i = 0; i < KEYS_ACTIONS; i++) {
-        keys_list(&k, i, text, sizeof text);
+        keys_text(&k, keys_action(i), text, sizeof text);
         assert_true(keys_bind(&again, keys_action(i), text, err, sizeof err));
-        assert_non_null(keys_does(i));
+        assert_non_null(keys_meaning(i));
     }
     assert_memory_equal(k.code, again.code, sizeof k.code);
-    keys_list(&k, STEP, text, 6);
+    keys_text(&k, "step", text, 6);
     assert_string_equal(text, "alt+k");
 }
 
@@ -383,11 +403,11 @@ static void switches_are_added_and_dropped(void **state)
     keys_defaults(&k);
     assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x pad.east q");
     keys_drop(&k, "p1.bomb", switch_code("pad.east"));
     keys_drop(&k, "p1.bomb", switch_code("f1"));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x q");
     assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
@@ -395,7 +415,7 @@ static void switches_are_added_and_dropped(void **state)
     assert_string_equal(err, "p1.bomb has 6 switches, which is all it can have");
     for (int i = 1; i < 7; i++)
         keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
-    keys_list(&k, BOMB, text, sizeof text);
+    keys_text(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "none");
 }
 
@@ -559,6 +579,7 @@ int main(void)
         cmocka_unit_test(pressed_is_once),
         cmocka_unit_test(bad_bindings_change_nothing),
         cmocka_unit_test(a_settings_file),
+        cmocka_unit_test(settings_of_the_window),
         cmocka_unit_test(bad_settings),
         cmocka_unit_test(help_has_them_all),
         cmocka_unit_test(first_switch),

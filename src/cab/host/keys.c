@@ -191,19 +191,19 @@ void keys_first(const struct keys *k, const char *action, char *out, size_t size
         switch_name(code ? code : first_code(k, at, !last->controller), out, size);
 }
 
-const char *keys_action(int action)
+const char *keys_action(int i)
 {
-    return actions[action].name;
+    return actions[i].name;
 }
 
-const char *keys_does(int action)
+const char *keys_meaning(int i)
 {
-    return actions[action].help;
+    return actions[i].help;
 }
 
-void keys_list(const struct keys *k, int action, char *out, size_t size)
+void keys_text(const struct keys *k, const char *action, char *out, size_t size)
 {
-    const uint16_t *code = k->code[action];
+    const uint16_t *code = k->code[find(action)];
     char word[SWITCH_NAME];
     size_t n = 0;
 

@@ -103,12 +103,12 @@ void keys_first(const struct keys *k, const char *action, char *out, size_t size
 /* True when there is such an action. The functions above and below take one that is known. */
 bool keys_known(const char *action);
 
-/* Writes all switches of an action as keys_bind takes them: "z pad.south", or "none". */
-void keys_list(const struct keys *k, int action, char *out, size_t size);
+/* Action i of KEYS_ACTIONS, "p1.fire", and what it is for, "fire; yes in menus"; "": nothing to be said. */
+const char *keys_action(int i);
+const char *keys_meaning(int i);
 
-/* The name of an action, and what it does in a few words ("": as the one of player 1). */
-const char *keys_action(int action);
-const char *keys_does(int action);
+/* Writes the list of an action's switches, as keys_bind reads it. */
+void keys_text(const struct keys *k, const char *action, char *out, size_t size);
 
 /* Waits for a switch that is pressed anew. */
 struct keys_capture {

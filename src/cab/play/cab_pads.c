@@ -1,6 +1,7 @@
 /*
  * cab_pads.c - whose controller is whose, and from the buttons that are held to the pads of a tick.
  */
+#include <stdarg.h>
 #include <stdio.h>
 #include "../../board/inspect.h"
 #include "../pads/switches.h"
@@ -74,6 +75,20 @@ const char *cab_controller_name(const struct plat_controller *c)
     return c->name[0] ? c->name : switch_kind_name(c->kind);
 }
 
+/* Over the picture, and at the foot of a screen. */
+CAB_PRINTF(2, 3) static void tell(int frames, const char *format, ...)
+{
+    char text[sizeof cab.notice];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    cab_notice(frames, "%s", text);
+    if (screens_are_open(&cab.screens))
+        screens_say(&cab.screens, "%s", text);
+}
+
 /* A player lost what they played with: the game waits for them. */
 static bool waits_for(int player)
 {
@@ -83,11 +98,12 @@ static bool waits_for(int player)
 static void lost(int player, const char *name)
 {
     if (!waits_for(player)) {
-        cab_notice(CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
+        tell(CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
         return;
     }
     cab.paused = cab.unplugged = true;
-    cab_notice(-1, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1, name);
+    tell(CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1,
+         name);
 }
 
 static void seat_event(const struct seats_event *e)
@@ -97,11 +113,11 @@ static void seat_event(const struct seats_event *e)
     if (e->what == SEATS_LOST)
         lost(e->player, name);
     else if (e->what == SEATS_FULL)
-        cab_notice(CAB_NOTICE_FRAMES, "every player has a controller already");
+        tell(CAB_NOTICE_FRAMES, "every player has a controller already");
     else if (cab.unplugged)
-        cab_notice(-1, "player %d has %s. START goes on", e->player + 1, name);
+        tell(CAB_NOTICE_STAYS, "player %d has %s. START goes on", e->player + 1, name);
     else if (!e->first)
-        cab_notice(CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
+        tell(CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
 }
 
 /* START ends the pause that a lost controller began, and the game does not get it. */

@@ -86,7 +86,7 @@ static void describe(void *of, int at, struct screen_row *row)
     labels_of(action, row->value, sizeof row->value);
     if (wait.listening && wait.action == action)
         snprintf(row->value, sizeof row->value, "press it ...");
-    snprintf(row->help, sizeof row->help, "%s\nEnter: one more, by pressing it. Delete: one less.", keys_does(same));
+    snprintf(row->help, sizeof row->help, "%s\nEnter: one more, by pressing it. Delete: one less.", keys_meaning(same));
 }
 
 /* ---- changes ---- */
