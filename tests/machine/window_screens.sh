@@ -83,6 +83,8 @@ for size in ${SIZES:-240x320 320x240 384x448}; do
                 does menu
                 looks menu
                 does down yes
+                looks replays
+                does no down yes
                 looks settings
                 does down down down down down right
                 looks settings-changed
@@ -90,11 +92,12 @@ for size in ${SIZES:-240x320 320x240 384x448}; do
                 check "and it is written" grep -qx 'border = no' data/curtain/curtain.conf
                 does down yes
                 looks keys
-                does no menu
+                does no down yes
+                looks controllers
                 leave
             fi
             if opens pieces; then
-                does menu down down down yes
+                does menu down down down down down yes
                 looks practice
                 does down right
                 looks practice-changed
