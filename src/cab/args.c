@@ -128,8 +128,7 @@ static const struct {
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
-    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER,
-                     "backgrounds darker: none, quarter, half, most (by three quarters)" },
+    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER, "backgrounds darker: none, quarter, half, most (by three quarters)" },
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_RENDER, "full, soft: flashes of the screen at a quarter" },
     [OPTION_COLOURS] = { "--colours", "WORD", FOR_RENDER,
                          "for eyes that tell fewer apart: normal, protan, deutan, tritan" },
