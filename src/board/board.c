@@ -688,6 +688,11 @@ const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *change
     return b->nvram.bytes;
 }
 
+int board_difficulty_now(const struct board *b)
+{
+    return (int)b->core.difficulty;
+}
+
 static int part_named(const char *name)
 {
     for (int i = 0; i < PARTS; i++)

@@ -96,7 +96,7 @@ enum board_marker_kind {
     /* of a run again */
     MARKER_GAME, /* a game starts; the kind of the first player's ship, value: players */
     MARKER_OVER, /* it is over; "clear" (all stages), "over" (no lives) or "quit", value: stages that were cleared */
-    MARKER_ROW,  /* a score is entered; the table's name, value: the row, 1 the best */
+    MARKER_ROW,  /* a score is entered; the table's name, of the ship, value: the row in its table, 1 the best */
     MARKER_KINDS
 };
 
@@ -286,6 +286,9 @@ int64_t board_refused(const struct board *b, const char *part);
 
 /* Points of player i (0 or 1): those of its game, and after it those of the last one. */
 int64_t board_points(const struct board *b, int i);
+
+/* The difficulty that is played now, an index into the manifest's list: a game may let its player choose. */
+int board_difficulty_now(const struct board *b);
 
 /* The most bytes of Lua RAM in use at one time since power-on; the capacity is board.lua_kib of rom.lua. */
 size_t board_lua_peak(const struct board *b);

@@ -20,7 +20,8 @@ enum {
     FOR_HASH = 1 << COMMAND_HASH,
     FOR_VERIFY = 1 << COMMAND_VERIFY,
     FOR_PACK = 1 << COMMAND_PACK,
-    FOR_ROM = FOR_PACK | 1 << COMMAND_LIST | 1 << COMMAND_UNPACK,
+    FOR_LIST = 1 << COMMAND_LIST,
+    FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
     FOR_HEADLESS = FOR_RENDER | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
@@ -83,10 +84,14 @@ enum option {
     OPTION_NOTES,
     OPTION_PLAY,
     OPTION_OUT,
+    OPTION_RESUME,
+    OPTION_NO_RESUME,
     OPTION_NEAREST,
     OPTION_BISECT,
     OPTION_RESTAMP,
     OPTION_RERECORD,
+    OPTION_JSON,
+    OPTION_REPLAYS,
     OPTION_NULL,
     OPTION_VERBOSE,
     OPTION_HELP,
@@ -135,6 +140,9 @@ static const struct {
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
     [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK | FOR_SOUND,
                      "where to write: render: folder (else the current one); pack: ROM file; sound: WAV file" },
+    [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
+    [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
+                           "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
@@ -148,6 +156,12 @@ static const struct {
                           "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
                           "moments "
                           "and length are known to be the same; 1: not; 2: not written" },
+    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST,
+                      "verify: print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
+                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay" },
+    [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST,
+                         "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
+                         "end" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
@@ -489,6 +503,14 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->restamp);
     case OPTION_RERECORD:
         return set_switch(&a->rerecord);
+    case OPTION_REPLAYS:
+        return set_switch(&a->replays);
+    case OPTION_JSON:
+        return set_switch(&a->json);
+    case OPTION_RESUME:
+        return set_switch(&a->resume);
+    case OPTION_NO_RESUME:
+        return set_switch(&a->no_resume);
     case OPTION_NULL:
         return set_switch(&a->null);
     case OPTION_VERBOSE:
@@ -576,7 +598,7 @@ static void goes_with(unsigned set_of, char *out, size_t size)
 /* Each of these makes another command of verify. */
 static bool check_verify(uint64_t seen, char *err, size_t err_size)
 {
-    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD };
+    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD, OPTION_JSON };
     const char *first = NULL;
 
     for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
@@ -586,6 +608,20 @@ static bool check_verify(uint64_t seen, char *err, size_t err_size)
             return err_set(err, err_size, "%s does not go with %s", options[ways[i]].name, first);
         first = options[ways[i]].name;
     }
+    return true;
+}
+
+/* A run that was left is gone on with as it was begun; JSON is of replays. */
+static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t err_size)
+{
+    static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
+                                          OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
+
+    for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
+        if (seen & bit(others[i]))
+            return err_set(err, err_size, "--resume does not go with %s", options[others[i]].name);
+    if (a->command == COMMAND_LIST && a->json && !a->replays)
+        return err_set(err, err_size, "list: --json needs --replays");
     return true;
 }
 
@@ -627,7 +663,7 @@ static bool check_options(const struct args *a, uint64_t seen, char *err, size_t
         if (!a->stage && practice >> o & 1)
             return err_set(err, err_size, "%s needs --stage: it is for a practice start", options[o].name);
     }
-    return check_verify(seen, err, err_size);
+    return check_verify(seen, err, err_size) && check_pairs(a, seen, err, err_size);
 }
 
 /* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */

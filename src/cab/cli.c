@@ -22,6 +22,7 @@
 #include "listen.h"
 #include "host/keys.h"
 #include "host/report.h"
+#include "store/replays_print.h"
 #include "verify.h"
 #include "version.h"
 
@@ -103,6 +104,8 @@ static enum result play_it(struct play *p)
     o.mute = a->mute;
     o.nearest = a->nearest;
     o.verbose = a->verbose;
+    o.resume = a->resume;
+    o.no_resume = a->no_resume;
     o.user = p;
     o.open = is_games_folder(p->path) ? open_game : NULL;
     enum cab_opened opened = open_game(p, &o, err, sizeof err);
@@ -162,6 +165,20 @@ static void print_line(void *user, const char *line)
     puts(line);
 }
 
+static enum result list_replays(const struct args *a, struct rom_image *image)
+{
+    struct cart cart;
+    char err[512];
+    enum result result = RESULT_DONE;
+
+    if (!cart_open(&cart, &image->rom, err, sizeof err))
+        result = report_line(RESULT_REFUSED, "%s: %s", a->words[0], err);
+    else if (!replays_print(cart.m.id, a->json))
+        result = report_line(RESULT_HOST, "out of memory");
+    rom_image_free(image);
+    return report_stdout(result);
+}
+
 static enum result list(const struct args *a)
 {
     struct rom_image image;
@@ -169,6 +186,8 @@ static enum result list(const struct args *a)
 
     if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
         return report_error(err);
+    if (a->replays)
+        return list_replays(a, &image);
     pack_list(&image.rom, print_line, NULL);
     printf("game %016llx\nrom %016llx\n", (unsigned long long)rom_game_hash(&image.rom),
            (unsigned long long)rom_hash(&image.rom));

@@ -15,6 +15,7 @@
 #include "host/report.h"
 #include "demo/markers.h"
 #include "demo/replay.h"
+#include "verify_json.h"
 
 struct verify {
     const struct args *a;
@@ -23,6 +24,7 @@ struct verify {
     struct demo demo;
     struct demo_writer again; /* of --restamp and --rerecord */
     char doubt[160];          /* " (recorded on another build)", or nothing */
+    const char *path;         /* of the demo that is looked at */
     bool batch;               /* names come from standard input */
 };
 
@@ -52,6 +54,10 @@ static enum result refuse(const struct verify *v, enum result result, const char
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
+    if (v->a->json) {
+        verify_json_refused(v->path, result == RESULT_HOST, line);
+        return result;
+    }
     if (!v->batch)
         return report_line(result, "%s", line);
     print_clean(line);
@@ -226,16 +232,14 @@ static void say_trace(const char *text)
 
 static void say_header(const struct demo *d)
 {
-    static const char *const flags[] = { "branched", "touched", "assisted" };
-
     printf("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format, (unsigned)d->core,
            d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
     printf("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
            d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
     if (d->start.lang[0])
         printf(", language %s", d->start.lang);
-    for (unsigned i = 0; i < sizeof flags / sizeof flags[0]; i++)
-        printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? flags[i] : "");
+    for (int i = 0; demo_flag_name(i); i++)
+        printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
     printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
 }
 
@@ -266,12 +270,30 @@ static enum result write_again(struct verify *v, const char *path)
     return refuse(v, RESULT_HOST, "%s", err);
 }
 
+static enum result tell_json(const struct verify *v, const char *path, const struct verdict *w)
+{
+    char doubt[128];
+    const struct verify_told told = {
+        .path = path,
+        .doubt = demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt),
+        .cart = &v->game.cart,
+        .demo = &v->demo,
+        .again = &v->again.demo,
+        .replay = &v->replay,
+        .verdict = w,
+    };
+
+    verify_json_told(&told);
+    return w->kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
+}
+
 static enum result judge(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
+    bool records = v->a->restamp || v->a->json;
     enum result result =
-        replay_run(&v->replay, &v->game.cart, &v->demo, v->a->restamp ? &v->again : NULL, &w, err, sizeof err);
+        replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
 
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
@@ -279,6 +301,8 @@ static enum result judge(struct verify *v, const char *path)
         result = write_again(v, path);
     if (result != RESULT_DONE)
         return result;
+    if (v->a->json)
+        return tell_json(v, path, &w);
     say_verdict(v, path, &w);
     if (v->a->verbose)
         say_more(v, &w);
@@ -461,6 +485,7 @@ static enum result verify_demo(struct verify *v, const char *path)
     char err[1200];
     enum result result;
 
+    v->path = path;
     if (demo_load(&v->demo, path, err, sizeof err))
         result = verify_loaded(v, path);
     else
@@ -503,6 +528,7 @@ static enum result verify_stdin(struct verify *v)
 
     v->batch = true;
     while (next_name(name, v->a->null, &whole)) {
+        v->path = name;
         enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: the name is too long", name);
         worst = result > worst ? result : worst;
     }

@@ -128,7 +128,7 @@ def read(data):
             d = header(b, form)
         elif letter == b"F":
             d["flags"] |= b.num("I")
-            need(d["flags"] < 8, "flags")
+            need(d["flags"] < 16, "flags")
         else:
             {b"S": second, b"M": moment, b"E": end}[letter](b, d)
         need(b.at == n, "size")

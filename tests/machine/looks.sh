@@ -23,7 +23,11 @@ size() { xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIG
 size_is() { found && [ "$(size)" = "$1" ]; }
 compose() { # WxH: want.rgb is what the cabinet shows there, after keys as in `pressed`
     { for _ in $(seq 5); do echo; done; echo "$pressed"; for _ in $(seq 9); do echo; done; } |
-        KEYS_WINDOW=$1 KEYS_PPM=15 ./player play g >none 2>none.err && convert picture.ppm -depth 8 rgb:want.rgb
+        KEYS_WHOLE=1 KEYS_WINDOW=$1 KEYS_PPM=15 ./player play g >none 2>none.err || return
+    local w h scale
+    read -r w h < <(sed -n '1s/P6 \([0-9]*\) \([0-9]*\).*/\1 \2/p' picture.ppm)
+    scale=$((${1%x*} / w < ${1#*x} / h ? ${1%x*} / w : ${1#*x} / h)) # 1 of what was composed
+    convert picture.ppm -scale "${scale}00%" -background black -gravity center -extent "$1" -depth 8 rgb:want.rgb
 }
 is_shown() {
     found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 rgb:shot.rgb 2>/dev/null &&

@@ -15,7 +15,7 @@ struct seen {
 
 static void see(struct rig *r, const struct board *b, struct seen *to)
 {
-    board_draw(b, &r->fb, to->rgb, r->scratch);
+    board_draw(b, NULL, &r->fb, to->rgb, r->scratch);
     assert_int_equal(r->fb.w * r->fb.h, SIZE);
     for (int y = 0; y < r->fb.h; y++)
         memcpy(to->pix + y * r->fb.w, r->fb.pix + y * r->fb.pitch, (size_t)r->fb.w);

@@ -60,6 +60,13 @@ void demo_free(struct demo *d)
 
 /* ---- what it says ---- */
 
+const char *demo_flag_name(int i)
+{
+    static const char *const names[] = { "branched", "touched", "assisted", "resumed" };
+
+    return i >= 0 && i < (int)(sizeof names / sizeof names[0]) ? names[i] : NULL;
+}
+
 uint64_t *demo_row(const struct demo *d, uint32_t i)
 {
     return d->track + (size_t)i * (size_t)d->parts;

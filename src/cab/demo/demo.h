@@ -24,15 +24,20 @@ enum {
     DEMO_SECOND = 60,           /* frames between two rows of the track */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20, /* of a file */
-    DEMO_PATH = 1024
+    DEMO_PATH = 1024,
+    DEMO_ERR = DEMO_PATH + 64
 };
 
 enum {
     DEMO_BRANCHED = 1 << 0, /* the player went back to an earlier frame and played on from there */
     DEMO_TOUCHED = 1 << 1,  /* the board was changed from outside (console, reload) */
     DEMO_ASSISTED = 1 << 2, /* slow motion or steps were used */
-    DEMO_FLAGS = (1 << 3) - 1
+    DEMO_RESUMED = 1 << 3,  /* the player left and came back: what was recorded was played again, and play went on */
+    DEMO_FLAGS = (1 << 4) - 1
 };
+
+/* The name of flag i, 1 << i, as programs print it: "branched"; NULL: there is none. */
+const char *demo_flag_name(int i);
 
 /* A marker, for finding one's way in a run. */
 struct demo_marker {
@@ -114,13 +119,16 @@ const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf,
  * False, once: the file could not be written, and w->err says so; recording goes on in memory only, and what is in the
  * file stays readable. (Out of memory is the same, but stops the recording altogether.)
  */
+struct demo_file {
+    char path[DEMO_PATH]; /* "": none, kept in memory only */
+    uint32_t written;     /* frames in the file */
+    uint32_t told;        /* markers in the file */
+    uint32_t crc;         /* of the last record written */
+};
 struct demo_writer {
-    struct demo demo;     /* as recorded so far; demo.pads and demo.frames are good for going back to any frame */
-    char path[DEMO_PATH]; /* "": kept in memory only */
-    char err[DEMO_PATH + 64];
-    uint32_t written; /* frames in the file */
-    uint32_t told;    /* markers in the file */
-    uint32_t crc;     /* of the last record written */
+    struct demo demo; /* as recorded so far; demo.pads and demo.frames are good for going back to any frame */
+    struct demo_file file, spare;
+    char err[DEMO_ERR], spare_err[DEMO_ERR];
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* of board_hashes_cached */
     bool on;
@@ -140,6 +148,10 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
 /* From now on in this file too; what is recorded so far is written at once. An existing file is replaced. */
 bool demo_keep(struct demo_writer *w, const char *path);
 
+/* The same of a second file beside that one, or instead; NULL: no more, and the file stays as it is. That it cannot be
+ * written, now or later, is no failure: spare_err says so, and the spare is given up. */
+void demo_spare(struct demo_writer *w, const char *path);
+
 /* Adds flags. */
 bool demo_flag(struct demo_writer *w, unsigned flags);
 
@@ -150,8 +162,15 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame);
 /* Ends: writes what is left and the end mark, with the board's fault if it has one. demo stays until demo_free. */
 bool demo_end(struct demo_writer *w, const struct board *b);
 
+/* The recording as the file of a whole demo that ends at the present, where b is: malloc'ed. It goes on recording.
+ * NULL: no memory, or recording has stopped. */
+uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size);
+
 /* Gives everything back, recording or not; the file stays as it is. */
 void demo_drop(struct demo_writer *w);
+
+/* A demo's file, malloc'ed, in the newest format; NULL: no memory. It has every part's checksums. */
+uint8_t *demo_bytes(const struct demo *d, size_t *size);
 
 /* Writes a whole demo, with its end mark if it is complete, in the newest format; false and one sentence, also for one
  * that does not have every part's checksums: that has to be replayed first. */

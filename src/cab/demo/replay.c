@@ -25,7 +25,18 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
         return out_of_memory(err, err_size);
     memset(r->hash_cache, 0, size);
     memset(r->board, 0, sizeof r->board);
+    r->difficulty = board_difficulty_now(r->guard.board);
     return RESULT_DONE;
+}
+
+/* A game's difficulty is that at its beginning: before and after it a menu may show another. */
+static void note_difficulty(struct replay *r)
+{
+    const struct board_out *out = board_last(r->guard.board);
+
+    for (int i = 0; i < out->markers; i++)
+        if (out->marker[i].kind == MARKER_GAME)
+            r->difficulty = board_difficulty_now(r->guard.board);
 }
 
 /* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
@@ -76,6 +87,7 @@ static bool play(struct replay *r, const struct demo *d, struct demo_writer *aga
             return true;
         demo_pads(d, f, pads);
         guard_tick(&r->guard, pads);
+        note_difficulty(r);
         if (again && !demo_frame(again, r->guard.board, pads))
             return false;
     }

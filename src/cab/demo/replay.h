@@ -30,6 +30,7 @@ struct replay {
     void *hash_cache;           /* of board_hashes_cached */
     uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
     uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
+    int difficulty;             /* of the last game in it, an index; before one, of its start */
 };
 
 /* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in

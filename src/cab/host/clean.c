@@ -20,6 +20,17 @@ static int character(const unsigned char *s)
     return n;
 }
 
+int clean_character(const char *s, uint32_t *c)
+{
+    const unsigned char *p = (const unsigned char *)s;
+    int n = character(p);
+
+    *c = n == 0 ? 0xfffd : n == 1 ? p[0] : p[0] & (0x7fu >> n);
+    for (int i = 1; i < n; i++)
+        *c = *c << 6 | (p[i] & 0x3f);
+    return n ? n : 1;
+}
+
 static void clean(char *text, bool newlines)
 {
     for (unsigned char *s = (unsigned char *)text; *s;) {

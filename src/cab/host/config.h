@@ -45,6 +45,8 @@ struct config {
     int panels;                                      /* enum panels */
     int speed;                                       /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
     int away;                                        /* 0 or 1: stop when the window loses the keys */
+    int replays;                                     /* 0 to 1000: runs of a game that are kept without a name */
+    int resume;                                      /* 0 or 1: a run that is left is kept to go on with */
     int dim, flashes, colours;                       /* as in views.h */
     int hitbox;                                      /* 0 or 1 */
     int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */

@@ -580,8 +580,7 @@ static bool add_border(struct packer *p)
 
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) ||
-        !add_border(p))
+    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) || !add_border(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++)
         if (!add_sheet(p, i))

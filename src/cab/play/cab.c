@@ -138,7 +138,8 @@ static bool keeps_nvram(void)
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
     return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.section[0] &&
-           !cab.options.start.nvram && !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
+           !cab.options.start.nvram && !s->demo && (!cab.guest.demo || cab.guest.same) &&
+           !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
 }
 
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
@@ -194,6 +195,18 @@ void cab_save_nvram(void)
 
 /* ---- power ---- */
 
+void cab_powered(const struct board_start *start)
+{
+    cab.start = *start;
+    cab.nvram_saved = 0;
+    cab.fault_reported = cab.paused = cab.scrubbed = cab.awaits = cab.taken = false;
+    cab.timebar_left = cab.slow_frames = 0;
+    memset(cab.pads, 0, sizeof cab.pads);
+    cab_pads_power();
+    if (cab.slow > 1 && !cab.session.demo)
+        cab_mark_assisted();
+}
+
 static void report_sound(void)
 {
     char line[256];
@@ -205,6 +218,7 @@ static void report_sound(void)
 static void finish(void)
 {
     screens_close_all(&cab.screens);
+    cab_keep_leave();
     cab_save_nvram();
     cab_report_close();
     practice_close(&cab.practice);
@@ -219,6 +233,7 @@ static void finish(void)
         cab_say("curtain: %s", cab.session.err);
     if (cab.attracting)
         cab_attract_end();
+    cab_guest_close();
     cab_picture_close(&cab.picture);
     console_close(&cab.console);
     cab_window_close();
@@ -377,6 +392,7 @@ bool cab_power(void)
     if (cab_fault())
         cab_report_fault();
     folder_open(&cab.folder, o->path);
+    cab_open_resume();
     cab_pads_power();
     pace_open(&cab.pace, plat_usec());
     return true;

@@ -29,6 +29,7 @@ struct cab_options {
     int scale;                /* 0: as configured */
     bool fullscreen, mute;    /* true: on, even if configured off */
     bool verbose;             /* say at the end how the sound did */
+    bool resume, no_resume;   /* go on with the run that was left, or begin at the title: without asking */
     bool nearest;             /* as pack: for a folder that is packed again when it changes */
 
     /* For a folder, else NULL: opens the game anew, which gives cart, start and demo. With it, what is wrong with the

@@ -165,6 +165,11 @@ void cab_poll(struct keys_read *k)
     /* Also while the prompt is open: the key that closes it must not be read afterwards. */
     keys_read(&cab.config.keys, &in, &cab.seats, k);
     cab_seats_told(k);
+    if (cab.guest.resuming) { /* what was left is played again: nothing but leaving */
+        cab.quit = cab.quit || k->pressed & 1 << CAB_QUIT;
+        memset(k, 0, sizeof *k);
+        return;
+    }
     if (prompt_keys(&in)) {
         memset(k, 0, sizeof *k);
         return;
@@ -175,6 +180,10 @@ void cab_poll(struct keys_read *k)
         memset(k->pads, 0, sizeof k->pads);
         k->held = k->pressed = 0;
         return;
+    }
+    if (cab.awaits && (k->fresh || !cab.paused)) {
+        cab.awaits = cab.paused = false;
+        cab.notice_left = 0;
     }
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);

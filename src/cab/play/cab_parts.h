@@ -26,6 +26,7 @@
 #include "../screens/screen.h"
 #include "session.h"
 #include "../host/speaker.h"
+#include "../store/replays.h"
 
 #ifdef __GNUC__
 #define CAB_PRINTF(at, first) __attribute__((format(printf, at, first)))
@@ -36,7 +37,7 @@
 enum {
     CAB_NAME = 96,
     CAB_NOTICE_STAYS = INT32_MAX, /* until it is taken away */
-    CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
+    CAB_NOTICE_FRAMES = 180       /* how long a notice is shown */
 };
 
 /* fb, rgb: the board's picture as it drew it, by the view of the settings. composed, composed_rgb: a copy with the
@@ -94,6 +95,30 @@ struct report {
     char message[sizeof((struct board_fault *)0)->message];
 };
 
+/* What is known of the run that is on, and of its replay. */
+struct cab_keep {
+    uint32_t frames; /* of the recording at the last look */
+    bool on;         /* a run is on, since frame `first` */
+    uint32_t first;
+    bool spare;                     /* user:resume/ID.demo is of this run */
+    char stem[REPLAY_STEM];         /* of the replay of the run that was over last; "": none */
+    struct card_row row[CARD_ROWS]; /* entered while the run was on */
+    int rows;
+};
+
+/* A session that is not the game from its title on: a demo that the cabinet opened. */
+struct cab_guest {
+    struct demo *demo;            /* malloc; what the session plays, or began as */
+    const struct cart *home;      /* the game's own ROM while the session runs an older one; else NULL */
+    struct session_rom *home_rom; /* owns it; NULL: the caller of cab_play does */
+    bool watching;                /* it is shown, or was until the player took over */
+    bool resuming;                /* it is played again, to go on at its end */
+    uint8_t *nvram;               /* the saved image when it was resumed; malloc */
+    size_t nvram_size;
+    bool same;        /* the run had just that image once, so it may be replaced by the run's */
+    uint32_t changed; /* board_nvram's count at the last look */
+};
+
 /* The cabinet's state. It is one static struct because the host's own timer may call frame(), without a context. */
 struct cab {
     struct cab_options options;
@@ -121,6 +146,10 @@ struct cab {
     int fault_top, fault_most; /* lines of a fault's page that are scrolled, and the most */
     bool no_scores;            /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
+    struct cab_keep keep;
+    struct cab_guest guest;
+    bool taken;  /* the player plays on from a playback: nothing of it is kept */
+    bool awaits; /* paused until a button is pressed */
     struct screens screens;
     bool stands;          /* the board does in this frame, for a screen is open or was */
     bool focus;           /* at the last poll */
@@ -160,6 +189,9 @@ extern struct cab cab;
 /* Powers the session with cab.options and opens its window. False: it cannot be, a line has said why, and cab.result
  * tells; or it is waited for. */
 bool cab_power(void);
+
+/* Powers on from this start: what the player had chosen and seen of the run before is forgotten. */
+void cab_powered(const struct board_start *start);
 
 /* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
  * is wanted: a practice run starts with a blank one. */
@@ -244,6 +276,9 @@ void cab_take_over(void);
 /* Reloads the game from its folder; reloads if files in the folder have changed; goes on with a seek or a reload
  * that is under way, until now + a slice of a frame. */
 void cab_reload(void);
+
+/* Picture, window and practice for another ROM in the session. */
+void cab_fit_cart(void);
 void cab_check_folder(void);
 void cab_seek_or_reload(uint64_t now);
 
@@ -258,6 +293,45 @@ void cab_practice_screen(void);
 /* Opens the practice menu, if this run may be left for it. Begins the game anew, from its title. */
 void cab_open_practice(void);
 void cab_begin_anew(void);
+
+/* A start of the game from its title, without nvram. */
+void cab_home_start(struct board_start *start);
+
+/* ---- cab_keep.c: replays of runs, and where a run was left ---- */
+
+/* After each new tick of the session; before the session ends or the game is powered anew: a run that is on is kept. */
+void cab_keep_tick(void);
+void cab_keep_leave(void);
+
+/* The file of the run that was left, and what becomes of it when another begins: it is kept as a replay. From now on
+ * the present run is written there. */
+void cab_resume_path(char path[CAB_NAME]);
+void cab_keep_left(void);
+void cab_keep_here(void);
+
+/* The run that is on is found in the recording again: after a session was changed under way. */
+void cab_keep_follow(void);
+
+/* ---- cab_guest.c: demos that the cabinet opens ---- */
+
+/* Shows a demo from a frame on. False, and a notice: it cannot be shown. What is on is left as by quitting. */
+bool cab_watch(const char *path, uint32_t frame);
+
+/* Back to the game, from its title; harmless when it is there. */
+void cab_home(void);
+
+/* Gives back the demo that was opened last, which no session plays any more; and the game's own ROM. */
+void cab_guest_forget(void);
+void cab_guest_close(void);
+
+/* Goes on with the run that was left: plays it again up to there, and waits. False, and a notice: it cannot. */
+bool cab_resume(void);
+
+/* To be called when a seek is over. */
+void cab_resume_arrived(void);
+
+/* A run was left: what it was; false: none was. */
+bool cab_was_left(struct card *c);
 
 /* ---- cab_screens.c, screen_*.c: the cabinet's own screens ---- */
 
@@ -277,6 +351,8 @@ void cab_open_menu(void);
 void cab_open_settings(void);
 void cab_open_keys(void);
 void cab_open_controllers(void);
+void cab_open_replays(void);
+void cab_open_resume(void);
 
 /* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
  * is left in k->pressed are the cabinet's keys that none of them took. */

@@ -20,6 +20,7 @@ static void power_anew(struct board_start start)
     bool reloads = cab.session.state == SESSION_RELOADING;
     const struct session_run *before = cab.session.now;
 
+    cab_keep_leave();
     cab_save_nvram();
     start.nvram = cab.options.start.nvram;
     start.nvram_size = cab.options.start.nvram_size;
@@ -34,16 +35,10 @@ static void power_anew(struct board_start start)
     }
     free(cab.nvram);
     cab.nvram = nvram;
-    cab.start = start;
-    cab.nvram_saved = 0;
-    cab.fault_reported = cab.paused = cab.scrubbed = false;
-    cab.timebar_left = cab.slow_frames = 0;
-    memset(cab.pads, 0, sizeof cab.pads);
-    cab_pads_power();
+    cab_guest_forget();
+    cab_powered(&start);
     practice_began(&cab.practice, &start);
     cab_report_ready();
-    if (cab.slow > 1)
-        cab_mark_assisted();
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
         cab_report_fault();
@@ -80,16 +75,31 @@ void cab_open_practice(void)
     practice_open(&cab.practice, &cab.screens, cab.slow);
 }
 
+void cab_home_start(struct board_start *start)
+{
+    *start = cab.practice.home;
+    start->nvram = cab.options.start.nvram;
+    start->nvram_size = cab.options.start.nvram_size;
+    snprintf(start->lang, sizeof start->lang, "%s", cab.options.start.lang);
+    if (!start->lang[0])
+        cab_take_lang(start);
+    if (!cab.options.seeded)
+        start->seed = cab_seed_from_clock();
+}
+
 void cab_begin_anew(void)
 {
-    struct board_start start = cab.practice.home;
+    struct board_start start;
+    char path[CAB_NAME];
 
-    snprintf(start.lang, sizeof start.lang, "%s", cab.options.start.lang);
-    if (!start.lang[0])
-        cab_take_lang(&start);
-    if (!cab.options.seeded)
-        start.seed = cab_seed_from_clock();
+    if (cab.guest.home || cab.session.demo) {
+        cab_home();
+        return;
+    }
+    cab_home_start(&start);
     power_anew(start);
+    cab_resume_path(path);
+    plat_remove(path); /* it was ended, not left: a replay is all that stays */
 }
 
 void cab_practice_keys(const struct keys_read *k)
@@ -115,6 +125,10 @@ void cab_practice_screen(void)
         return;
     cab.practice.start_chosen = false;
     practice_chosen(&cab.practice, &start);
+    if (!start.practice.section[0] && cab.guest.home) {
+        cab_home();
+        return;
+    }
     if (!start.practice.section[0] && !cab.options.seeded)
         start.seed = cab_seed_from_clock();
     power_anew(start);

@@ -207,7 +207,9 @@ static bool at_end(void)
 {
     if (!cab.session.demo || board_frame(cab_live()) < cab.session.demo->frames)
         return false;
-    cab.quit = !cab.scrubbed;
+    cab.quit = !cab.scrubbed && !cab.guest.demo;
+    if (!cab.paused && cab.guest.watching)
+        cab_open_menu();
     cab.paused = true;
     return true;
 }
@@ -230,6 +232,7 @@ void cab_tick(void)
     cab.ticked = true;
     cab_check_recording(session_tick(&cab.session, pads));
     report_difference();
+    cab_keep_tick();
     handle_output();
 }
 
@@ -281,13 +284,19 @@ void cab_take_over(void)
         cab_notice(CAB_NOTICE_FRAMES, "nothing to take over: it is you who plays");
         return;
     }
-    cab_free_name(name, "", "demo");
-    bool given = cab.options.record != NULL;
-    cab_check_recording(session_take_over(&cab.session, given ? cab.options.record : name));
-    if (given || !plat_path(name, shown, sizeof shown))
-        snprintf(shown, sizeof shown, "%s", given ? cab.options.record : name);
-    cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", shown);
-    cab_say("curtain: %s: %s", cab_game(), cab.notice);
+    cab.taken = true;
+    if (cab.guest.watching) {
+        cab_check_recording(session_take_over(&cab.session, NULL));
+        cab_notice(CAB_NOTICE_FRAMES, "you play, for practice: nothing of it counts");
+    } else {
+        cab_free_name(name, "", "demo");
+        bool given = cab.options.record != NULL;
+        cab_check_recording(session_take_over(&cab.session, given ? cab.options.record : name));
+        if (given || !plat_path(name, shown, sizeof shown))
+            snprintf(shown, sizeof shown, "%s", given ? cab.options.record : name);
+        cab_notice(CAB_NOTICE_FRAMES, "you play; recording %s", shown);
+        cab_say("curtain: %s: %s", cab_game(), cab.notice);
+    }
     cab.paused = false;
     cab.timebar_left = 0;
 }
@@ -302,6 +311,10 @@ static void report_reload_failure(void)
 
 void cab_reload(void)
 {
+    if (cab.guest.home) {
+        cab_notice(CAB_NOTICE_FRAMES, "an older ROM of the game runs: nothing to reload");
+        return;
+    }
     if (!cab.options.path) {
         cab_notice(CAB_NOTICE_FRAMES, "the built-in game cannot be reloaded");
         return;
@@ -316,6 +329,8 @@ void cab_reload(void)
 
 void cab_check_folder(void)
 {
+    if (cab.guest.demo && cab.session.demo) /* it shows the game as it was */
+        return;
     if (cab.reload_due) {
         cab.reload_due = false;
         cab_reload();
@@ -328,14 +343,11 @@ void cab_check_folder(void)
         cab_notice(CAB_NOTICE_FRAMES, "taking in what changed");
 }
 
-/* The new ROM runs: it may have another screen and other capacities. */
-static void finish_reload(void)
+void cab_fit_cart(void)
 {
     const struct manifest *m = &cab_cart()->m;
     const int w = cab.picture.fb.w, h = cab.picture.fb.h;
 
-    if (cab.attracting) /* its board reads the ROM that is freed */
-        cab_attract_end();
     cab.fault_reported = false;
     practice_reloaded(&cab.practice, cab_cart());
     cab_report_ready();
@@ -348,6 +360,14 @@ static void finish_reload(void)
     }
     if (w != m->screen_w || h != m->screen_h || strcmp(cab.title, m->title) != 0 || cab.want.rate != cab_sound_rate())
         cab.quit = !cab_open_window() || cab.quit;
+}
+
+/* The new ROM runs: it may have another screen and other capacities. */
+static void finish_reload(void)
+{
+    if (cab.attracting) /* its board reads the ROM that is freed */
+        cab_attract_end();
+    cab_fit_cart();
     cab_say("curtain: %s: reloaded", cab_game());
     if (cab.session.gone[0])
         cab_say("curtain: %s: the music \"%s\", which played, is gone", cab_game(), cab.session.gone);
@@ -366,6 +386,8 @@ void cab_seek_or_reload(uint64_t now)
     } else if (reloads && cab.session.state == SESSION_PLAYING) {
         finish_reload();
     }
+    if (cab.session.state == SESSION_PLAYING)
+        cab_resume_arrived();
     report_difference();
     if (cab_fault())
         cab_report_fault();

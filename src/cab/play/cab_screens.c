@@ -36,6 +36,9 @@ static void open_asked(enum board_ask what)
     case ASK_KEYS:
         cab_open_keys();
         break;
+    case ASK_REPLAYS:
+        cab_open_replays();
+        break;
     case ASK_PRACTICE:
         cab_open_practice();
         break;

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "cab_parts.h"
 
-enum entry { GO_ON, PLAY_ON, SETTINGS, KEYS, CONTROLLERS, PRACTICE, ANEW, LEAVE, ENTRIES };
+enum entry { GO_ON, PLAY_ON, BACK, REPLAYS, SETTINGS, KEYS, CONTROLLERS, PRACTICE, ANEW, LEAVE, ENTRIES };
 
 /* The entries that there are, in their order; returns how many. */
 static int entries(enum entry list[ENTRIES])
@@ -15,7 +15,12 @@ static int entries(enum entry list[ENTRIES])
 
     for (int e = 0; e < ENTRIES; e++) {
         const bool playback = cab.session.demo != NULL;
-        if (e == PLAY_ON ? playback : e == PRACTICE || e == ANEW ? !playback : true)
+        const bool watched = cab.guest.watching, bound = cab.options.demo || cab.options.record;
+        if (e == PLAY_ON                 ? playback
+            : e == BACK                  ? watched
+            : e == REPLAYS               ? !bound
+            : e == PRACTICE || e == ANEW ? !playback && !watched
+                                         : true)
             list[n++] = (enum entry)e;
     }
     return n;
@@ -39,11 +44,13 @@ static int rows(void *of)
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    static const char *const labels[] = { "go on",       "play on from here", "settings",   "keys",
-                                          "controllers", "practice",          "begin anew", "leave" };
+    static const char *const labels[] = { "go on", "play on from here", "back to the game", "replays",    "settings",
+                                          "keys",  "controllers",       "practice",         "begin anew", "leave" };
     static const char *const helps[] = {
         "",
-        "from this frame on it is you who plays, and a recording of your own",
+        "from this frame on it is you who plays: for practice, or with a recording of your own",
+        "the replay ends, and the game begins at its title",
+        "the last runs: to watch, to save, to practise from any moment",
         "picture, sound, how you play",
         "every key and button, and what it does",
         "who plays with which, and what is pressed on it",
@@ -82,6 +89,13 @@ static void accept(void *of, int at)
         screens_close_all(&cab.screens);
         cab_take_over();
         break;
+    case BACK:
+        screens_close_all(&cab.screens);
+        cab_home();
+        break;
+    case REPLAYS:
+        cab_open_replays();
+        break;
     case SETTINGS:
         cab_open_settings();
         break;
@@ -97,13 +111,20 @@ static void accept(void *of, int at)
         break;
     case ANEW:
         if (cab_run_is_on())
-            screens_ask(&cab.screens, "The run that is on ends, and is lost.", "begin anew", begin_anew, NULL);
+            screens_ask(&cab.screens,
+                        cab.keep.on && cab.config.replays > 0
+                            ? "The run that is on ends here. It stays among the replays."
+                            : "The run that is on ends, and is lost.",
+                        "begin anew", begin_anew, NULL);
         else
             begin_anew(NULL);
         break;
     default:
         if (cab_run_is_on())
-            screens_ask(&cab.screens, "A run is on. Leave it, and lose it?", "leave", leave, NULL);
+            screens_ask(&cab.screens,
+                        cab.keep.on && cab.keep.spare ? "A run is on. It is kept: next time you can go on with it."
+                                                      : "A run is on. Leave it, and lose it?",
+                        "leave", leave, NULL);
         else
             leave(NULL);
     }

@@ -18,7 +18,7 @@ static bool fail(struct session *s, const char *what)
 
 /* ---- runs ---- */
 
-static void rom_free(struct session_rom *r)
+void session_rom_free(struct session_rom *r)
 {
     if (r)
         rom_image_free(&r->image);
@@ -31,7 +31,7 @@ static void run_free(struct session_run *r)
         return;
     guard_close(&r->guard);
     demo_drop(&r->writer);
-    rom_free(r->rom);
+    session_rom_free(r->rom);
     free(r);
 }
 
@@ -42,7 +42,7 @@ static struct session_run *run_power(struct session *s, const struct cart *cart,
     struct session_run *r = calloc(1, sizeof *r);
 
     if (!r) {
-        rom_free(rom);
+        session_rom_free(rom);
         fail(s, "out of memory");
         return NULL;
     }
@@ -148,6 +148,8 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
     s->ticking = true;
     guard_tick(&r->guard, pads);
     s->ticking = false;
+    if (s->ticked)
+        s->ticked(s);
     if (seen)
         return true;
     bool good = demo_frame(&r->writer, r->guard.board, pads);
@@ -244,6 +246,20 @@ bool session_take_over(struct session *s, const char *record)
     return !s->record || check_written(s, demo_keep(&s->now->writer, s->record));
 }
 
+bool session_go_on(struct session *s, unsigned flags)
+{
+    const struct board *b = session_board(s);
+
+    if (!s->demo || board_last(b)->fault || board_frame(b) != s->demo->frames)
+        return fail(s, "it does not come to its end");
+    if (s->differs)
+        return fail(s, "it is not the run that was recorded any more");
+    session_stop(s);
+    flags |= s->demo->flags;
+    s->demo = NULL;
+    return check_written(s, demo_flag(&s->now->writer, flags));
+}
+
 bool session_mark_assisted(struct session *s)
 {
     return check_written(s, demo_flag(&s->now->writer, DEMO_ASSISTED));
@@ -271,18 +287,17 @@ const struct demo_marker *session_markers(const struct session *s, uint32_t *n)
 
 /* ---- reload ---- */
 
-static struct session_rom *rom_load(struct session *s, const char *path, bool nearest)
+struct session_rom *session_rom_load(const char *path, bool nearest, char *err, size_t err_size)
 {
     struct session_rom *r = calloc(1, sizeof *r);
 
     if (!r) {
-        fail(s, "out of memory");
+        snprintf(err, err_size, "out of memory");
         return NULL;
     }
-    if (rom_image_load(path, nearest, &r->image, s->err, sizeof s->err) &&
-        cart_open(&r->cart, &r->image.rom, s->err, sizeof s->err))
+    if (rom_image_load(path, nearest, &r->image, err, err_size) && cart_open(&r->cart, &r->image.rom, err, err_size))
         return r;
-    rom_free(r);
+    session_rom_free(r);
     return NULL;
 }
 
@@ -304,19 +319,19 @@ static bool reload_ended(struct session *s)
 
 bool session_reload(struct session *s, const char *path, bool nearest)
 {
-    struct session_rom *rom = rom_load(s, path, nearest);
+    struct session_rom *rom = session_rom_load(path, nearest, s->err, sizeof s->err);
 
     if (!rom)
         return false;
     session_stop(s);
     if (rom_hash(&rom->image.rom) == rom_hash(s->now->cart->rom)) {
-        rom_free(rom);
+        session_rom_free(rom);
         return true;
     }
     if (strcmp(rom->cart.m.id, s->now->cart->m.id) != 0) {
         snprintf(s->err, sizeof s->err, "it is another game now (\"%s\", was \"%s\")", rom->cart.m.id,
                  s->now->cart->m.id);
-        rom_free(rom);
+        session_rom_free(rom);
         return false;
     }
     s->next = run_power(s, &rom->cart, rom, &s->start);

@@ -23,6 +23,10 @@ struct session_rom {
     struct cart cart;
 };
 
+/* Loads a .rom file or packs a folder. NULL and one sentence. */
+struct session_rom *session_rom_load(const char *path, bool nearest, char *err, size_t err_size);
+void session_rom_free(struct session_rom *r);
+
 struct session_run {
     const struct cart *cart;
     struct session_rom *rom; /* owns cart; NULL: the caller owns it */
@@ -42,13 +46,14 @@ struct session {
     const char *record;             /* NULL: in memory only */
     struct session_run *now, *next; /* next: what a reload is making; it replaces now */
     enum session_state state;
-    uint32_t from, to;        /* frames: of the seek or reload */
-    uint32_t differs;         /* the first frame of a playback found not to be as it was recorded; 0: none */
-    volatile uint32_t at;     /* the frame that the tick under way began in, for a report of a crash in it */
-    volatile bool ticking;    /* one is */
-    bool rewound;             /* a live run went back once: scores do not count any more */
-    char gone[64];            /* the piece of music that played when a reload took its name away; "" */
-    char err[DEMO_PATH + 64]; /* one sentence: why the last session_* call failed */
+    uint32_t from, to;     /* frames: of the seek or reload */
+    uint32_t differs;      /* the first frame of a playback found not to be as it was recorded; 0: none */
+    volatile uint32_t at;  /* the frame that the tick under way began in, for a report of a crash in it */
+    volatile bool ticking; /* one is */
+    bool rewound;          /* a live run went back once: scores do not count any more */
+    void (*ticked)(const struct session *s); /* called after each tick of the board; may be NULL */
+    char gone[64];                           /* the piece of music that played when a reload took its name away; "" */
+    char err[DEMO_PATH + 64];                /* one sentence: why the last session_* call failed */
 };
 
 /* Powers the board and begins to record. start is the demo's if there is one; cart, start.nvram, demo and record must
@@ -97,6 +102,10 @@ int session_progress(const struct session *s);
 /* Ends a playback: the player plays on. The demo's frames so far become a new recording, flagged DEMO_BRANCHED, in this
  * file (NULL: in memory). False and s->err: it is not a playback, or the file cannot be written. */
 bool session_take_over(struct session *s, const char *record);
+
+/* Ends a playback at the demo's last frame, and the player goes on as if nothing had been: nothing is branched. The
+ * recording has the demo's flags and these. False and s->err: it is not there, or is another run than was recorded. */
+bool session_go_on(struct session *s, unsigned flags);
 
 /* To be called when the board of a live run was changed between two ticks (by the console): drops its past and the
  * frames recorded after the present, and flags the recording DEMO_TOUCHED. False and s->err: it could not be

@@ -106,7 +106,7 @@ static void draw_list(struct screens *s, struct screen_place *p, const struct ca
     p->top = scrolled(p, n, s->shown);
     for (int i = 0; i < s->shown && p->top + i < n; i++)
         draw_row(p, p->top + i, canvas, (struct screen_area){ to.x, to.y + i * LINE, to.w, LINE });
-    if (n > s->shown) {
+    if (n > s->shown && n > 0) {
         const int h = s->shown * LINE;
         canvas_rect(canvas, to.x + to.w - 1, to.y + h * p->top / n, 1, h * s->shown / n, CANVAS_GREY);
     }

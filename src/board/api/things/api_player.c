@@ -470,7 +470,7 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     if (r < 0)
         return lua_pushnil(L), 1;
     if (!board_lists(b))
-        board_add_marker(b, MARKER_ROW, table, "", "", r + 1);
+        board_add_marker(b, MARKER_ROW, table, row.ship, "", r + 1);
     lua_pushinteger(L, r + 1);
     return 1;
 }

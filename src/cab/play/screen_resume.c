@@ -1,0 +1,95 @@
+/*
+ * screen_resume.c - the question when a game starts whose last run was left: to go on with it, or to begin anew. Who
+ * answers neither is asked again the next time, unless another run has begun by then.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include "../store/roms.h"
+#include "cab_parts.h"
+
+enum { GO_ON, ANEW, ROWS };
+
+static struct {
+    char text[SCREEN_HELP];
+    bool can; /* its ROM is there, and this engine plays it as it was */
+} left;
+
+static int rows(void *of)
+{
+    (void)of;
+    return ROWS;
+}
+
+static void row(void *of, int at, struct screen_row *row)
+{
+    (void)of;
+    snprintf(row->label, sizeof row->label, "%s", at == GO_ON ? "go on" : "begin anew");
+    snprintf(row->help, sizeof row->help, "%s",
+             at == GO_ON ? "it is played again up to there, and waits for you" : "it stays among the replays");
+    row->faint = at == GO_ON && !left.can;
+}
+
+static const char *text(void *of)
+{
+    (void)of;
+    return left.text;
+}
+
+static void accept(void *of, int at)
+{
+    (void)of;
+    screens_close_all(&cab.screens);
+    if (at == GO_ON)
+        cab_resume();
+    else
+        cab_keep_left();
+}
+
+static const struct screen_def question = {
+    .title = "you left in the middle", .small = true, .rows = rows, .row = row, .text = text, .accept = accept
+};
+
+/* "3:41, heron, 120300 points", and whether it can go on. */
+static void describe(const struct card *c)
+{
+    const struct rom *rom = cab_cart()->rom;
+    const unsigned seconds = (c->last - c->first) / 60;
+    const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
+    int n = snprintf(left.text, sizeof left.text, "%u:%02u of a run%s%s%s. ", seconds / 60, seconds % 60,
+                     c->ship[0] ? " with " : "", c->ship, c->flags & DEMO_RESUMED ? ", gone on with before" : "");
+    char *more = left.text + n;
+    const size_t room = sizeof left.text - (size_t)n;
+
+    left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
+    if (c->core != CORE_VERSION)
+        snprintf(more, room, "It was played on core version %u, this is %d: it cannot go on.", (unsigned)c->core,
+                 CORE_VERSION);
+    else if (!left.can)
+        snprintf(more, room, "The game has changed since, and its older ROM is not kept: it cannot go on.");
+    else if (!same)
+        snprintf(more, room, "The game has changed since; the run goes on in the game as it was.");
+}
+
+void cab_open_resume(void)
+{
+    const struct cab_options *o = &cab.options;
+    struct card c;
+
+    if (o->demo || o->record || o->no_resume || cab.start.practice.section[0] || cab_fault())
+        return;
+    if (!cab_was_left(&c)) {
+        if (o->resume)
+            cab_say("curtain: %s: --resume: no run was left", cab_game());
+        return;
+    }
+    if (o->resume) {
+        cab_resume();
+        return;
+    }
+    if (!cab.config.resume)
+        return;
+    describe(&c);
+    screens_open(&cab.screens, &question, NULL);
+    screens_choose(&cab.screens, left.can ? GO_ON : ANEW);
+}

@@ -1,0 +1,76 @@
+/*
+ * roms.c - see roms.h. An id has no '-', so the folder needs no index.
+ */
+#include "roms.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../host/files.h"
+
+#define FOLDER "user:roms"
+
+enum { HASH_DIGITS = 16, MOST = 64 /* that go in one collection; the rest goes in the next */ };
+
+void roms_path(char path[ROMS_PATH], const char *id, uint64_t hash)
+{
+    snprintf(path, ROMS_PATH, FOLDER "/%s-%016" PRIx64 ".rom", id, hash);
+}
+
+bool roms_has(const char *id, uint64_t hash)
+{
+    char path[ROMS_PATH];
+
+    roms_path(path, id, hash);
+    return plat_size(path) > 0;
+}
+
+bool roms_keep(const char *id, const struct rom *rom, char *err, size_t err_size)
+{
+    char path[ROMS_PATH];
+
+    roms_path(path, id, rom_hash(rom));
+    return plat_size(path) == (long)rom->size || files_save(path, rom->data, rom->size, err, err_size);
+}
+
+struct collection {
+    const char *id;
+    bool (*needed)(void *of, uint64_t hash);
+    void *of;
+    uint64_t gone[MOST];
+    int n;
+};
+
+/* The hash in "ID-HASH.rom"; false: it is another file. */
+static bool hash_in(const char *name, const char *id, uint64_t *hash)
+{
+    const size_t n = strlen(id);
+    char rest[8] = "";
+
+    if (strncmp(name, id, n) != 0 || name[n] != '-' || strlen(name) != n + 1 + HASH_DIGITS + 4)
+        return false;
+    return sscanf(name + n + 1, "%16" SCNx64 "%7s", hash, rest) == 2 && strcmp(rest, ".rom") == 0;
+}
+
+static void look(void *user, const struct plat_file *file)
+{
+    struct collection *c = user;
+    uint64_t hash;
+
+    if (file->folder || c->n == MOST || !hash_in(file->name, c->id, &hash) || c->needed(c->of, hash))
+        return;
+    c->gone[c->n++] = hash;
+}
+
+void roms_collect(const char *id, bool (*needed)(void *of, uint64_t hash), void *of)
+{
+    struct collection c = { .id = id, .needed = needed, .of = of };
+    char path[ROMS_PATH];
+
+    plat_list(FOLDER, look, &c);
+    for (int i = 0; i < c.n; i++) {
+        roms_path(path, id, c.gone[i]);
+        plat_remove(path);
+    }
+}

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# kill_store.sh - what is kept of runs is old or new, whenever the program is killed: with -9, 50 times, in the frames in
+# which replays, their cards, kept ROMs and the run that is on are written. The moments are pictures that the process
+# showed, not times; how far it has come by then is chance.
+. "$(dirname "$0")/../scripted.sh"
+export TZ=UTC
+ENTER=40 C=6
+game g <<'LUA'
+bullet.def("dot", { sprite = "dot", hit = { circle = 4 } })
+player.def("ship", { sprite = "dot", hit = { circle = 2 }, lives = 1, safe = 9, run = function(p)
+  while true do
+    if pad.down("fire", p) then score.add(10, p) end
+    if pad.down("special", p) then bullet.fire { kind = "dot", from = p, speed = 0 } end
+    wait(1)
+  end
+end })
+stage.def("one", function() wait(forever) end)
+boot.run { stages = { "one" }, players = { "ship" } }
+LUA
+sed -i "s/screen = { w = 64, h = 64 }/screen = { w = 160, h = 200 }/" g/rom.lua
+mkdir -p data/curtain
+echo 'keep_replays = 6' >data/curtain/curtain.conf
+{ keys 30; keys 1 $ENTER; keys 30; keys 1 $Z; keys 40; keys 1 $Z; keys 60; keys 1 $Z; keys 10; keys 200 $Z; keys 60 $C; keys 120; } >script
+./player play g <script >pictures 2>err
+begun=$("$curtain" list g --replays --json | jq .first) over=$("$curtain" list g --replays --json | jq .frames)
+same 'a run in '"$over"' frames' '' "$(cat err)"
+folder=data/curtain/replays/probe
+
+cat >kill.py <<'END'
+"""Plays by the script: so many polls, whose pictures are waited for, then the next ones, in which it is killed after as
+many turns of a loop as are told. Prints how it ended and how many pictures it has shown."""
+import os, signal, subprocess, sys
+at, turns = int(sys.argv[1]), int(sys.argv[2])
+lines = open("script", "rb").read().splitlines(True)
+run = subprocess.Popen(["./player", "play", "g", "--no-resume"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                       stderr=subprocess.DEVNULL, bufsize=0)
+run.stdin.write(b"".join(lines[:at]))
+shown, chunk = 0, b"-"
+while chunk and shown < at:
+    chunk = os.read(run.stdout.fileno(), 4096)
+    shown += chunk.count(b"\n")
+run.stdin.write(b"".join(lines[at:at + 4]))
+for _ in range(turns):
+    pass
+run.send_signal(signal.SIGKILL)
+while chunk:
+    chunk = os.read(run.stdout.fileno(), 65536)
+    shown += chunk.count(b"\n")
+print(run.wait(), shown)
+END
+
+# One after another on the same data, each on a changed game in every third round, so that ROMs come and go.
+wrong='' killed=0 temps=0 further=0
+while read -r at turns; do
+    before=$("$curtain" list g --replays | cut -d' ' -f1)
+    [ $((at % 3)) = 0 ] && echo "-- $at" >>g/main.lua
+    read -r code shown < <(python3 kill.py "$at" "$turns")
+    killed=$((killed + (code == -9))) further=$((further + (shown > at)))
+    temps=$((temps + $(find data -name '*.tmp' | wc -l)))
+    "$curtain" list g --replays >listed 2>said || wrong+="at $at: the list: $(cat said)"$'\n'
+    [ "$(wc -l <listed)" -ge "$(head -6 <<<"$before" | wc -l)" ] || wrong+="at $at: fewer replays than before"$'\n'
+    [ ! -s said ] || wrong+="at $at: the list says: $(cat said)"$'\n'
+    while read -r file _; do # each plays on the ROM that is kept for it, up to its end
+        rom=$(find data/curtain/roms -name "probe-$("$curtain" verify g "$file" --json | jq -r .recorded.rom).rom")
+        got=$("$curtain" verify "${rom:-none}" "$file" 2>&1)
+        case $got in *': holds, '*) ;; *) wrong+="at $at: $got"$'\n' ;; esac
+    done < <(tail -2 listed; head -2 listed)
+    if [ -e data/curtain/resume/probe.demo ]; then
+        "$curtain" hash g --demo data/curtain/resume/probe.demo --every 1000 >/dev/null 2>said ||
+            wrong+="at $at: what was left: $(cat said)"$'\n'
+    fi
+    cp -R $folder folder.was
+    "$curtain" list g --replays >again 2>&1 && cmp -s listed again || wrong+="at $at: another list the next time"$'\n'
+    diff -r -x '*.tmp' folder.was $folder >/dev/null || wrong+="at $at: listed twice, the folder is another"$'\n'
+    rm -r folder.was
+done < <(python3 -c 'import random, sys; random.seed(3); begun, over = map(int, sys.argv[1:])
+for _ in range(50):  # before a run begins, before it is over, anywhere; up to some milliseconds later
+    print(random.choice([begun - 1, over - 1, over - 1, random.randrange(begun, over)]), random.randrange(300000))' \
+    "$begun" "$over")
+same 'killed 50 times, all that is kept is whole' '' "$wrong"
+same "($further times beyond that frame, $temps half written files were seen)" 50 $killed
+{ cat script; cat script; } | ./player play g --no-resume >pictures 2>err
+same 'and it goes on keeping' '' "$(cat err)"
+same 'as many as it should' 6 "$("$curtain" list g --replays | wc -l)"
+same 'no more ROMs than replays need' '' "$(comm -3 <(find data/curtain/roms -name '*.rom' -exec basename {} .rom \; | sed 's/probe-//' | sort) \
+    <("$curtain" list g --replays --json | jq -r .rom | sort -u))"
+same 'what the kills left half written is swept out' 0 "$(find $folder -name '*.tmp' | wc -l)"
+finish

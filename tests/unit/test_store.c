@@ -1,0 +1,522 @@
+/*
+ * test_store.c - replays: cards and pictures, whatever their bytes are; the folder of a game, and how it repairs itself;
+ * which go and which stay; kept ROMs.
+ */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp, setenv */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../platform/platform.h"
+#include "../../src/base/bytes.h"
+#include "../../src/base/hash.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/store/replays.h"
+#include "../../src/cab/store/roms.h"
+#include "../temp.h"
+
+enum { MUTANTS = 200000, MANY = 200, DATE = 1790000000 };
+
+static char dir[256], err[512];
+
+static void shell(const char *format)
+{
+    char command[1024];
+
+    snprintf(command, sizeof command, "cd '%s' && %s", dir, format);
+    assert_int_equal(system(command), 0);
+}
+
+static int open_folder(void **state)
+{
+    (void)state;
+    assert_true(temp_folder(dir, sizeof dir, "curtain-store"));
+    return setenv("XDG_DATA_HOME", dir, 1);
+}
+
+static int close_folder(void **state)
+{
+    (void)state;
+    shell("rm -rf curtain");
+    return remove(dir);
+}
+
+static int empty_folder(void **state)
+{
+    (void)state;
+    shell("rm -rf curtain");
+    return 0;
+}
+
+/* ---- cards ---- */
+
+static struct card a_card(int i)
+{
+    struct card c = { .date = DATE + i,
+                      .rom = 0x1234567890abcdef + (uint64_t)i,
+                      .game = 77,
+                      .seed = UINT64_MAX - (uint64_t)i,
+                      .core = 8,
+                      .flags = DEMO_RESUMED,
+                      .first = 145,
+                      .last = 17091,
+                      .end = CARD_CLEAR,
+                      .players = 2,
+                      .stages = 5,
+                      .id = "lanterns",
+                      .ship = "heron",
+                      .difficulty = "hard",
+                      .points = { 999999999999, i },
+                      .rows = 2 };
+
+    for (int r = 0; r < c.rows; r++) {
+        c.row[r].row = (struct nv_row){ .name = "AB.!", .ship = "heron", .score = 1000 * i + r, .stage = 15 };
+        snprintf(c.row[r].table, sizeof c.row[r].table, "hard");
+    }
+    return c;
+}
+
+static void same_card(const struct card *a, const struct card *b)
+{
+    assert_true(a->hash == b->hash && a->bytes == b->bytes && a->date == b->date && a->rom == b->rom);
+    assert_true(a->game == b->game && a->seed == b->seed && a->core == b->core && a->flags == b->flags);
+    assert_true(a->first == b->first && a->last == b->last && a->end == b->end);
+    assert_true(a->players == b->players && a->stages == b->stages && a->rows == b->rows);
+    assert_string_equal(a->id, b->id);
+    assert_string_equal(a->ship, b->ship);
+    assert_string_equal(a->difficulty, b->difficulty);
+    assert_string_equal(a->name, b->name);
+    assert_memory_equal(a->points, b->points, sizeof a->points);
+    for (int i = 0; i < a->rows; i++) {
+        assert_string_equal(a->row[i].table, b->row[i].table);
+        assert_string_equal(a->row[i].row.name, b->row[i].row.name);
+        assert_string_equal(a->row[i].row.ship, b->row[i].row.ship);
+        assert_true(a->row[i].row.score == b->row[i].row.score && a->row[i].row.stage == b->row[i].row.stage);
+        assert_true(a->row[i].row.continues == b->row[i].row.continues);
+    }
+}
+
+static struct thumb a_thumb(int w, int h)
+{
+    struct thumb t = { .w = w, .h = h };
+
+    for (int i = 0; i < w * h; i++)
+        t.pix[i] = (uint8_t)(i % THUMB_COLOURS);
+    return t;
+}
+
+static void test_card(void **state)
+{
+    static const int sides[] = { 0, 1, 72, THUMB_SIDE };
+    uint8_t bytes[CARD_BYTES];
+    struct card c = a_card(3), back;
+    struct thumb t, seen;
+
+    (void)state;
+    card_take_name(&c, "caf\xc3\xa9 \xe3\x82\xab");
+    for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
+        t = a_thumb(sides[i], sides[i]);
+        const size_t n = card_write(&c, &t, bytes);
+        assert_in_range(n, 100, CARD_BYTES);
+        assert_true(card_read(&back, bytes, n));
+        same_card(&c, &back);
+        assert_true(card_read(&back, bytes, n < CARD_HEAD ? n : CARD_HEAD)); /* the list reads so much alone */
+        assert_int_equal(card_read_thumb(&seen, bytes, n), sides[i] > 0);
+        assert_int_equal(seen.w, sides[i]);
+        assert_memory_equal(seen.pix, t.pix, (size_t)(sides[i] * sides[i]));
+    }
+}
+
+/* As long as can be: it stays below what the list reads. */
+static void test_longest(void **state)
+{
+    uint8_t bytes[CARD_BYTES];
+    struct card c = a_card(1), back;
+    struct thumb t = { 0 };
+
+    (void)state;
+    memset(c.id, 'i', sizeof c.id - 1);
+    memset(c.ship, 's', sizeof c.ship - 1);
+    memset(c.difficulty, 'd', sizeof c.difficulty - 1);
+    memset(c.name, 'n', sizeof c.name - 1);
+    c.rows = CARD_ROWS;
+    for (int i = 0; i < CARD_ROWS; i++) {
+        memset(c.row[i].table, 't', sizeof c.row[i].table - 1);
+        memset(c.row[i].row.name, 'r', sizeof c.row[i].row.name - 1);
+        memset(c.row[i].row.ship, 'p', sizeof c.row[i].row.ship - 1);
+    }
+    const size_t n = card_write(&c, &t, bytes);
+    assert_in_range(n, 400, CARD_HEAD);
+    assert_true(card_read(&back, bytes, n));
+    same_card(&c, &back);
+}
+
+/* Spoilt, and its CRC often made good again, it is refused or within its bounds. Exact blocks, for a sanitizer. */
+static void test_mutants(void **state)
+{
+    uint8_t whole[CARD_BYTES];
+    struct card c = a_card(2), back;
+    struct thumb t = a_thumb(9, 7), seen;
+    const size_t size = card_write(&c, &t, whole);
+    struct rng r;
+    long refused = 0;
+
+    (void)state;
+    rng_seed(&r, 4);
+    for (int i = 0; i < MUTANTS; i++) {
+        const size_t n = rng_below(&r, 4) ? size : (size_t)rng_below(&r, size + 1);
+        uint8_t *p = malloc(n + (n == 0));
+        memcpy(p, whole, n);
+        for (uint64_t k = 1 + rng_below(&r, 3); n && k > 0; k--)
+            p[rng_below(&r, rng_below(&r, 2) ? n : n < 60 ? n : 60)] = (uint8_t)rng_next(&r);
+        const size_t at = n > 16 ? 12 + (size_t)bytes_get32(p + 8) % n : 0;
+        if (rng_below(&r, 2) && at && at + 4 <= n)
+            bytes_put32(p + at, hash_crc32(p, at));
+        if (!card_read(&back, p, n)) {
+            refused++;
+        } else {
+            assert_in_range(back.rows, 0, CARD_ROWS);
+            assert_true(back.first <= back.last && back.end < CARD_ENDS);
+            assert_non_null(memchr(back.name, 0, sizeof back.name));
+            assert_non_null(memchr(back.id, 0, sizeof back.id));
+            for (int k = 0; k < back.rows; k++)
+                assert_non_null(memchr(back.row[k].row.name, 0, sizeof back.row[k].row.name));
+        }
+        if (card_read_thumb(&seen, p, n))
+            assert_in_range(seen.w * seen.h, 1, THUMB_PIXELS);
+        free(p);
+    }
+    assert_in_range(refused, MUTANTS / 4, MUTANTS - MUTANTS / 50);
+}
+
+static void name_becomes(const char *want, const char *name)
+{
+    struct card c = { .rows = 0 };
+
+    card_take_name(&c, name);
+    assert_string_equal(c.name, want);
+}
+
+static void test_names(void **state)
+{
+    struct card c = { .rows = 0 };
+
+    (void)state;
+    name_becomes("", "");
+    name_becomes("", " \t ");
+    name_becomes("my best", "  my best ");
+    name_becomes("a b", "a\nb\033");
+    name_becomes("?", "\xff");
+    card_take_name(&c, "12345678901234567890123456789012345678901234567\xc3\xa9");
+    assert_int_equal(strlen(c.name), 47);
+    card_take_name(&c, "1234567890123456789012345678901234567890123456\xc3\xa9"); /* no half of a letter */
+    assert_int_equal(strlen(c.name), 46);
+}
+
+/* ---- what a demo tells ---- */
+
+static void test_of_demo(void **state)
+{
+    struct demo_marker markers[] = {
+        { 10, { .kind = MARKER_GAME, .name = "tern", .value = 1 } },
+        { 400, { .kind = MARKER_OVER, .name = "quit", .value = 1 } },
+        { 500, { .kind = MARKER_GAME, .name = "heron", .value = 2 } },
+        { 600, { .kind = MARKER_STAGE, .name = "one" } },
+        { 900, { .kind = MARKER_OVER, .name = "over", .value = 3 } },
+        { 950, { .kind = MARKER_LISTED, .name = "points 1 120" } },
+        { 950, { .kind = MARKER_LISTED, .name = "points 2 7" } },
+    };
+    struct demo d = { .id = "x", .frames = 950, .n_markers = 7, .markers = markers, .complete = true, .flags = 1 };
+    struct card c;
+
+    (void)state;
+    assert_true(card_of_demo(&c, &d));
+    assert_string_equal(c.ship, "heron");
+    assert_true(c.first == 500 && c.last == 950 && c.end == CARD_OVER && c.players == 2 && c.stages == 3);
+    assert_true(c.points[0] == 120 && c.points[1] == 7 && c.flags == 1);
+    d.n_markers = 4;
+    assert_true(card_of_demo(&c, &d) && c.end == CARD_LEFT && c.stages == 0);
+    d.fault = FAULT_SCRIPT;
+    assert_true(card_of_demo(&c, &d) && c.end == CARD_FAULT);
+    d.fault = FAULT_NONE;
+    d.n_markers = 2;
+    assert_true(card_of_demo(&c, &d) && c.end == CARD_QUIT && c.first == 10);
+    d.n_markers = 0;
+    assert_false(card_of_demo(&c, &d));
+}
+
+/* ---- pictures ---- */
+
+static void test_thumb(void **state)
+{
+    static uint8_t pix[480 * 448];
+    static const int sizes[][4] = { { 240, 320, 72, 96 }, { 320, 240, 96, 72 }, { 384, 448, 82, 96 },
+                                    { 64, 40, 64, 40 },   { 480, 1, 96, 1 },    { 1, 400, 1, 96 } };
+    uint32_t rgb[256] = { 0, 0xffffff, 0xff0000, 0x0000ff };
+    struct thumb t;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        struct fb fb;
+        fb_init(&fb, pix, sizes[i][0], sizes[i][1]);
+        for (int colour = 0; colour < 4; colour++) {
+            memset(pix, colour, sizeof pix);
+            thumb_make(&t, &fb, rgb);
+            assert_int_equal(t.w, sizes[i][2]);
+            assert_int_equal(t.h, sizes[i][3]);
+            for (int k = 0; k < t.w * t.h; k++) /* the palette has these four exactly */
+                assert_int_equal(thumb_colour(t.pix[k]), rgb[colour]);
+        }
+    }
+    struct fb half;
+    fb_init(&half, pix, 192, 192);
+    for (int i = 0; i < 192 * 192; i++)
+        half.pix[i / 192 * half.pitch + i % 192] = (uint8_t)(i % 2); /* grey of black and white */
+    thumb_make(&t, &half, rgb);
+    uint32_t sum = 0;
+    for (int k = 0; k < t.w * t.h; k++)
+        sum += thumb_colour(t.pix[k]) & 255;
+    assert_in_range(sum / (uint32_t)(t.w * t.h), 118, 138);
+}
+
+/* ---- the folder ---- */
+
+/* Any bytes do as a demo for what never reads it. */
+static void add(struct replays *r, int i)
+{
+    const struct card c = a_card(i);
+    const struct thumb t = a_thumb(72, 96);
+    uint8_t bytes[64];
+
+    memset(bytes, i & 255, sizeof bytes);
+    if (!replays_add(r, bytes, sizeof bytes, &c, &t, err, sizeof err))
+        fail_msg("%s", err);
+}
+
+static void listed(struct replays *r, int n)
+{
+    replays_close(r);
+    assert_true(replays_open(r, "lanterns"));
+    assert_int_equal(r->n, n);
+}
+
+static void test_folder(void **state)
+{
+    struct replays r;
+    struct thumb t;
+    char path[REPLAY_PATH];
+
+    (void)state;
+    assert_true(replays_open(&r, "lanterns"));
+    assert_int_equal(r.n, 0);
+    for (int i = 0; i < 5; i++)
+        add(&r, i);
+    add(&r, 4); /* in the same second */
+    listed(&r, 6);
+    assert_string_equal(r.list[0].stem, "20260921-141324-002");
+    assert_string_equal(r.list[1].stem, "20260921-141324");
+    assert_int_equal(r.list[5].card.points[1], 0); /* the oldest comes last */
+    assert_true(r.list[0].card.hash != 0 && r.list[0].card.bytes == 64);
+    assert_true(replays_thumb(&r, 3, &t) && t.w == 72);
+    assert_true(replays_name(&r, 3, " kept ", err, sizeof err));
+    assert_true(replays_delete(&r, 0, err, sizeof err));
+    listed(&r, 5);
+    assert_string_equal(r.list[2].card.name, "kept");
+    assert_true(replays_thumb(&r, 2, &t) && t.w == 72); /* a name leaves the picture */
+    replays_path(&r, 2, path);
+    assert_int_equal(plat_size(path), 64);
+    replays_close(&r);
+    assert_true(replays_open(&r, "other")); /* each game has a folder of its own */
+    assert_int_equal(r.n, 0);
+    replays_close(&r);
+}
+
+/* 200 replays cost a read of at most CARD_HEAD bytes each. */
+static void test_many(void **state)
+{
+    struct replays r;
+
+    (void)state;
+    assert_true(replays_open(&r, "lanterns"));
+    for (int i = 0; i < MANY; i++)
+        add(&r, i);
+    listed(&r, MANY);
+    assert_int_equal(r.loads, MANY);
+    assert_in_range(r.loaded, MANY, MANY * CARD_HEAD);
+    replays_close(&r);
+}
+
+static bool stands(void *of, const struct card_row *row)
+{
+    return row->row.score == *(int64_t *)of;
+}
+
+/* The oldest go; a name, and a row that stands, keep. */
+static void test_prune(void **state)
+{
+    struct replays r;
+    int64_t best = 1000; /* of replay 1 */
+    uint64_t kept = 0;
+
+    (void)state;
+    assert_true(replays_open(&r, "lanterns"));
+    for (int i = 0; i < 20; i++)
+        add(&r, i);
+    assert_true(replays_name(&r, 19 - 4, "four", err, sizeof err));
+    replays_prune(&r, 5, stands, &best);
+    listed(&r, 7);
+    for (int i = 0; i < r.n; i++)
+        kept |= (uint64_t)1 << r.list[i].card.points[1];
+    assert_int_equal(kept, 0x1f << 15 | 1 << 4 | 1 << 1);
+    replays_prune(&r, 0, NULL, NULL);
+    listed(&r, 1);
+    assert_string_equal(r.list[0].card.name, "four");
+    replays_close(&r);
+}
+
+static void test_rows(void **state)
+{
+    struct replays r;
+    struct card_row row = { .table = "hard", .row = { .name = "XYZ", .ship = "tern", .score = 7, .continues = 2 } };
+    struct nv_row asked;
+
+    (void)state;
+    assert_true(replays_open(&r, "lanterns"));
+    for (int i = 0; i < 5; i++)
+        add(&r, i);
+    assert_true(replays_add_row(&r, 2, &row, err, sizeof err));
+    listed(&r, 5);
+    assert_int_equal(replays_of_row(&r, "hard", &row.row), 2);
+    assert_int_equal(replays_of_row(&r, "easy", &row.row), -1);
+    asked = row.row;
+    asked.continues = 1;
+    assert_int_equal(replays_of_row(&r, "hard", &asked), -1);
+    asked = r.list[4].card.row[1].row;
+    assert_int_equal(replays_of_row(&r, "hard", &asked), 4);
+    for (int i = 0; i < 5; i++) { /* more than there is room for: the last one counts */
+        row.row.score = 100 + i;
+        assert_true(replays_add_row(&r, 1, &row, err, sizeof err));
+    }
+    assert_int_equal(r.list[1].card.rows, CARD_ROWS);
+    assert_int_equal(replays_of_row(&r, "hard", &row.row), 1);
+    replays_close(&r);
+}
+
+/* What a crash or a hand leaves: the list is right, and the folder after it. */
+static void test_repair(void **state)
+{
+    struct replays r;
+    const char *demo = "tests/demos/whole8-run.demo";
+    static uint8_t bytes[1 << 21];
+    struct card c = { .rows = 0 };
+
+    (void)state;
+    const long n = plat_load(demo, bytes, sizeof bytes);
+    assert_in_range(n, 1000, sizeof bytes - 1);
+    struct demo d;
+    assert_true(demo_read(&d, bytes, (size_t)n, err, sizeof err));
+    assert_true(card_of_demo(&c, &d));
+    demo_free(&d);
+    assert_true(replays_open(&r, c.id));
+    for (int i = 0; i < 4; i++) {
+        c.date = DATE + i;
+        assert_true(replays_add(&r, bytes, (size_t)n, &c, NULL, err, sizeof err));
+    }
+    char folder[64];
+    snprintf(folder, sizeof folder, "cd curtain/replays/%s && ", r.id);
+#define IN(command) (snprintf(line, sizeof line, "%s%s", folder, command), shell(line))
+    char line[300];
+    IN("rm 20260921-141320.card");                                         /* killed between demo and card */
+    IN("head -c 50 20260921-141321.card >x && mv x 20260921-141321.card"); /* damaged */
+    IN("rm 20260921-141322.demo");                                         /* killed between demo and card, going */
+    IN("echo rubbish >notes.txt && echo rubbish >bad.demo && echo x >bad.card && mkdir folder.demo");
+    IN("touch -d 2020-01-01 y.demo.77.tmp");
+    replays_close(&r);
+    assert_true(replays_open(&r, c.id));
+    assert_int_equal(r.n, 3);
+    assert_string_equal(r.list[1].card.name, "recovered"); /* it may have had a name: it does not go by itself */
+    assert_string_equal(r.list[2].card.name, "");
+    assert_true(r.list[2].card.date == DATE && r.list[2].card.hash == r.list[0].card.hash);
+    assert_true(r.list[2].card.first == c.first && r.list[2].card.points[0] == c.points[0]);
+    replays_close(&r);
+    assert_true(replays_open(&r, c.id)); /* and now nothing is left to do: three cards, and the demo that is none */
+    assert_int_equal(r.n, 3);
+    assert_in_range(r.loaded, 1, 4 * CARD_HEAD);
+    IN("test ! -e 20260921-141322.card && test ! -e y.demo.77.tmp && test -e notes.txt && test -e bad.demo");
+    replays_close(&r);
+#undef IN
+}
+
+/* Nowhere to write: a sentence, and nothing is half there. */
+static void test_refused(void **state)
+{
+    struct replays r;
+    const struct card c = a_card(1);
+    const uint8_t bytes[4] = { 0 };
+
+    (void)state;
+    shell("mkdir -p curtain && touch curtain/replays");
+    assert_true(replays_open(&r, "lanterns"));
+    assert_false(replays_add(&r, bytes, sizeof bytes, &c, NULL, err, sizeof err));
+    assert_non_null(strstr(err, "/replays/lanterns/20260921-141321.demo: cannot be written (Not a directory)"));
+    assert_int_equal(r.n, 0);
+    replays_close(&r);
+}
+
+/* ---- ROMs ---- */
+
+static void test_roms(void **state)
+{
+    struct replays r;
+    static uint8_t bytes[256], data[1];
+    const struct lump lump = { "x", data, 1 };
+    struct rom rom;
+    uint64_t hash[3];
+    char path[ROMS_PATH];
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        data[0] = (uint8_t)i;
+        rom_write(bytes, &lump, 1);
+        assert_true(rom_open(&rom, bytes, rom_write_size(&lump, 1), err, sizeof err));
+        hash[i] = rom_hash(&rom);
+        assert_true(roms_keep("lanterns", &rom, err, sizeof err));
+        assert_true(roms_keep("lanterns", &rom, err, sizeof err)); /* it is there */
+        assert_true(roms_has("lanterns", hash[i]));
+    }
+    assert_true(hash[0] != hash[1] && hash[1] != hash[2]);
+    assert_true(roms_keep("lantern", &rom, err, sizeof err)); /* another game */
+    assert_true(replays_open(&r, "lanterns"));
+    struct card c = a_card(1);
+    c.rom = hash[1];
+    assert_true(replays_add(&r, bytes, sizeof bytes, &c, NULL, err, sizeof err));
+    replays_collect_roms(&r, hash[2]);
+    assert_false(roms_has("lanterns", hash[0]));
+    assert_true(roms_has("lanterns", hash[1]) && roms_has("lanterns", hash[2]));
+    assert_true(replays_delete(&r, 0, err, sizeof err));
+    replays_collect_roms(&r, 0);
+    assert_false(roms_has("lanterns", hash[1]) || roms_has("lanterns", hash[2]));
+    assert_true(roms_has("lantern", hash[2]));
+    roms_path(path, "lantern", 0xabc);
+    assert_string_equal(path, "user:roms/lantern-0000000000000abc.rom");
+    replays_close(&r);
+}
+
+#define IN_FOLDER(test) cmocka_unit_test_setup(test, empty_folder)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_card),  cmocka_unit_test(test_longest), cmocka_unit_test(test_mutants),
+        cmocka_unit_test(test_names), cmocka_unit_test(test_of_demo), cmocka_unit_test(test_thumb),
+        IN_FOLDER(test_folder),       IN_FOLDER(test_many),           IN_FOLDER(test_prune),
+        IN_FOLDER(test_rows),         IN_FOLDER(test_repair),         IN_FOLDER(test_refused),
+        IN_FOLDER(test_roms),
+    };
+
+    return cmocka_run_group_tests(tests, open_folder, close_folder);
+}
