@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# menus.sh - the cabinet's menus in play: what opens and closes them, that the board stands meanwhile and nothing of them
-# is recorded, that settings do what they say at once and are kept, and what is said where they cannot be kept. The port
-# is a script's (port_keys.c): no window, no clock.
+# menus.sh - the cabinet's menus in play: what opens and closes them, that the board stands meanwhile and nothing of
+# them is recorded, that settings do what they say at once and are kept, and what is said where they cannot be kept. The
+# port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../scripted.sh"
 export KEYS_WHOLE=1
 
@@ -63,7 +63,8 @@ keys 100 | plays g straight
 { keys 40; press $ESCAPE $DOWN $DOWN $UP; keys 31; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'Escape, and Escape again: nothing of it is recorded' cmp straight.demo menu.demo
 same 'before it nothing differs' "$(part straight 1 40)" "$(part menu 1 40)"
-same 'while it is open no picture is of the game' '' "$(comm -12 <(part straight 1 100 | sort) <(part menu 41 79 | sort))"
+same 'while it is open no picture is of the game' '' \
+    "$(comm -12 <(part straight 1 100 | sort) <(part menu 41 79 | sort))"
 same 'afterwards nothing differs' "$(part straight 41 100)" "$(part menu 81 140)"
 
 { keys 40; keys 1 c1:$GUIDE; keys 20; keys 1 c1:$GUIDE; keys 60; } | plays g menu
@@ -133,7 +134,8 @@ same '... for the next time' '50 4' "$(frames menu.demo) $(flags menu.demo)"
 check 'which is the same run' "$curtain" verify g menu.demo
 rm $conf
 same 'nothing else is marked' 0 "$(flags straight.demo)"
-for setting in scale fullscreen turn scaling crt border panels vsync run_ahead dim flashes colours hitbox music sounds; do
+for setting in scale fullscreen turn scaling crt border panels vsync run_ahead dim flashes colours hitbox music \
+    sounds; do
     way=$RIGHT
     case $setting in music | sounds) way=$LEFT ;; esac
     { keys 20; to_setting $setting; press "$way" $ESCAPE; keys 1 $ESCAPE; keys 80; } | plays g menu
@@ -159,6 +161,7 @@ rm $conf
 # ---- where they cannot be kept ----
 
 # Until so many pictures are shown.
+unkept="curtain: the settings are not kept: $XDG_DATA_HOME/curtain/curtain.conf"
 shown() { until [ -f "$1" ] && [ "$(shots "$1")" -ge "$2" ]; do sleep 0.02; done; }
 spoilt() { # COMMAND...: plays, and runs it between a change of volume and the end of the settings
     rm -f menu
@@ -169,7 +172,7 @@ spoilt() { # COMMAND...: plays, and runs it between a change of volume and the e
 breaks() { echo 'volum = 3' >$conf; }
 spoilt breaks
 same 'a file that is not right by now stays, and is said' \
-    "curtain: the settings are not kept: $XDG_DATA_HOME/curtain/curtain.conf:1: no setting is called \"volum\"" "$(cat err)"
+    "$unkept:1: no setting is called \"volum\"" "$(cat err)"
 same '... as it is' 'volum = 3' "$(cat $conf)"
 same '... and the game goes on' 80 "$(frames menu.demo)"
 keys 9 | plays g menu
@@ -180,7 +183,7 @@ blocks() { rm -rf data/curtain && echo 'a file' >data/curtain; }
 mkdir data
 spoilt blocks
 same 'a folder that is none' \
-    "curtain: the settings are not kept: $XDG_DATA_HOME/curtain/curtain.conf: cannot be written (Not a directory)" \
+    "$unkept: cannot be written (Not a directory)" \
     "$(cat err)"
 rm -r data
 full() {
@@ -193,9 +196,10 @@ full() {
 check 'a disk of its own' full
 spoilt true
 same 'a full disk is said in one sentence' \
-    "curtain: the settings are not kept: $XDG_DATA_HOME/curtain/curtain.conf: cannot be written (No space left on device)" \
+    "$unkept: cannot be written (No space left on device)" \
     "$(cat err)"
-same '... and the old file is whole' 'volume = 40 # mine|curtain.conf filler' "$(cat $conf)|$(cd data/curtain && echo *)"
+same '... and the old file is whole' 'volume = 40 # mine|curtain.conf filler' \
+    "$(cat $conf)|$(cd data/curtain && echo *)"
 umount data/curtain
 trap 'cd /; rm -rf "$scratch"' EXIT
 rm -r data
@@ -211,5 +215,6 @@ check 'settings, which a game asked for' grep -qx 'scale = 1' $conf
 same 'while they are open the game stands' "$(($(wc -l <ask) - 1 + 100))" \
     "$("$curtain" verify asks menu.demo | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')"
 keys 170 | watches asks back menu.demo
-same 'a playback opens nothing' "$(tail -n 1 menu)" "$(part back "$(($(wc -l <ask) - 1 + 100))" "$(($(wc -l <ask) + 99))")"
+same 'a playback opens nothing' "$(tail -n 1 menu)" \
+    "$(part back "$(($(wc -l <ask) - 1 + 100))" "$(($(wc -l <ask) + 99))")"
 finish

@@ -340,7 +340,7 @@ static enum board_ask press_asked(uint16_t button)
     return ASKS;
 }
 
-/* SETTINGS and REPLAYS are the host's: the game asks once, and the list stands there again with the same entry chosen. */
+/* SETTINGS and REPLAYS are the host's: the game asks once, and the list is there again with the same entry chosen. */
 static void test_asks(void **state)
 {
     (void)state;

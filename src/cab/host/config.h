@@ -87,8 +87,7 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 bool config_load(struct config *c, char *err, size_t err_size);
 
 /* Writes what differs between CONFIG_FILE and *c into it: the last line of each such name, or a new one at the end; no
- * file is written when nothing does. False and one sentence: the file is as it was. One that is not right is left alone.
- */
+ * file is written when nothing does. False and one sentence: the file is as it was. A wrong one is left alone. */
 bool config_save(const struct config *c, char *err, size_t err_size);
 
 /* The same, of a text: a new one, malloc'ed, ending in NUL. NULL and one sentence. */

@@ -102,7 +102,7 @@ void screens_close_all(struct screens *s);
 /* Chooses a row of the topmost screen, if it can be chosen. */
 void screens_choose(struct screens *s, int row);
 
-/* Chooses another row of the topmost screen where the chosen one is gone or a heading by now; drawing begins with it. */
+/* Chooses another row of the topmost screen where the chosen one is gone or a heading by now; drawing does it first. */
 void screens_settle(struct screens *s);
 
 /* Shows a line at the foot for some seconds. */
