@@ -46,10 +46,12 @@ same 'moments' 'game:ship stage:one mark:late clear:one over:clear' "$(kinds <li
 same 'no flags' '[]' "$(of run.demo flags)"
 same 'no doubt' null "$(of run.demo doubt)"
 same 'the ROM it was recorded on, and this one' "$(of run.demo recorded)" "$(of run.demo replayed)"
-same 'its hash is the one that list prints' "\"$("$curtain" list g | sed -n 's/^rom //p')\"" "$(of run.demo replayed.rom)"
+same 'its hash is the one that list prints' "\"$("$curtain" list g | sed -n 's/^rom //p')\"" \
+    "$(of run.demo replayed.rom)"
 same 'a demo without a game' '[0, 0] null null 0' \
     "$(of title.demo score) $(of title.demo ship) $(of title.demo ended) $(of title.demo players)"
-same 'a fault' '"main.lua:4: a \"quoted\" \\ end" "holds"' "$(of fault.demo fault | sed 's/ end.*/ end"/') $(of fault.demo verdict)"
+same 'a fault' '"main.lua:4: a \"quoted\" \\ end" "holds"' \
+    "$(of fault.demo fault | sed 's/ end.*/ end"/') $(of fault.demo verdict)"
 
 # The points and moments that a file claims are not told.
 python3 - run.demo forged.demo <<'PY'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# kill_store.sh - what is kept of runs is old or new, whenever the program is killed: with -9, 50 times, in the frames in
-# which replays, their cards, kept ROMs and the run that is on are written. The moments are pictures that the process
+# kill_store.sh - what is kept of runs is old or new, whenever the program is killed: with -9, 50 times, in the frames
+# in which replays, their cards, kept ROMs and the run that is on are written. The moments are pictures that the process
 # showed, not times; how far it has come by then is chance.
 . "$(dirname "$0")/../scripted.sh"
 export TZ=UTC
@@ -20,7 +20,10 @@ LUA
 sed -i "s/screen = { w = 64, h = 64 }/screen = { w = 160, h = 200 }/" g/rom.lua
 mkdir -p data/curtain
 echo 'keep_replays = 6' >data/curtain/curtain.conf
-{ keys 30; keys 1 $ENTER; keys 30; keys 1 $Z; keys 40; keys 1 $Z; keys 60; keys 1 $Z; keys 10; keys 200 $Z; keys 60 $C; keys 120; } >script
+{
+    keys 30; keys 1 $ENTER; keys 30; keys 1 $Z; keys 40; keys 1 $Z; keys 60; keys 1 $Z
+    keys 10; keys 200 $Z; keys 60 $C; keys 120
+} >script
 ./player play g <script >pictures 2>err
 begun=$("$curtain" list g --replays --json | jq .first) over=$("$curtain" list g --replays --json | jq .frames)
 same 'a run in '"$over"' frames' '' "$(cat err)"
@@ -82,7 +85,7 @@ same "($further times beyond that frame, $temps half written files were seen)" 5
 { cat script; cat script; } | ./player play g --no-resume >pictures 2>err
 same 'and it goes on keeping' '' "$(cat err)"
 same 'as many as it should' 6 "$("$curtain" list g --replays | wc -l)"
-same 'no more ROMs than replays need' '' "$(comm -3 <(find data/curtain/roms -name '*.rom' -exec basename {} .rom \; | sed 's/probe-//' | sort) \
-    <("$curtain" list g --replays --json | jq -r .rom | sort -u))"
+find data/curtain/roms -name '*.rom' -exec basename {} .rom \; | sed 's/probe-//' | sort >roms
+same 'no more ROMs than replays need' "$("$curtain" list g --replays --json | jq -r .rom | sort -u)" "$(cat roms)"
 same 'what the kills left half written is swept out' 0 "$(find $folder -name '*.tmp' | wc -l)"
 finish

@@ -142,10 +142,12 @@ check 'T takes over, for practice' grep -q . taken
 same 'which is not kept, and makes no file' 1 "$(demos | wc -l; ls probe-*.demo 2>/dev/null)"
 { watch; keys $((last - first + 60)); } | plays shown
 same 'at its end it waits, and a menu stands' 1 "$(tail -20 shown | sort -u | wc -l)"
-{ watch; keys 60; keys 1 $ESC; keys 3; keys 1 $DOWN; keys 2; keys 1 $DOWN; keys 2; keys 1 $Z; keys 40; } | plays shown --seed 5
+{ watch; keys 60; keys 1 $ESC; keys 3
+    keys 1 $DOWN; keys 2; keys 1 $DOWN; keys 2; keys 1 $Z; keys 40; } | plays shown --seed 5
 same 'and back at the title the pictures are those of a power-on' "$(part straight 10 20)" \
     "$(grep -A 10 "^$(part straight 10 10)$" shown | tail -11)"
-{ begin; keys 200 $Z; keys 1 $ESC; keys 3; keys 1 $DOWN; keys 3; keys 1 $Z; keys 4; keys 1 $Z; keys 4; keys 1 $Z; keys 60; } |
+{ begin; keys 200 $Z; keys 1 $ESC; keys 3
+    keys 1 $DOWN; keys 3; keys 1 $Z; keys 4; keys 1 $Z; keys 4; keys 1 $Z; keys 60; } |
     plays shown
 same 'who watches in the middle of a run keeps it' '0:04 ship normal 2020 left' "$(list | head -1)"
 check 'and can go on with it' test -s data/curtain/resume/probe.demo

@@ -73,7 +73,8 @@ check 'who begins anew is not asked again' test ! -e "$left"
 same 'but the run stays among the replays' '0:06 ship normal 3020 left' "$(list)"
 again
 { begin; keys 60; } | plays out --no-resume
-same '--no-resume asks nothing; when another run has begun the one before is a replay' '0:06 ship normal 3020 left' "$(list)"
+same '--no-resume asks nothing; when another run has begun the one before is a replay' \
+    '0:06 ship normal 3020 left' "$(list)"
 again
 rm -r $folder
 { keys 3; keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
@@ -122,7 +123,7 @@ sed -i 's/rng.int(0, 50)/rng.int(0, 20)/' g/main.lua
 same 'after the game was changed the run goes on in the game as it was' '["holds",["resumed"]]' \
     "$(told '[.verdict, .flags]' old)"
 again
-{ keys 100; keys 1 $Z; ends; keys 1 $ESC; keys 3; for _ in 1 2 3 4; do keys 1 $DOWN; keys 2; done; } | plays out --resume
+{ keys 100; keys 1 $Z; ends; keys 60; } | plays out --resume
 same 'and ends there as a replay on its kept ROM' '"game over"' "$("$curtain" list g --replays --json | jq .end)"
 again
 rm data/curtain/roms/*
@@ -199,7 +200,8 @@ same 'no room: two sentences, for where one stands and for the replay' \
 curtain: this run is not kept: .rom: cannot be written (File too large)' "$(sed 's|/[^ ]*\.rom|.rom|' err)"
 mkdir -p data/curtain/roms && cp before/curtain/roms/* data/curtain/roms
 full 8
-same 'no room for the recording either' 'curtain: where you stand is not kept from here on: .demo: cannot be written (File too large)
+same 'no room for the recording either' \
+    'curtain: where you stand is not kept from here on: .demo: cannot be written (File too large)
 curtain: this run is not kept: .demo: cannot be written (File too large)' "$(sed 's|/[^ ]*\.demo|.demo|' err)"
 check 'what was kept before is as it was' diff -r data/curtain/replays before/curtain/replays
 check 'and no half of a file' test -z "$(find data -name '*.tmp')"

@@ -1,6 +1,6 @@
 /*
- * test_keep.c - what keeping a run asks of a recording: a spare file that grows beside it, a whole demo of the run as it
- * is now, and a session that goes on where a demo ends.
+ * test_keep.c - what keeping a run asks of a recording: a spare file that grows beside it, a whole demo of the run as
+ * it is now, and a session that goes on where a demo ends.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"

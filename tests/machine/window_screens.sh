@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# window_screens.sh - each of the cabinet's screens in a real (virtual) X server, driven by keys and by a controller, at
+# window_screens.sh - the cabinet's screens in a real (virtual) X server, driven by keys and by a controller, at
 # three sizes, upright and turned: to the last pixel as tests/golden/screens has it. CURTAIN_UPDATE=1 writes those anew;
-# look at them.
+# look at them. The controllers' is in window_pads.sh.
 . "$(dirname "$0")/../xserver.sh"
 . "$repo/tests/pads.sh"
 export SDL_AUDIODRIVER=alsa AUDIODEV=none SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS=1
@@ -83,6 +83,8 @@ for size in ${SIZES:-240x320 320x240 384x448}; do
                 does menu
                 looks menu
                 does down yes
+                looks replays
+                does no down yes
                 looks settings
                 does down down down down down right
                 looks settings-changed
@@ -90,11 +92,10 @@ for size in ${SIZES:-240x320 320x240 384x448}; do
                 check "and it is written" grep -qx 'border = no' data/curtain/curtain.conf
                 does down yes
                 looks keys
-                does no menu
                 leave
             fi
             if opens pieces; then
-                does menu down down down yes
+                does menu down down down down down yes
                 looks practice
                 does down right
                 looks practice-changed

@@ -1,6 +1,6 @@
 /*
- * test_store.c - replays: cards and pictures, whatever their bytes are; the folder of a game, and how it repairs itself;
- * which go and which stay; kept ROMs.
+ * test_store.c - replays: cards and pictures, whatever their bytes are; the folder of a game, and how it repairs
+ * itself; which go and which stay; kept ROMs.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, setenv */
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /*
- * demo_write.c - a whole demo as the bytes of its file, and into its file; see demo.h. What is written when, while it is
- * recorded, is in demo_record.c, and the records in demo_put.c.
+ * demo_write.c - a whole demo as the bytes of its file, and into its file; see demo.h. What is written when, while it
+ * is recorded, is in demo_record.c, and the records in demo_put.c.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -52,7 +52,7 @@ static const struct action {
     { "silence", "m", "sound off, on" },
     { "quieter", "minus", "volume, ten percent less" },
     { "louder", "equals", "and more" },
-    { "screenshot", "f12", "a PNG into the current folder" },
+    { "screenshot", "f12", "a PNG into the folder of your pictures" },
     { "full", "f11 alt+enter", "fullscreen, window" },
     { "quit", "ctrl+q", "leave at once" },
     { "menu", "escape pad.guide", "the cabinet's menu" },

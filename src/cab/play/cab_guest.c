@@ -1,7 +1,7 @@
 /*
  * cab_guest.c - demos that the cabinet opens while it runs: replays that are watched, and the run that was left, which
- * is played again as fast as it goes and then gone on with. They may need an older ROM of the game, which is kept by its
- * hash; the game's own waits meanwhile.
+ * is played again as fast as it goes and then gone on with. They may need an older ROM of the game, which is kept by
+ * its hash; the game's own waits meanwhile.
  */
 #include <stdio.h>
 #include <stdlib.h>

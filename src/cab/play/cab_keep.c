@@ -1,8 +1,8 @@
 /*
  * cab_keep.c - what is kept of runs by itself: a replay of each, and of one that is left where it stands.
  *
- * A run is what boot.run tells: from its marker "game" to its marker "over". That is read off the recording, so it holds
- * however the player went to and fro in time. Not kept are runs shorter than three seconds, tries of practice,
+ * A run is what boot.run tells: from its marker "game" to its marker "over". That is read off the recording, so it
+ * holds however the player went to and fro in time. Not kept are runs shorter than three seconds, tries of practice,
  * playbacks and what was played on from one, and runs whose board was changed from outside, which no demo can repeat.
  *
  * While a run is on, its recording is also written to user:resume/ID.demo, which grows by a second a second; so what a

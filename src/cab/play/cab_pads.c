@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include "../../board/inspect.h"
-#include "../pads/switches.h"
+#include "../pads/switch.h"
 #include "cab_parts.h"
 
 void cab_pads_open(void)

@@ -1,5 +1,6 @@
 /*
- * screen_replays.c - the runs that are kept: what each was, with its picture; to watch, to save under a name, to delete.
+ * screen_replays.c - the runs that are kept: what each was, with its picture; to watch, to save under a name, to
+ * delete.
  */
 #include <inttypes.h>
 #include <stdio.h>

@@ -51,8 +51,8 @@ bool replays_add_row(struct replays *r, int i, const struct card_row *row, char 
 /* Removes one. False and one sentence: it is still there. */
 bool replays_delete(struct replays *r, int i, char *err, size_t err_size);
 
-/* Removes the oldest of those that have no name and no standing row, until so many of them are left. stands may be NULL:
- * no row stands. */
+/* Removes the oldest of those that have no name and no standing row, until so many of them are left. stands may be
+ * NULL: no row stands. */
 void replays_prune(struct replays *r, int keep, bool (*stands)(void *of, const struct card_row *row), void *of);
 
 /* The replay of a row of a score table: the newest that entered just this one. -1: there is none. */
