@@ -100,7 +100,9 @@ and of the program.
 A name is followed by the switches it has without settings:
 keys by their place on a keyboard of the United States, and, as
 .BR pad.south ,
-switches of a controller.
+switches of a controller by their place on it.
+The first controller that is used plays for player 1;
+START on another one takes the place of player 2.
 END
 part 'Keys' | columns | entries
 cat <<'END'

@@ -1,10 +1,10 @@
 /*
- * switches.h - a key, or a controller's switch, as 16 bits, and its names: as the settings spell it, and as it is
+ * switch.h - a key, or a controller's switch, as 16 bits, and its names: as the settings spell it, and as it is
  * printed on a controller. keys.h lists the spellings.
  * floor: cab
  */
-#ifndef CAB_SWITCHES_H
-#define CAB_SWITCHES_H
+#ifndef CAB_SWITCH_H
+#define CAB_SWITCH_H
 
 #include <stdbool.h>
 #include <stddef.h>

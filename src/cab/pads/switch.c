@@ -1,7 +1,7 @@
 /*
- * switches.c - see switches.h.
+ * switch.c - see switch.h.
  */
-#include "switches.h"
+#include "switch.h"
 
 #include <stdio.h>
 #include <stdlib.h>
