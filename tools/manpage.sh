@@ -134,7 +134,8 @@ A game's score tables and saves.
 What was tried and captured in practice.
 .TP
 .I $XDG_DATA_HOME/curtain/reports/GAME-DATE-N.txt
-What a fault of a script, or a crash, has left: a text with the run up to there in it, which
+What a fault of a script, or a crash, has left:
+a text with the run up to there in it, which
 .BR verify " and"
 .B play \-\-demo
 take as a demo.
