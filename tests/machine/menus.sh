@@ -30,10 +30,10 @@ press() { for key; do echo "$key"; echo; done; } # KEY...: two polls each
 times() { # N KEY: so often
     for _ in $(seq "$1"); do press "$2"; done
 }
-plays() { # GAME OUT ARGUMENT...: standard input are the keys
+plays() { # GAME OUT ARGUMENT...: standard input are the keys; the recording is OUT.demo
     local game=$1 out=$2
     shift 2
-    ./player play "$game" --seed 5 "$@" >"$out" 2>err
+    ./player play "$game" --seed 5 --record "$out.demo" "$@" >"$out" 2>err
 }
 watches() { # GAME OUT DEMO
     ./player play "$1" --demo "$3" >"$2" 2>err
@@ -58,38 +58,38 @@ same 'settings are where help has them' '0 1' "$(place scale) $(place fullscreen
 
 # ---- the board stands ----
 
-keys 100 | plays g straight --record straight.demo
+keys 100 | plays g straight
 
-{ keys 40; press $ESCAPE $DOWN $DOWN $UP; keys 31; keys 1 $ESCAPE; keys 60; } | plays g menu --record menu.demo
+{ keys 40; press $ESCAPE $DOWN $DOWN $UP; keys 31; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'Escape, and Escape again: nothing of it is recorded' cmp straight.demo menu.demo
 same 'before it nothing differs' "$(part straight 1 40)" "$(part menu 1 40)"
 same 'while it is open no picture is of the game' '' "$(comm -12 <(part straight 1 100 | sort) <(part menu 41 79 | sort))"
 same 'afterwards nothing differs' "$(part straight 41 100)" "$(part menu 81 140)"
 
-{ keys 40; keys 1 c1:$GUIDE; keys 20; keys 1 c1:$GUIDE; keys 60; } | plays g menu --record menu.demo
+{ keys 40; keys 1 c1:$GUIDE; keys 20; keys 1 c1:$GUIDE; keys 60; } | plays g menu
 check "a controller's guide button opens and closes it" cmp straight.demo menu.demo
-{ keys 40; keys 1 $F1; keys 20; keys 1 $F1; keys 60; } | plays g menu --record menu.demo
+{ keys 40; keys 1 $F1; keys 20; keys 1 $F1; keys 60; } | plays g menu
 check 'F1 opens the keys, and closes them' cmp straight.demo menu.demo
 check 'while they are open no picture is of the game' differs <(part straight 41 60) <(part menu 41 60)
-{ keys 40; press $F1; times 30 $DOWN; keys 1 $ESCAPE; keys 60; } | plays g menu --record menu.demo
+{ keys 40; press $F1; times 30 $DOWN; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'Escape closes them' cmp straight.demo menu.demo
-{ to_setting music; press $ESCAPE; keys 1 $ESCAPE; keys 100; } | plays g menu --record menu.demo
+{ to_setting music; press $ESCAPE; keys 1 $ESCAPE; keys 100; } | plays g menu
 check 'settings are opened and left' cmp straight.demo menu.demo
 check 'settings that are as they were write no file' [ ! -e $conf ]
-{ keys 40; keys 1 $ESCAPE; keys 9 $Z; keys 1 $Z $ESCAPE; keys 60 $Z; } | plays g menu --record menu.demo
+{ keys 40; keys 1 $ESCAPE; keys 9 $Z; keys 1 $Z $ESCAPE; keys 60 $Z; } | plays g menu
 check 'what is held when it closes is not for the game' cmp straight.demo menu.demo
-{ keys 40; keys 1 $ESCAPE $Z; keys 1 $Z; keys 1; keys 1 $Z; keys 60; } | plays g menu --record menu.demo
+{ keys 40; keys 1 $ESCAPE $Z; keys 1 $Z; keys 1; keys 1 $Z; keys 60; } | plays g menu
 check 'go on comes first' cmp straight.demo menu.demo
 
 # ---- another window ----
 
-{ keys 40; keys 30 f; keys 9; keys 1 $ESCAPE; keys 60; } | plays g menu --record menu.demo
+{ keys 40; keys 30 f; keys 9; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'who goes away finds the menu' cmp straight.demo menu.demo
-keys 100 f | plays g menu --record menu.demo
+keys 100 f | plays g menu
 check 'where nobody ever has the keys it runs' cmp straight.demo menu.demo
 mkdir -p data/curtain
 echo 'away = go-on' >$conf
-{ keys 40; keys 30 f; keys 30; } | plays g menu --record menu.demo
+{ keys 40; keys 30 f; keys 30; } | plays g menu
 check 'away = go-on: it runs' cmp straight.demo menu.demo
 rm $conf
 { keys 40; keys 30 f; keys 60; } | watches g menu straight.demo
@@ -97,16 +97,16 @@ same 'a playback stops' '131 1' "$(shots menu) $(part menu 44 131 | sort -u | wc
 
 # ---- leaving ----
 
-{ keys 40; press $ESCAPE $UP $ENTER; keys 1 $ENTER; keys 1 $ESCAPE; keys 60; } | plays g menu --record menu.demo
+{ keys 40; press $ESCAPE $UP $ENTER; keys 1 $ENTER; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'leave asks, and no comes first' cmp straight.demo menu.demo
-{ keys 40; press $ESCAPE $UP $ENTER $DOWN; keys 60 $ENTER; } | plays g menu --record menu.demo
+{ keys 40; press $ESCAPE $UP $ENTER $DOWN; keys 60 $ENTER; } | plays g menu
 same 'yes leaves' '0 40' "$? $(frames menu.demo)"
 check 'at once' [ "$(shots menu)" -lt 52 ]
-{ keys 40; keys 60 $CTRL $Q; } | plays g menu --record menu.demo
+{ keys 40; keys 60 $CTRL $Q; } | plays g menu
 same 'ctrl+q leaves unasked' '0 40' "$? $(frames menu.demo)"
-{ keys 40; press $ESCAPE; keys 60 $CTRL $Q; } | plays g menu --record menu.demo
+{ keys 40; press $ESCAPE; keys 60 $CTRL $Q; } | plays g menu
 same 'over a menu too' '0 40' "$? $(frames menu.demo)"
-{ keys 40; press $ESCAPE; } | plays g menu --record menu.demo
+{ keys 40; press $ESCAPE; } | plays g menu
 same 'and so does the window that is closed' '0 40' "$? $(frames menu.demo)"
 { keys 40; press $ESCAPE $UP $UP $ENTER $DOWN; keys 1 $ENTER; keys 60; } | plays g menu
 same 'begin anew: the first frames once more' "$(part straight 1 40)" "$(tail -n 61 menu | head -n 40)"
@@ -125,10 +125,10 @@ rm $conf
 same 'what a key or an option did for now is not kept' 'volume = 90' "$(cat $conf)"
 rm $conf
 
-{ to_setting speed; press $RIGHT $ESCAPE; keys 1 $ESCAPE; keys 100; } | plays g menu --record menu.demo
+{ to_setting speed; press $RIGHT $ESCAPE; keys 1 $ESCAPE; keys 100; } | plays g menu
 same 'half the speed, at once, and the demo says so' '50 4' "$(frames menu.demo) $(flags menu.demo)"
 same '... and it is kept' 'speed = half' "$(cat $conf)"
-keys 100 | plays g menu --record menu.demo
+keys 100 | plays g menu
 same '... for the next time' '50 4' "$(frames menu.demo) $(flags menu.demo)"
 check 'which is the same run' "$curtain" verify g menu.demo
 rm $conf
@@ -136,7 +136,7 @@ same 'nothing else is marked' 0 "$(flags straight.demo)"
 for setting in scale fullscreen turn scaling crt border panels vsync run_ahead dim flashes colours hitbox music sounds; do
     way=$RIGHT
     case $setting in music | sounds) way=$LEFT ;; esac
-    { keys 20; to_setting $setting; press "$way" $ESCAPE; keys 1 $ESCAPE; keys 80; } | plays g menu --record menu.demo
+    { keys 20; to_setting $setting; press "$way" $ESCAPE; keys 1 $ESCAPE; keys 80; } | plays g menu
     check "$setting changes no run" cmp straight.demo menu.demo
     check "$setting is kept" grep -q "^$setting = " $conf
     rm -f $conf
@@ -148,11 +148,11 @@ rm $conf
 
 # ---- a key by pressing it ----
 
-{ keys 50; keys 20 $UP; keys 30; } | plays g menu --record up.demo
-{ keys 30; press $F1 $ENTER $F6; keys 1 $ESCAPE; keys 20; keys 20 $F6; keys 30; } | plays g menu --record menu.demo
+{ keys 50; keys 20 $UP; keys 30; } | plays g up
+{ keys 30; press $F1 $ENTER $F6; keys 1 $ESCAPE; keys 20; keys 20 $F6; keys 30; } | plays g menu
 check 'another key is the same button at once' cmp up.demo menu.demo
 same 'and is kept' 'p1.up = up pad.up pad.lup f6' "$(cat $conf)"
-{ keys 50; keys 20 $F6; keys 30; } | plays g menu --record menu.demo
+{ keys 50; keys 20 $F6; keys 30; } | plays g menu
 check 'for the next time' cmp up.demo menu.demo
 rm $conf
 
@@ -164,7 +164,7 @@ spoilt() { # COMMAND...: plays, and runs it between a change of volume and the e
     rm -f menu
     { to_setting volume; press $LEFT; } >first
     { cat first; shown menu "$(wc -l <first)"; "$@" >&2; press $ESCAPE; keys 1 $ESCAPE; keys 80; } |
-        plays g menu --record menu.demo
+        plays g menu
 }
 breaks() { echo 'volum = 3' >$conf; }
 spoilt breaks
@@ -205,8 +205,8 @@ rm -r data
 unset KEYS_WHOLE
 # From its title: START opens the list, whose last entry is SETTINGS.
 { keys 40; press $ENTER; keys 10; press $UP; keys 1 $Z; keys 1; } >ask
-{ cat ask; keys 100; } | plays asks straight --record straight.demo
-{ cat ask; press $RIGHT; keys 60; keys 1 $ESCAPE; keys 100; } | plays asks menu --record menu.demo
+{ cat ask; keys 100; } | plays asks straight
+{ cat ask; press $RIGHT; keys 60; keys 1 $ESCAPE; keys 100; } | plays asks menu
 check 'settings, which a game asked for' grep -qx 'scale = 1' $conf
 same 'while they are open the game stands' "$(($(wc -l <ask) - 1 + 100))" \
     "$("$curtain" verify asks menu.demo | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')"

@@ -140,8 +140,7 @@ static void test_later(void **state)
     SAYS("sound.play('x')",
          "main.lua:2: sound: this game has no room for it; rom.lua asks for it: sounds = { ... } or music = { ... }");
     SAYS("local f = optn", "main.lua:2: undeclared global \"optn\"");
-    SAYS("local f = test",
-         "main.lua:2: undeclared global \"test\" (test is not there yet; the name is kept for it)");
+    SAYS("local f = test", "main.lua:2: undeclared global \"test\" (test is not there yet; the name is kept for it)");
     SAYS("print(board.test, on[1], text.lines)", "nil\tnil\tnil\n");
     SAYS("board.test = print board.test('mine')", "mine\n");
     SAYS("bullet.fier {}",
@@ -602,6 +601,38 @@ static void test_manual(void **state)
          "false\ttrue\t0\n");
 }
 
+/* ---- the host is asked ---- */
+
+/* What a frame asks for is told once, and stands in the digest of what scripts did, each screen in its own way. */
+static void test_ask(void **state)
+{
+    static const char *const words[] = { "settings", "replays", "practice", "keys" };
+    uint64_t hash[ASKS + 1];
+    char text[120];
+
+    (void)state;
+    for (int i = 0; i <= ASKS; i++) {
+        snprintf(text, sizeof text, "task.go(function() wait(5) %s%s%s wait(forever) end)",
+                 i < ASKS ? "board.ask '" : "", i < ASKS ? words[i] : "", i < ASKS ? "'" : "");
+        rig_script(&g, NULL, text);
+        rig_power(&rig, &g, NULL);
+        for (int f = 0; f < 10; f++) {
+            rig_run(&rig, 1);
+            const struct board_out *out = board_last(rig.b);
+            assert_int_equal(out->request, f == 5 && i < ASKS ? REQUEST_ASK : REQUEST_NONE);
+            if (f == 5 && i < ASKS)
+                assert_int_equal(out->ask, i);
+        }
+        hash[i] = board_hash(rig.b);
+        for (int k = 0; k < i; k++)
+            assert_true(hash[k] != hash[i]);
+        rig_free(&rig);
+        rig_game_free(&g);
+    }
+    SAYS("board.ask('setings')", "main.lua:2: board.ask: what: expected settings, replays, practice or keys, got "
+                                 "\"setings\" (did you mean \"settings\"?)");
+}
+
 /* ---- how many play ---- */
 
 static void test_players(void **state)
@@ -635,13 +666,21 @@ static void test_players(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only), cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_later),     cmocka_unit_test(test_none_is_there),
-        cmocka_unit_test(test_off),       cmocka_unit_test(test_off_says),
-        cmocka_unit_test(test_fights),    cmocka_unit_test(test_players),
-        cmocka_unit_test(test_full),      cmocka_unit_test(test_full_again),
-        cmocka_unit_test(test_places),    cmocka_unit_test(test_places_in_library),
-        cmocka_unit_test(test_pieces),    cmocka_unit_test(test_manual),
+        cmocka_unit_test(test_read_only),
+        cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_later),
+        cmocka_unit_test(test_none_is_there),
+        cmocka_unit_test(test_off),
+        cmocka_unit_test(test_off_says),
+        cmocka_unit_test(test_fights),
+        cmocka_unit_test(test_ask),
+        cmocka_unit_test(test_players),
+        cmocka_unit_test(test_full),
+        cmocka_unit_test(test_full_again),
+        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_places_in_library),
+        cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_manual),
         cmocka_unit_test(test_each),
     };
 

@@ -235,8 +235,7 @@ static uint32_t of_pads(const struct keys_read *k)
     return held;
 }
 
-/* What was just pressed, and arrows that repeat because they are held since they were pressed here. Who presses yes and
- * no means no. */
+/* What was just pressed, and arrows that repeat because they are held since they were pressed here. */
 static uint32_t pressed(struct screens *s, uint32_t held)
 {
     uint32_t fresh = held & ~s->held;
@@ -248,7 +247,7 @@ static uint32_t pressed(struct screens *s, uint32_t held)
     s->held = held;
     if (s->held_for > WAIT && (s->held_for - WAIT - 1) % AGAIN == 0)
         fresh |= held & REPEATS;
-    return fresh & NO ? fresh & ~(uint32_t)YES : fresh;
+    return fresh;
 }
 
 /* ---- the mouse ---- */
@@ -344,7 +343,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         if (fresh & (LEFT | RIGHT))
             change(p, fresh & LEFT ? -1 : 1, held & TEN);
     }
-    if (fresh & NO)
+    if (fresh & NO) /* who presses yes and no means no */
         screens_close(s);
     else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
         p->screen->remove(p->of, p->row);
