@@ -128,6 +128,17 @@ A game's score tables and saves.
 .TP
 .I $XDG_DATA_HOME/curtain/GAME.practice
 What was tried and captured in practice.
+.TP
+.I $XDG_DATA_HOME/curtain/replays/GAME/DATE.demo
+The last runs of a game, and those saved under a name; beside each a
+.I .card
+with what a list shows of it.
+.TP
+.I $XDG_DATA_HOME/curtain/resume/GAME.demo
+The run that is on, or was left.
+.TP
+.I $XDG_DATA_HOME/curtain/roms/GAME\-HASH.rom
+Older ROMs of a game, for as long as replays need them.
 .SH EXIT STATUS
 END
 $curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E 's/^ *([0-9]) ([^.]*)\.?$/\1\t\t\2/' | entries
