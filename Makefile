@@ -63,7 +63,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound prove cross cookbook
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -82,6 +82,7 @@ help:
 	@echo "make accuracy measure docs/accuracy.md anew             make sound  measure docs/sound.md anew"
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
+	@echo "make pacing   measure docs/pacing.md anew"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
@@ -214,6 +215,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Itests $(filter-out $(if $(filter $*,$(OWN_PORT)),%/null.o),$^) $(LIBS) -lcmocka -lquadmath -o $@
 
+$(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
@@ -228,7 +230,7 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
@@ -339,6 +341,18 @@ $(OUT)/ear: $(EAR_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/g
 sound: deps-play
 	@$(MAKE) --no-print-directory -j2 $(OUT)/ear
 	@$(OUT)/ear
+
+# ---- pacing: frames, screens, and the way from a switch to the picture; docs/pacing.md. It has a port of its own ----
+
+PACING_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/pacing/*.c))
+
+$(OUT)/pacing: $(PACING_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+pacing: deps-play
+	@$(MAKE) --no-print-directory -j2 $(OUT)/pacing
+	@$(OUT)/pacing
 
 # ---- the bench: what a frame costs; docs/speed.md. ARGS="crowd battle" prints these sections only ----
 

@@ -356,7 +356,10 @@ static void controller_goes(SDL_JoystickID id)
         return;
     SDL_GameControllerClose(in.controller[i]);
     in.controller[i] = 0;
-    in.pad_down[i] = 0;
+    in.pad_down[i] = in.pad_seen[i] = 0;
+    for (int d = 0; d < SDL_NumJoysticks(); d++) /* one that there was no room for */
+        if (SDL_IsGameController(d))
+            controller_comes(d);
 }
 
 static void controller_switch(SDL_JoystickID id, int which, bool down)

@@ -1,7 +1,7 @@
 # pads.sh - controllers for a program in a window (tests/inject/pads.c, which lists commands, kinds and switches).
 #
 #     . "$(dirname "$0")/../xserver.sh"
-#     . "$(dirname "$0")/../pads.sh"
+#     . "$repo/tests/pads.sh"
 #     pads_none                                        # before each start: no controller, nothing to be done
 #     start "Glass Tide" "${padded[@]}" "$OUT/curtain" play ...
 #     pad plug 1 xbox                                  # returns when the program has seen it

@@ -71,9 +71,10 @@ leave() {
     wait "$child" 2>/dev/null
     child=
 }
-stop() {
-    xdotool key Escape
-    check "ends on Escape" soon gone
+stop() { # [KEY]: which ends it; the cabinet's is ctrl+q
+    local key=${1:-ctrl+q}
+    xdotool key "$key"
+    check "ends on $key" soon gone
     gone || kill -KILL "$child"
     wait "$child"
     check "with exit code 0" [ $? = 0 ]

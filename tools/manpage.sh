@@ -122,6 +122,8 @@ Without
 .BR XDG_DATA_HOME ,
 the folder is
 .IR $HOME/.local/share/curtain .
+.B curtain help config
+says which file it is, and what may stand in it.
 .TP
 .I $XDG_DATA_HOME/curtain/GAME.nv
 A game's score tables and saves.
@@ -139,6 +141,22 @@ The run that is on, or was left.
 .TP
 .I $XDG_DATA_HOME/curtain/roms/GAME\-HASH.rom
 Older ROMs of a game, for as long as replays need them.
+.TP
+.I $XDG_DATA_HOME/curtain/reports/GAME-DATE-N.txt
+What a fault of a script, or a crash, has left: a text with the run up to there in it, which
+.BR verify " and"
+.B play \-\-demo
+take as a demo.
+Twenty are kept.
+.TP
+.I $XDG_PICTURES_DIR/Curtain/GAME-N.png
+Pictures taken with F12.
+Without
+.BR XDG_PICTURES_DIR ,
+the folder is what
+.I user-dirs.dirs
+of the desktop names, or
+.IR $HOME/Pictures .
 .SH EXIT STATUS
 END
 $curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E 's/^ *([0-9]) ([^.]*)\.?$/\1\t\t\2/' | entries

@@ -486,6 +486,7 @@ local function numbers()
       score.count("cancel", n % 7, n % 2 + 1)
     end
     if n % 100 == 50 then board.attract "torture" end
+    if n % 100 == 75 then board.ask "settings" end
     board.note(rom.has "steps")
     if n % 4 == 0 then motion.def { { turn = n, over = 4 }, { die = true } } end
     wait(4)

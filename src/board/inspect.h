@@ -37,8 +37,8 @@ struct inspect_body {
  * for each piece of its line. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
-/* The body of player `player` (0 or 1) where the picture shows the ship: a shake moves it. False: no ship is seen; it is
- * not in the game, or hidden. */
+/* The body of player `player` (0 or 1) where the picture shows the ship: a shake moves it. False: no ship is seen; it
+ * is not in the game, or hidden. */
 bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
 
 /* What a kind of bullets, shots or enemies touches with, and the picture that it shows. */

@@ -66,9 +66,9 @@ struct args {
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     bool json, resume, no_resume, replays;
-    int scale;      /* 0: not given */
+    int scale;                 /* 0: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
-    uint32_t every; /* 1: not given */
+    uint32_t every;            /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */
     struct press presses[ARGS_MAX_PRESSES];

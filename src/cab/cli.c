@@ -64,37 +64,72 @@ static enum result no_such_word(const char *word, bool after_play)
     return report_line(RESULT_REFUSED, "%s: no such command, file or folder (curtain help lists the commands)", word);
 }
 
+/* Is it a folder that has, or is to have, a game in it? */
+static bool is_games_folder(const char *path)
+{
+    char rom[2048];
+
+    return path && plat_list(path, ignore_file, NULL) >= 0 &&
+           snprintf(rom, sizeof rom, "%s/rom.lua", path) < (int)sizeof rom && plat_size(rom) >= 0;
+}
+
+struct play {
+    const struct args *a;
+    const char *path;
+    struct game game;
+};
+
+static enum cab_opened open_game(void *user, struct cab_options *o, char *err, size_t err_size)
+{
+    struct play *p = user;
+
+    game_close(&p->game);
+    o->cart = NULL;
+    enum game_opened opened = game_try(&p->game, p->path, p->a, err, err_size);
+    if (opened != GAME_OPENED)
+        return opened == GAME_WRONG ? CAB_WRONG : CAB_REFUSED;
+    o->cart = &p->game.cart;
+    o->start = p->game.start;
+    o->demo = p->game.has_demo ? &p->game.demo : NULL;
+    return CAB_OPENED;
+}
+
+static enum result play_it(struct play *p)
+{
+    const struct args *a = p->a;
+    char err[1024];
+    struct cab_options o = { .path = p->path, .seeded = a->seeded, .record = a->record, .scale = a->scale };
+
+    o.fullscreen = a->fullscreen;
+    o.mute = a->mute;
+    o.nearest = a->nearest;
+    o.verbose = a->verbose;
+    o.resume = a->resume;
+    o.no_resume = a->no_resume;
+    o.user = p;
+    o.open = is_games_folder(p->path) ? open_game : NULL;
+    enum cab_opened opened = open_game(p, &o, err, sizeof err);
+    if (opened == CAB_REFUSED || (opened == CAB_WRONG && !o.open))
+        return report_error(err);
+    o.wrong = err;
+    return cab_play(&o);
+}
+
 /* named: the command was. */
 static enum result play(const struct args *a, bool named)
 {
-    char err[1024];
-    struct game *g = malloc(sizeof *g);
     const char *path = a->n_words ? a->words[0] : NULL;
 
-    if (!g)
-        return report_line(RESULT_HOST, "out of memory");
-    if (path && is_nothing(path)) {
-        free(g);
+    if (path && is_nothing(path))
         return no_such_word(path, named);
-    }
-    enum result result;
-    if (!game_open(g, path, a, err, sizeof err)) {
-        result = report_error(err);
-    } else {
-        struct cab_options o = { .cart = &g->cart, .path = path, .start = g->start, .seeded = a->seeded };
-        o.demo = g->has_demo ? &g->demo : NULL;
-        o.record = a->record;
-        o.scale = a->scale;
-        o.fullscreen = a->fullscreen;
-        o.mute = a->mute;
-        o.nearest = a->nearest;
-        o.resume = a->resume;
-        o.no_resume = a->no_resume;
-        o.verbose = a->verbose;
-        result = cab_play(&o);
-        game_close(g);
-    }
-    free(g);
+    struct play *p = calloc(1, sizeof *p);
+    if (!p)
+        return report_line(RESULT_HOST, "out of memory");
+    p->a = a;
+    p->path = path;
+    enum result result = play_it(p);
+    game_close(&p->game);
+    free(p);
     return result;
 }
 
@@ -198,7 +233,11 @@ static enum result help(const struct args *a)
 
     if (topic && strcmp(topic, "lua") == 0)
         return help_lua(a->n_words > 1 ? a->words[1] : NULL);
-    if (topic && command < 0) {
+    if (topic && strcmp(topic, "config") == 0 && a->n_words == 1) {
+        config_guide(say);
+        return report_stdout(RESULT_DONE);
+    }
+    if (topic && command < 0 && strcmp(topic, "config") != 0) {
         const char *meant = args_near_command(topic);
         if (meant)
             return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (did you mean %s?)", topic, meant);

@@ -243,15 +243,22 @@ static bool start_of_demo(struct game *g, const char *path, char *err, size_t er
     return true;
 }
 
-bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size)
+enum game_opened game_try(struct game *g, const char *path, const struct args *a, char *err, size_t err_size)
 {
+    bool loaded;
+
     memset(g, 0, sizeof *g);
     g->path = path;
-    if (load(g, a->nearest, err, err_size) &&
-        (a->demo ? start_of_demo(g, a->demo, err, err_size) : game_start(g, a, err, err_size)))
-        return true;
+    loaded = load(g, a->nearest, err, err_size);
+    if (loaded && (a->demo ? start_of_demo(g, a->demo, err, err_size) : game_start(g, a, err, err_size)))
+        return GAME_OPENED;
     game_close(g);
-    return false;
+    return loaded ? GAME_REFUSED : GAME_WRONG;
+}
+
+bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size)
+{
+    return game_try(g, path, a, err, err_size) == GAME_OPENED;
 }
 
 void game_close(struct game *g)

@@ -25,10 +25,16 @@ struct game {
     bool has_demo;
 };
 
+/* What becomes of game_open: the folder or file is wrong, or what the arguments say of the start. */
+enum game_opened { GAME_OPENED, GAME_WRONG, GAME_REFUSED };
+
 /* Loads the folder or .rom file at path (NULL: the built-in game), and reads what the arguments say of its start. False
  * and one sentence that names the file or option; nothing is left to close then. g stays where it is: it points into
  * itself. */
 bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
+
+/* The same, and why not. */
+enum game_opened game_try(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
 
 /* What the arguments say of the start (--dip, --difficulty, --stage and what goes with it), for the game in g->cart.
  * False and one sentence that names the option. */

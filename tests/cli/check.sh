@@ -205,13 +205,11 @@ LUA
 lua 'names that are kept for later' <<'LUA'
 local tests = {}
 print(test)
-board.ask(3)
 test = tests
 ----
 main.lua:3: undeclared global "test" (test is not there yet; the name is kept for it) (did you mean "tests"?)
-main.lua:4: board.ask is not there yet; the name is kept for it
-main.lua:5: undeclared global "test" (did you mean "tests"?)
-3 problems
+main.lua:4: undeclared global "test" (did you mean "tests"?)
+2 problems
 LUA
 lua 'undeclared globals' <<'LUA'
 local count = 1

@@ -1,13 +1,14 @@
 /*
  * fuzz_demo.c - libFuzzer: any bytes as a demo. Odd inputs go in as they are; for even ones the records' CRCs are made
  * good first, and the format is 2 or 3, by the next bit. What is read must hang together, and must not be much larger
- * than the file.
+ * than the file. The same bytes are looked through for a demo in a text.
  */
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/cab/demo/demo.h"
+#include "../../src/cab/demo/demo_text.h"
 #include "../repair.h"
 
 static void repair(uint8_t *p, size_t n, uint32_t format)
@@ -79,6 +80,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     else
         must(err[0] != '\0' && d.pads == NULL && d.checksums == NULL && d.markers == NULL && d.track == NULL);
     demo_free(&d);
+    if (n > 0)
+        memcpy(copy, data + 1, n);
+    size_t bytes = n;
+    bool text = demo_text_decode(copy, &bytes);
+    must(text ? bytes < n : bytes == n);
     free(copy);
     return 0;
 }

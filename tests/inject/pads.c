@@ -14,9 +14,10 @@
  *     say TEXT          writes "pads: TEXT" to standard error: what came before has been done
  *
  * A poll is all calls of SDL_PollEvent until it has no more, so plat_poll is one. Commands are done before the first
- * event of a poll is handed out, and are seen by that poll. A line that is none ends the program with exit code 99 and
- * a sentence. Where the window may lack the focus, SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS=1 lets switches through. Of a
- * program built with AddressSanitizer, its library comes first in LD_PRELOAD.
+ * event of a poll is handed out, and are seen by that poll; but SDL lets go of guide after 250 ms at the soonest. A line
+ * that is none ends the program with exit code 99 and a sentence. Where the window may lack the focus,
+ * SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS=1 lets switches through. Of a program built with AddressSanitizer, its library
+ * comes first in LD_PRELOAD.
  */
 #define _GNU_SOURCE
 #include <SDL.h>
@@ -122,11 +123,28 @@ static int attach(const char *kind)
 #endif
 }
 
+/* SDL may know real controllers of this model, with buttons in another order. */
+static void map(int device)
+{
+    char guid[33], text[512];
+
+    SDL_JoystickGetGUIDString(SDL_JoystickGetDeviceGUID(device), guid, sizeof guid);
+    snprintf(text, sizeof text,
+             "%s,%s,a:b0,b:b1,x:b2,y:b3,back:b4,guide:b5,start:b6,leftstick:b7,rightstick:b8,leftshoulder:b9,"
+             "rightshoulder:b10,dpup:b11,dpdown:b12,dpleft:b13,dpright:b14,leftx:a0,lefty:a1,rightx:a2,righty:a3,"
+             "lefttrigger:a4,righttrigger:a5,",
+             guid, SDL_JoystickNameForIndex(device));
+    if (SDL_GameControllerAddMapping(text) < 0)
+        stop("no mapping:", SDL_GetError());
+}
+
 static void plug(int n, const char *kind)
 {
     if (pads[n])
         stop("is plugged in already, the", kind);
     int device = attach(kind);
+    if (device >= 0)
+        map(device);
     pads[n] = device < 0 ? NULL : SDL_JoystickOpen(device);
     if (!pads[n])
         stop("no virtual joystick:", SDL_GetError());

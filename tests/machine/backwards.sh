@@ -39,7 +39,7 @@ shown() {
     "$curtain" render "$rom" --demo "$demo" --frames "$2" -o want 2>/dev/null
     check "... which is frame $2" cmp <(middle now.png) <(middle "want/$(printf %06d "$2").png")
 }
-middle() { convert "$1" -crop 240x296+0+8 +repage -depth 8 rgb:- 2>/dev/null; }
+middle() { convert "$1" -crop 240x288+0+8 +repage -depth 8 rgb:- 2>/dev/null; }
 
 # The frames of a demo's moments but waves and what practice is counted by, from its file (docs/demos.md).
 moments() {

@@ -1,10 +1,13 @@
 /*
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
- * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, @X,Y for the mouse there with
- * its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to the end of the line; at its end the
- * port asks to quit. Time passes only when waited for. Of every picture shown, a line: a hash of it without its first 8
- * rows, where the cabinet writes its words, and its last 16, where it draws the bar of time. With KEYS_WHOLE set the
- * hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm.
+ * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, f when another window has the
+ * keys, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to
+ * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_kind, -N pulls it
+ * out; without any such word all of them are there, of no known kind. Time passes only when waited for. Of every picture
+ * shown, a line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes its words.
+ * With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm. With
+ * KEYS_WINDOW=WxH there is a window of that size, for which pictures can be composed; those are hashed whole. With
+ * KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of that rate.
  * floor: tests
  */
 #include <inttypes.h>
@@ -16,6 +19,37 @@
 
 static uint64_t now = 1000000;
 static bool text; /* is wanted */
+
+static struct plat_controller plugged[PLAT_CONTROLLERS];
+static bool there[PLAT_CONTROLLERS], plugs; /* plugs: the script says what is there */
+
+static void plug(const char *word)
+{
+    static const char *const names[PLAT_KINDS] = { "",
+                                                   "Xbox One Controller",
+                                                   "Xbox 360 Controller",
+                                                   "PS3 Controller",
+                                                   "PS4 Controller",
+                                                   "DualSense Wireless Controller",
+                                                   "Nintendo Switch Pro Controller" };
+    static uint32_t id;
+    unsigned which = 0, kind = 0;
+
+    if (sscanf(word + 1, "%u:%u", &which, &kind) < 1 || which < 1 || which > PLAT_CONTROLLERS || kind >= PLAT_KINDS)
+        return;
+    struct plat_controller *c = &plugged[which - 1];
+    plugs = true;
+    there[which - 1] = word[0] == '+';
+    *c = (struct plat_controller){ .id = ++id, .kind = (enum plat_kind)kind };
+    snprintf(c->name, sizeof c->name, "%s", names[kind]);
+}
+
+bool plat_controller(int i, struct plat_controller *controller)
+{
+    *controller = plugged[i];
+    controller->id += plugs ? 0 : (uint32_t)i;
+    return there[i] || !plugs;
+}
 
 bool plat_open(const struct plat_want *want)
 {
@@ -45,10 +79,14 @@ void plat_poll(struct plat_input *in)
             in->mouse = sscanf(word, "@%d,%d", &in->mouse_x, &in->mouse_y) == 2;
         } else if (word[0] == '~') {
             sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
+        } else if (word[0] == '+' || word[0] == '-') {
+            plug(word);
         } else if (word[0] == 'c') {
             unsigned which = 1, bits = 0;
             if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)
                 in->controllers[which - 1] = bits;
+        } else if (word[0] == 'f') {
+            in->focus = false;
         } else {
             unsigned long usage = strtoul(word, NULL, 10);
             in->keys[usage >> 3 & 31] |= (uint8_t)(1u << (usage & 7));
@@ -56,34 +94,59 @@ void plat_poll(struct plat_input *in)
     }
 }
 
-static void write_ppm(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
+static void write_ppm(const uint32_t *colour, int w, int h)
 {
     FILE *f = fopen("picture.ppm", "wb");
 
     if (!f)
         exit(3);
     fprintf(f, "P6 %d %d 255\n", w, h);
-    for (int y = 0; y < h; y++)
-        for (int x = 0; x < w; x++)
-            for (int shift = 16; shift >= 0; shift -= 8)
-                fputc((int)(rgb[pix[y * pitch + x]] >> shift & 255), f);
+    for (int i = 0; i < w * h; i++)
+        for (int shift = 16; shift >= 0; shift -= 8)
+            fputc((int)(colour[i] >> shift & 255), f);
     fclose(f);
+}
+
+/* The first n of w x h colours are hashed. */
+static void shown(const uint32_t *colour, int w, int h, int n)
+{
+    static int pictures;
+    uint64_t hash = 14695981039346656037u; /* FNV-1a, 64 bits */
+    const char *ppm = getenv("KEYS_PPM"), *vsync = getenv("KEYS_VSYNC");
+
+    if (ppm && atoi(ppm) == ++pictures)
+        write_ppm(colour, w, h);
+    for (int i = 0; i < n; i++)
+        hash = (hash ^ colour[i]) * 1099511628211u;
+    printf("%016" PRIx64 "\n", hash);
+    fflush(stdout);
+    if (vsync) {
+        const uint64_t hz = (uint64_t)atoi(vsync), refresh = now * hz / 1000000 + 1;
+        now = (refresh * 1000000 + hz - 1) / hz;
+    }
 }
 
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
-    static int shown;
-    uint64_t hash = 14695981039346656037u; /* FNV-1a, 64 bits */
-    const char *ppm = getenv("KEYS_PPM");
-    bool whole = getenv("KEYS_WHOLE") != NULL;
+    static uint32_t colour[1024 * 1024];
 
-    if (ppm && atoi(ppm) == ++shown)
-        write_ppm(pix, pitch, w, h, rgb);
-    for (int y = whole ? 0 : 8; y < (whole ? h : h - 16); y++)
-        for (int x = 0; x < w; x++)
-            hash = (hash ^ rgb[pix[y * pitch + x]]) * 1099511628211u;
-    printf("%016" PRIx64 "\n", hash);
-    fflush(stdout);
+    plat_rgb(colour, w, pix, pitch, w, h, rgb);
+    shown(colour, w, h, getenv("KEYS_WHOLE") ? w * h : w * (h - 26));
+}
+
+bool plat_window(struct plat_window *out)
+{
+    const char *size = getenv("KEYS_WINDOW"), *vsync = getenv("KEYS_VSYNC");
+
+    *out = (struct plat_window){ .refresh = vsync ? atoi(vsync) * 1000 : 0, .waits = vsync };
+    return size && sscanf(size, "%dx%d", &out->w, &out->h) == 2;
+}
+
+bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+{
+    (void)pitch; /* the cabinet's are w */
+    shown(rgb, w, h, w * h);
+    return true;
 }
 
 uint64_t plat_usec(void)

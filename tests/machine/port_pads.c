@@ -4,6 +4,7 @@
  */
 #include <SDL.h>
 #include <stdio.h>
+#include <string.h>
 #include "../../platform/platform.h"
 
 static int bad;
@@ -37,6 +38,88 @@ static SDL_Joystick *plug(int *device)
     return j;
 }
 
+/* What is plugged in as number i. */
+static void known(const char *what, int i, bool there, enum plat_kind kind, const char *name)
+{
+    struct plat_controller c;
+    bool is = plat_controller(i, &c);
+
+    check(what, is, there);
+    check(what, c.kind, kind);
+    if (strcmp(c.name, name) != 0) {
+        fprintf(stderr, "port_pads: %s: it is called \"%s\"\n", what, c.name);
+        bad = 1;
+    }
+}
+
+#if SDL_VERSION_ATLEAST(2, 24, 0)
+static void is_of_kind(Uint16 vendor, Uint16 product, enum plat_kind kind)
+{
+    SDL_VirtualJoystickDesc desc = { .version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION,
+                                     .type = SDL_JOYSTICK_TYPE_GAMECONTROLLER,
+                                     .naxes = SDL_CONTROLLER_AXIS_MAX,
+                                     .nbuttons = SDL_CONTROLLER_BUTTON_MAX,
+                                     .vendor_id = vendor,
+                                     .product_id = product,
+                                     .name = "one of a kind" };
+    int device = SDL_JoystickAttachVirtualEx(&desc);
+
+    polled("one of a kind", 0, 0);
+    known("one of a kind", 0, true, kind, "one of a kind");
+    SDL_JoystickDetachVirtual(device);
+    polled("and away", 0, 0);
+    known("and away", 0, false, PLAT_UNKNOWN, "");
+}
+
+static void kinds(void)
+{
+    is_of_kind(0x045e, 0x028e, PLAT_XBOX_360);
+    is_of_kind(0x045e, 0x02ea, PLAT_XBOX);
+    is_of_kind(0x054c, 0x0268, PLAT_PS3);
+    is_of_kind(0x054c, 0x09cc, PLAT_PS4);
+    is_of_kind(0x054c, 0x0ce6, PLAT_PS5);
+    is_of_kind(0x057e, 0x2009, PLAT_NINTENDO);
+    is_of_kind(0x1111, 0x2222, PLAT_UNKNOWN);
+}
+#else
+static void kinds(void)
+{
+}
+#endif
+
+/* All numbers are used, one more stays out, and a number is given again under another id. */
+static void four(void)
+{
+    SDL_Joystick *one[PLAT_CONTROLLERS + 1];
+    struct plat_controller was, is;
+    int device[PLAT_CONTROLLERS + 1];
+
+    for (int i = 0; i <= PLAT_CONTROLLERS; i++)
+        one[i] = plug(&device[i]);
+    polled("four, and one more", 0, 0);
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        check("each is there", plat_controller(i, &is), true);
+    check("and no more", plat_controller(PLAT_CONTROLLERS, &is), false);
+    check("nor before the first", plat_controller(-1, &is), false);
+    plat_controller(2, &was);
+    SDL_JoystickDetachVirtual(device[2]);
+    polled("the third is pulled out", 0, 0);
+    check("the one more has its place", plat_controller(2, &is), true);
+    check("and is not the same", is.id != was.id, true);
+    SDL_JoystickSetVirtualButton(one[PLAT_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 1);
+    struct plat_input in;
+    SDL_JoystickUpdate();
+    plat_poll(&in);
+    check("and its switches", in.controllers[2], 1u << PLAT_SOUTH);
+    SDL_JoystickSetVirtualButton(one[PLAT_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 0);
+    polled("let go", 0, 0);
+    for (int i = 0; i <= PLAT_CONTROLLERS; i++)
+        SDL_JoystickClose(one[i]);
+    while (SDL_NumJoysticks() > 0)
+        SDL_JoystickDetachVirtual(0);
+    polled("all are gone", 0, 0);
+}
+
 int main(int argc, char **argv)
 {
     struct plat_want want = { .w = 64, .h = 64, .scale = 1 };
@@ -47,6 +130,9 @@ int main(int argc, char **argv)
     if (!plat_open(&want))
         return 3;
     polled("nothing plugged in", 0, 0);
+    known("nothing plugged in", 0, false, PLAT_UNKNOWN, "");
+    kinds();
+    four();
     SDL_Joystick *one = plug(&a);
     if (!one)
         return 3;

@@ -135,12 +135,12 @@ static uint8_t plain_pixel(const struct board *b, int x, int y)
 static void compare(struct rig *r, int round)
 {
     const struct manifest *m = &r->b->cart.m;
-    uint8_t shades[VIEW_SHADES];
+    uint8_t shades[CART_SHADES];
     const struct view view = { .dim = (enum view_dim)within(0, VIEW_DIM_MOST), .shades = shades };
     uint32_t rgb[256];
     int dx, dy;
 
-    for (int i = 0; i < VIEW_SHADES; i++)
+    for (int i = 0; i < CART_SHADES; i++)
         shades[i] = (uint8_t)rng_next(&rng);
     shade = view.dim ? shades + (view.dim - 1) * 256 : NULL;
 

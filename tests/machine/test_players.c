@@ -539,6 +539,8 @@ static void test_asks(void **state)
     b->cart.m.players = 1;
     hold(0, 0, 2);
     hold(PAD_START, 0, 1);
+    hold(0, 0, 2);
+    hold(PAD_START, 0, 1);
     hold(0, 0, 34);
     assert_string_equal(rig_told(&rig), "start .");
     assert_true(b->core.frozen && !b->player.in[0] && !b->core.over);

@@ -210,7 +210,7 @@ static void a_minute_backwards(void **state)
 
     rig_free(&r);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
-    rewind_open(&p, 6 << 20); /* with few key frames gaps are wide, and still run through only a few times */
+    rewind_open(&p, 7 << 20); /* with few key frames gaps are wide, and still run through only a few times */
     forward(&p, &glasstide, &r, 2000);
     uint32_t reach = rewind_end(&p) - rewind_first(&p);
     backwards(&p, &glasstide, &r, rewind_first(&p));

@@ -238,7 +238,7 @@ static void run(const struct scene *s)
     rig_game_free(&g);
 }
 
-/* A game from its title, where start is pressed in the 11th frame, and again after so many. */
+/* A game from its title, where start is pressed in the 8th and the 11th frame, and again after so many. */
 static void play(struct rig *r, struct rig_game *g, const char *code, int again, int frames)
 {
     static const char last[] = "boot.run { stages = { 's' }, players = { 'ship' } }\n";
@@ -251,7 +251,7 @@ static void play(struct rig *r, struct rig_game *g, const char *code, int again,
     rig_with_sys(g, &m, text);
     rig_power(r, g, NULL);
     for (int f = 0; f < frames; f++) {
-        if (f == 10 || f == 10 + again)
+        if (f == 7 || f == 10 || f == 10 + again)
             rig_tick(r, start);
         frame(r, false);
     }
@@ -267,7 +267,7 @@ static void test_results(void **state)
     play(&r, &g, "stage.def('s', function() brood() guest() put() wait(20) say('end') end)\n", 0, 90);
     assert_int_equal(r.b->sprites.s.live, 6); /* what is behind the results stays; their plate */
     assert_int_equal(r.b->bullets.s.live, 0);
-    assert_string_equal(rig_told(&r), "12:1/1/2/5 end 32:0/0/0/6");
+    assert_string_equal(rig_told(&r), "9:0/0/0/1 13:1/1/2/5 end 33:0/0/0/6"); /* the title's bar first */
     rig_free(&r);
     rig_game_free(&g);
 }

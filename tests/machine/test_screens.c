@@ -125,6 +125,9 @@ static void start(int players, bool doom)
         soon("2 PLAYERS", 20);
         press(PAD_DOWN, 0);
         press(PAD_FIRE, 0);
+    } else {
+        soon("SETTINGS", 20);
+        press(PAD_START, 0);
     }
     soon("STORY", 20);
     gone("PRESS START");
@@ -310,9 +313,67 @@ static void test_leaving(void **state)
     soon("000000000", 60);
     soon("STAGE ONE", 5);
     assert_int_equal(r.b->player.score[0], 0);
-    quit_to("QUIT", 2);
+    quit_to("QUIT", 3);
     soon("PRESS START", 60);
     assert_int_equal(r.b->player.in[0], 0);
+    close_game();
+}
+
+/* What is asked for in this frame; ASKS: nothing. */
+static enum board_ask asked(void)
+{
+    const struct board_out *out = board_last(r.b);
+
+    return out->request == REQUEST_ASK ? out->ask : ASKS;
+}
+
+/* Presses until that frame asks, if it does. */
+static enum board_ask press_asked(uint16_t button)
+{
+    const uint16_t down[PADS] = { button };
+
+    for (int i = 0; i < 4; i++) {
+        rig_tick(&r, i < 2 ? down : (const uint16_t[PADS]){ 0 });
+        if (asked() != ASKS)
+            return asked();
+    }
+    return ASKS;
+}
+
+/* SETTINGS and REPLAYS are the host's: the game asks once, and the list stands there again with the same entry chosen. */
+static void test_asks(void **state)
+{
+    (void)state;
+    open_game(run_all);
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    soon("SETTINGS", 20);
+    press(PAD_UP, 0);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(press_asked(PAD_FIRE), ASK_SETTINGS);
+        frames(1);
+        assert_int_equal(asked(), ASKS);
+        soon("SETTINGS", 20);
+    }
+    press(PAD_UP, 0);
+    assert_int_equal(press_asked(PAD_START), ASK_REPLAYS);
+    soon("REPLAYS", 20);
+    assert_int_equal(r.b->player.in[0], 0);
+    press(PAD_BOMB, 0);
+    start(1, false);
+    press(PAD_START, 0);
+    soon("START OVER", 30);
+    const uint32_t clock = r.b->core.clock;
+    press(PAD_DOWN, 0);
+    press(PAD_DOWN, 0);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(press_asked(PAD_FIRE), ASK_SETTINGS);
+        frames(10);
+        assert_int_equal(r.b->core.clock, clock);
+        assert_true(at("SETTINGS") >= 0);
+    }
+    press(PAD_BOMB, 0);
+    soon("STAGE ONE CLEAR", 300);
     close_game();
 }
 
@@ -402,10 +463,10 @@ static void test_own(void **state)
         "  name = function(list) tell('name', #list, list[1].p, list[1].points, list[1].rank) return { 'KIT', 'LOU' } "
         "end,\n"
         "  scores = function(name, over, mark) tell('scores', name, over, mark or '-') wait(1) end } }\n";
-    static const char want[] = "title 600 1 start -\nscores calm 360 -\ntitle 600 1 start -\nscores calm 360 -\n"
-                               "title 600 1 start -\nmode 2 story All.\ndifficulty calm wild calm W\nship tern 2 T\n"
+    static const char want[] = "title 600 3 start -\nscores calm 360 -\ntitle 600 3 start -\nscores calm 360 -\n"
+                               "title 600 3 start -\nmode 2 story All.\ndifficulty calm wild calm W\nship tern 2 T\n"
                                "results STAGE ONE CLEAR 2 false\nending story wild tern 2 500 true\nstaff X\n"
-                               "name 1 1 500 1\nscores wild 360 1\ntitle 600 2 start -\n";
+                               "name 1 1 500 1\nscores wild 360 1\ntitle 600 4 start -\n";
     static char got[4096], shown[256];
     struct manifest m = rig_manifest();
 
@@ -503,7 +564,8 @@ static void test_answers(void **state)
         const char *screens, *want;
     } wrong[] = {
         { "title = function() wait(1) return 'strat' end",
-          "boot.run: screen title: expected one of start, or nil, got \"strat\" (did you mean \"start\"?)" },
+          "boot.run: screen title: expected one of start, replays, settings, or nil, got \"strat\" (did you mean "
+          "\"start\"?)" },
         { "title = function() wait(1) return 'start' end, difficulty = function() return 'clam' end", "difficulty" },
         { "title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end,\n"
           "ship = function() return 'hreon' end",
@@ -556,11 +618,12 @@ static void test_snapshots(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),       cmocka_unit_test(test_back),
-                                        cmocka_unit_test(test_leaving),   cmocka_unit_test(test_continue),
-                                        cmocka_unit_test(test_puts_back), cmocka_unit_test(test_own),
-                                        cmocka_unit_test(test_endings),   cmocka_unit_test(test_mistakes),
-                                        cmocka_unit_test(test_answers),   cmocka_unit_test(test_snapshots) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),      cmocka_unit_test(test_back),
+                                        cmocka_unit_test(test_leaving),  cmocka_unit_test(test_asks),
+                                        cmocka_unit_test(test_continue), cmocka_unit_test(test_puts_back),
+                                        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
+                                        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_answers),
+                                        cmocka_unit_test(test_snapshots) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

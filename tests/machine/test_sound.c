@@ -119,6 +119,53 @@ static void test_digest(void **state)
     done();
 }
 
+/* What a script comes to when it is heard so loud: a digest of the samples, and of the hashes. */
+static uint64_t heard_at(const char *script, int music, int sounds, uint64_t *hashes, int *most)
+{
+    uint64_t h = 0;
+
+    power(script);
+    board_sound_levels(&tables, music, sounds);
+    *most = 0;
+    for (int f = 0; f < LONG; f++) {
+        rig_run(&rig, 1);
+        h = heard(h, rig.b);
+        *hashes = hash_fold(*hashes, board_hash(rig.b));
+        const int now = loudest(rig.b);
+        *most = now > *most ? now : *most;
+    }
+    board_sound_levels(&tables, 100, 100);
+    done();
+    return h;
+}
+
+/* Who listens without music hears the sounds alone, to the bit, and the other way round; no hash knows of it. */
+static void test_levels(void **state)
+{
+    static const char sounds[] = "task.go(function() for i = 1, 30 do wait(7)\n"
+                                 "sound.play(i % 3 == 0 and 'bell' or i % 2 == 0 and 'boom' or 'hit',\n"
+                                 "{ pan = i / 15 - 1, pitch = i % 5 }) end end)",
+                      music[] = "music.play('tide')\n"
+                                "task.go(function() wait(140) music.play('deep', { fade = 10 }) end)";
+    uint64_t whole = 0, quiet = 0, none = 0;
+    int full, half, silent, alone;
+
+    (void)state;
+    const uint64_t all = heard_at(much, 100, 100, &whole, &full);
+    assert_true(all == 0x092b30cc153670afu);
+    assert_true(heard_at(much, 0, 100, &none, &alone) == heard_at(sounds, 100, 100, &quiet, &half));
+    assert_true(none == whole && alone == half && alone > 0);
+    assert_true(heard_at(much, 100, 0, &none, &alone) == heard_at(music, 100, 100, &quiet, &half));
+    assert_true(alone == half && alone > 0);
+    assert_true(heard_at(much, 50, 50, &none, &half) != all);
+    assert_in_range(half, full * 2 / 5, full * 3 / 5);
+    heard_at(much, 0, 0, &none, &silent);
+    assert_int_equal(silent, 0);
+    quiet = 0;
+    heard_at(much, 30, 70, &quiet, &half);
+    assert_true(quiet == whole);
+}
+
 /* At 133.25 quarter notes a minute for a beat and a half, then 97, the loop of 6.5 beats again and again. */
 static void test_beats(void **state)
 {
@@ -340,10 +387,11 @@ static void test_none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_heard_or_not), cmocka_unit_test(test_digest),   cmocka_unit_test(test_beats),
-        cmocka_unit_test(test_script),       cmocka_unit_test(test_mistakes), cmocka_unit_test(test_cues),
-        cmocka_unit_test(test_pause),        cmocka_unit_test(test_duck),     cmocka_unit_test(test_duck),
-        cmocka_unit_test(test_fade),         cmocka_unit_test(test_none),     cmocka_unit_test(test_skipped),
+        cmocka_unit_test(test_heard_or_not), cmocka_unit_test(test_digest), cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_beats),        cmocka_unit_test(test_script), cmocka_unit_test(test_mistakes),
+        cmocka_unit_test(test_cues),         cmocka_unit_test(test_pause),  cmocka_unit_test(test_duck),
+        cmocka_unit_test(test_duck),         cmocka_unit_test(test_fade),   cmocka_unit_test(test_none),
+        cmocka_unit_test(test_skipped),
     };
 
     return cmocka_run_group_tests(tests, make_tables, NULL);

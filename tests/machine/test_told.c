@@ -140,9 +140,10 @@ static void test_later(void **state)
     SAYS("sound.play('x')",
          "main.lua:2: sound: this game has no room for it; rom.lua asks for it: sounds = { ... } or music = { ... }");
     SAYS("local f = optn", "main.lua:2: undeclared global \"optn\"");
-    SAYS("board.ask(3)", "main.lua:2: board.ask is not there yet; the name is kept for it");
-    SAYS("print(board.askk, on[1], text.lines)", "nil\tnil\tnil\n");
-    SAYS("board.ask = print board.ask('mine')", "mine\n");
+    SAYS("local f = test",
+         "main.lua:2: undeclared global \"test\" (test is not there yet; the name is kept for it)");
+    SAYS("print(board.test, on[1], text.lines)", "nil\tnil\tnil\n");
+    SAYS("board.test = print board.test('mine')", "mine\n");
     SAYS("bullet.fier {}",
          "main.lua:2: attempt to call a nil value (field 'fier') (did you mean bullet.fire or shot.fire?)");
     SAYS("bullet.dfe()", "main.lua:2: attempt to call a nil value (field 'dfe')"); /* too many are called def */
@@ -608,7 +609,7 @@ static void test_players(void **state)
     static const char text[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
                                "stage.def('s', function() wait(forever) end)\n"
                                "boot.run { stages = { 's' }, players = { 'ship' } }\n";
-    const uint16_t none[PADS] = { 0 }, start[PADS] = { PAD_START };
+    const uint16_t none[PADS] = { 0 }, start[PADS] = { PAD_START }, down[PADS] = { PAD_DOWN };
     struct manifest m;
 
     (void)state;
@@ -620,7 +621,12 @@ static void test_players(void **state)
         rig_tick(&rig, none);
         rig_tick(&rig, start);
         rig_run(&rig, 3);
-        assert_int_equal(rig.b->player.in[0], players < 2); /* else it is asked first */
+        assert_int_equal(rig.b->player.in[0], 0); /* where to is asked first */
+        rig_tick(&rig, down);
+        rig_tick(&rig, none);
+        rig_tick(&rig, start);
+        rig_run(&rig, 3);
+        assert_int_equal(rig.b->player.in[1], players == 2); /* else what comes below START was chosen */
         rig_free(&rig);
         rig_game_free(&g);
     }

@@ -1,7 +1,7 @@
 /*
  * test_torture.c - snapshots. After every frame all of RAM is spoilt and put back, and the board goes on as one that
- * was never disturbed: same hashes, same pictures by whichever view, same samples. And: from any frame of a run, play on with other pads,
- * spoil, go back, and the run is the same as it was. CURTAIN_LONG=1: more frames.
+ * was never disturbed: same hashes, same pictures by whichever view, same samples. And: from any frame of a run, play
+ * on with other pads, spoil, go back, and the run is the same as it was. CURTAIN_LONG=1: more frames.
  */
 #include "../../src/cab/pack/shade.h"
 #include "rig.h"

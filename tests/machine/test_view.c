@@ -87,7 +87,7 @@ static long covered, behind, mixed;
 static void dims(struct rig *r)
 {
     static struct picture plain, a, b, dimmed;
-    static uint8_t one[VIEW_SHADES], other[VIEW_SHADES];
+    static uint8_t one[CART_SHADES], other[CART_SHADES];
     const struct manifest *m = &r->b->cart.m;
     const uint8_t *made = r->b->cart.shades, *shades = made ? made : shade_for(&kept, &r->game->cart);
     struct view view = { .dim = VIEW_DIM_QUARTER, .shades = one };
@@ -130,9 +130,12 @@ static void play(const char *name, const char *section, const char *demo, uint32
     struct demo d = { 0 };
     struct rng rng;
     uint16_t pads[PADS] = { 0 };
+    uint8_t made[CART_SHADES];
 
     rig_folder(&g, name);
+    shade_make(cart_palette(&g.cart, "main"), made);
     assert_non_null(g.cart.shades); /* what is packed has them */
+    assert_memory_equal(g.cart.shades, made, CART_SHADES);
     if (section)
         snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     for (int i = 0; i < g.cart.m.n_dips; i++)
@@ -183,34 +186,33 @@ static void test_games(void **state)
 
 /* ---- on one of everything ---- */
 
-static const char things[] =
-    "bullet.def('orb', { sprite = 'arrow', hit = { circle = 4 } })\n"
-    "shot.def('shot', { sprite = 'arrow', hit = { circle = 4 } })\n"
-    "enemy.def('fly', { sprite = 'arrow', hit = { circle = 4 }, hp = 5 })\n"
-    "item.def('rock', { sprite = 'arrow', radius = 5, magnet = false, gravity = 0 })\n"
-    "spark.def('fire', { sprite = 'arrow', life = 99 })\n"
-    "option.def('bead', { sprite = 'arrow', layer = 'back' })\n"
-    "player.def('ship', { sprite = 'arrow', hit = { circle = 2 }, safe = 0,\n"
-    "  options = { kind = 'bead', over = 0, levels = { { wide = { { 40, 0 } } } } } })\n"
-    "bg.layer(1).map = 'reef'\n"
-    "task.go(function()\n"
-    "  string.sys.join(1, 'ship')\n"
-    "  player.get(1).x, player.get(1).y = 60, 280\n"
-    "  bullet.fire { kind = 'orb', x = 40, y = 40, dir = 90, speed = 0 }\n"
-    "  shot.fire { kind = 'shot', x = 80, y = 40, dir = 90, speed = 0 }\n"
-    "  enemy.spawn { kind = 'fly', x = 120, y = 40 }\n"
-    "  item.drop { kind = 'rock', x = 160, y = 40 }\n"
-    "  spark.burst { kind = 'fire', x = 200, y = 40, speed = 0 }\n"
-    "  sprite.put { sprite = 'arrow', x = 40, y = 100, layer = 'middle' }\n"
-    "  sprite.put { sprite = 'arrow', x = 80, y = 100, layer = 'front' }\n"
-    "  sprite.put { sprite = 'arrow', x = 120, y = 100, layer = 'over' }\n"
-    "  sprite.put { sprite = 'arrow', x = 160, y = 100, layer = 'back' }\n"
-    "  text.put { col = 25, row = 12, text = 'AB' }\n"
-    "  wait(2)\n"
-    "  screen.flash { to = 0xffffff, over = 10, share = 0.8 }\n"
-    "  wait(12)\n"
-    "  screen.shake { size = 9, over = 40, dir = 0 }\n"
-    "end)\n";
+static const char things[] = "bullet.def('orb', { sprite = 'arrow', hit = { circle = 4 } })\n"
+                             "shot.def('shot', { sprite = 'arrow', hit = { circle = 4 } })\n"
+                             "enemy.def('fly', { sprite = 'arrow', hit = { circle = 4 }, hp = 5 })\n"
+                             "item.def('rock', { sprite = 'arrow', radius = 5, magnet = false, gravity = 0 })\n"
+                             "spark.def('fire', { sprite = 'arrow', life = 99 })\n"
+                             "option.def('bead', { sprite = 'arrow', layer = 'back' })\n"
+                             "player.def('ship', { sprite = 'arrow', hit = { circle = 2 }, safe = 0,\n"
+                             "  options = { kind = 'bead', over = 0, levels = { { wide = { { 40, 0 } } } } } })\n"
+                             "bg.layer(1).map = 'reef'\n"
+                             "task.go(function()\n"
+                             "  string.sys.join(1, 'ship')\n"
+                             "  player.get(1).x, player.get(1).y = 60, 280\n"
+                             "  bullet.fire { kind = 'orb', x = 40, y = 40, dir = 90, speed = 0 }\n"
+                             "  shot.fire { kind = 'shot', x = 80, y = 40, dir = 90, speed = 0 }\n"
+                             "  enemy.spawn { kind = 'fly', x = 120, y = 40 }\n"
+                             "  item.drop { kind = 'rock', x = 160, y = 40 }\n"
+                             "  spark.burst { kind = 'fire', x = 200, y = 40, speed = 0 }\n"
+                             "  sprite.put { sprite = 'arrow', x = 40, y = 100, layer = 'middle' }\n"
+                             "  sprite.put { sprite = 'arrow', x = 80, y = 100, layer = 'front' }\n"
+                             "  sprite.put { sprite = 'arrow', x = 120, y = 100, layer = 'over' }\n"
+                             "  sprite.put { sprite = 'arrow', x = 160, y = 100, layer = 'back' }\n"
+                             "  text.put { col = 25, row = 12, text = 'AB' }\n"
+                             "  wait(2)\n"
+                             "  screen.flash { to = 0xffffff, over = 10, share = 0.8 }\n"
+                             "  wait(12)\n"
+                             "  screen.shake { size = 9, over = 40, dir = 0 }\n"
+                             "end)\n";
 
 static void things_power(struct rig_game *g, struct rig *r)
 {
@@ -227,12 +229,12 @@ static void things_power(struct rig_game *g, struct rig *r)
 /* Pixels of the 16 x 16 round (x, y) that a table shows another way. */
 static int shaded(struct rig *r, const struct picture *plain, int x, int y)
 {
-    static uint8_t flipped[VIEW_SHADES];
+    static uint8_t flipped[CART_SHADES];
     const struct view view = { .dim = VIEW_DIM_MOST, .shades = flipped };
     static struct picture p;
     int n = 0;
 
-    for (int i = 0; i < VIEW_SHADES; i++)
+    for (int i = 0; i < CART_SHADES; i++)
         flipped[i] = (uint8_t)(255 - i);
     draw(r, &view, VIEW_AS_EVER, &p);
     for (int i = 0; i < 256; i++) {
@@ -270,8 +272,8 @@ static void test_matters(void **state)
                      shaded(&r, &plain, over[i].x, over[i].y), holes);
     const struct items *s = &r.b->items; /* what was dropped rises */
     assert_int_equal(shaded(&r, &plain, fx_floor(s->x[0]), fx_floor(s->y[0])), holes);
-    assert_int_equal(shaded(&r, &plain, 160, 100), 256); /* at the back */
-    assert_int_equal(shaded(&r, &plain, 200, 200), 256); /* nothing but background */
+    assert_int_equal(shaded(&r, &plain, 160, 100), 256);   /* at the back */
+    assert_int_equal(shaded(&r, &plain, 200, 200), 256);   /* nothing but background */
     assert_in_range(shaded(&r, &plain, 208, 100), 1, 255); /* letters */
     all_views(&r);
     dims(&r);

@@ -32,7 +32,7 @@ for scale in 1 2 3; do
     if start "port probe" "$probe" show 240 160 $scale; then
         check "the window at scale $scale" size_is $((240 * scale))x$((160 * scale))
         check "pixels at scale $scale" same_pixels 240 160 $((240 * scale)) $((160 * scale))
-        stop
+        stop Escape
     fi
 done
 if start "port probe" "$probe" show 240 160 2; then
@@ -40,11 +40,11 @@ if start "port probe" "$probe" show 240 160 2; then
         timeout 100 xdotool windowsize --sync "$win" ${size/x/ }
         check "pixels in a window of $size" same_pixels 240 160 ${size/x/ }
     done
-    stop
+    stop Escape
 fi
 if start "port probe" "$probe" show 64 1000 0; then
     check "a picture taller than the screen gets scale 1" size_is 64x1000
-    stop
+    stop Escape
 fi
 
 # ---- fullscreen: X has it only with a window manager ----
@@ -59,11 +59,11 @@ if start "port probe" "$probe" show 240 160 2; then
     check "pixels in fullscreen" same_pixels 240 160 1100 1000
     xdotool key --delay 100 f
     check "pixels after fullscreen" same_pixels 240 160 480 320
-    stop
+    stop Escape
 fi
 if start "port probe" "$probe" show 240 160 1 full; then
     check "pixels in fullscreen from the start" same_pixels 240 160 1100 1000
-    stop
+    stop Escape
 fi
 kill $wm
 wait $wm 2>/dev/null
@@ -95,7 +95,7 @@ if start "port probe" "$probe" show 240 160 2; then
     check "the mouse is in picture pixels" soon says "mouse 1 at 50 25"
     check "no card, no sound" says "sound 0"
     check "which is mentioned" grep -q "no sound" "$scratch/err"
-    stop
+    stop Escape
     check "closing twice is harmless" says closed
 fi
 if SDL_AUDIODRIVER=dummy start "port probe" "$probe" show 64 64 1; then
@@ -109,7 +109,7 @@ refuse "no display at all is refused" "there is no display" env -u DISPLAY -u WA
 refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDEODRIVER=x11 "$probe" show 64 64 1
 
 # ---- a game: the picture played is the picture rendered ----
-# While paused our own words stand on the first 8 lines; below them every pixel of the window must be the picture's.
+# While paused our own words stand on the last 8 lines; above them every pixel of the window must be the picture's.
 window_rgb() { xwd -silent -id "$win" -out window.xwd && convert xwd:window.xwd -depth 8 "rgb:$1"; }
 expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, centred on black
     convert "$1" -scale "${2}00%" -background black -gravity center -extent "${3}x$4" -depth 8 "rgb:$5"
@@ -120,7 +120,7 @@ without_words() { # FILE WIN_W WIN_H LEFT TOP W H
         -depth 8 "rgb:$1"
 }
 shows() { # SHOT SCALE WIN_W WIN_H
-    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2))
+    local left=$((($3 - 240 * $2) / 2)) top=$((($4 - 320 * $2) / 2 + 312 * $2))
     window_rgb got.rgb && expected_rgb "$1" "$2" "$3" "$4" want.rgb &&
         without_words got.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) &&
         without_words want.rgb "$3" "$4" $left $top $((240 * $2)) $((8 * $2)) && cmp got.rgb want.rgb
@@ -149,6 +149,40 @@ play_at 1
 play_at 2
 play_at 3
 play_at 2 601 777
+
+# How a player sees the picture is the window's: neither a screenshot nor the demo knows of it.
+seen_as() { # BYTES-AT-LEAST BYTES-AT-MOST: the window is seen/*.png below the words, but for so many bytes
+    local n
+    expected_rgb "$(echo seen/*.png)" 1 240 320 want.rgb && without_words want.rgb 240 320 0 0 240 8 &&
+        without_words got.rgb 240 320 0 0 240 8 || return 1
+    n=$(cmp -l got.rgb want.rgb | wc -l)
+    [ "$n" -ge "$1" ] && [ "$n" -le "$2" ] || { echo "$n bytes differ"; return 1; }
+}
+view_at() { # SETTINGS LEAST MOST OPTIONS-OF-RENDER...
+    local shot frame
+    rm -rf "$scratch/view" && mkdir -p "$scratch/view" "$scratch/data/curtain" && cd "$scratch/view" || exit 2
+    tr , '\n' <<<"$1" >"$scratch/data/curtain/curtain.conf"
+    start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --stage one --record one.demo || return
+    rounds 20
+    for key in p period F12; do
+        xdotool key --delay 100 $key
+        rounds 5
+    done
+    check "$1: a screenshot" soon grep -q "^wrote " "$scratch/err"
+    shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
+    check "$1: the window" window_rgb got.rgb
+    stop
+    rm "$scratch/data/curtain/curtain.conf"
+    frame=$("$curtain" hash "$play_rom" --demo one.demo | tail -1 | cut -d' ' -f1)
+    check "$1: frame $frame" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" -o plain
+    check "$1: the same seen so" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" "${@:4}" -o seen
+    check "$1: the window shows it" seen_as "$2" "$3"
+    check "$1: the screenshot is the plain picture" cmp "$shot" "$(echo plain/*.png)"
+    check "$1: the demo holds" "$curtain" verify "$play_rom" one.demo
+}
+view_at "dim = half,colours = protan,flashes = soft" 0 0 --dim half --colours protan --flashes soft
+view_at "dim = most,colours = tritan" 0 0 --dim most --colours tritan
+view_at "hitbox = yes" 60 156 # its 52 pixels, of three bytes each, where they are other than the ship's
 
 # Keys start the game: from the title through the menus into the stage.
 cd "$scratch" || exit 2

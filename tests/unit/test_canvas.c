@@ -131,6 +131,24 @@ static void words_stand_on_a_band(void **state)
     assert_int_equal(*at(b, 0, end), 9);
 }
 
+/* The same words, ending above a row; what is higher than that begins at the top. */
+static void words_stand_above_a_row(void **state)
+{
+    struct bed *b = *state;
+    const char *text = "hello there, this is it, it is longer\nthan a line \xC3\xA9";
+
+    for (int i = 0; i < W * H; i++)
+        *at(b, i % W, i / W) = 9;
+    canvas_open(&b->canvas, &b->fb, b->rgb);
+    const int from = message_draw_above(&b->canvas, H - 3, text);
+    assert_int_equal(from, H - 3 - (1 + 4 * CANVAS_CELL_H));
+    for (int y = 0; y < H; y++) {
+        const int canvas = canvas_at(b, 0, y);
+        assert_true((y >= from && y < H - 3) == (canvas == CANVAS_DARK || canvas == CANVAS_WHITE));
+    }
+    assert_int_equal(message_draw_above(&b->canvas, 5, text), 0);
+}
+
 /* Each printable character differs from every other, and stays in its cell. */
 static void letters_can_be_told_apart(void **state)
 {
@@ -369,6 +387,7 @@ int main(void)
         TEST(unused_colours_are_taken),
         TEST(a_full_palette_gives_up_a_few),
         TEST(words_stand_on_a_band),
+        TEST(words_stand_above_a_row),
         TEST(letters_can_be_told_apart),
         TEST(widths),
         TEST(rings_are_rims_of_what_is_inside),

@@ -18,6 +18,8 @@
 #include "../../src/base/rng.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/demo/demo.h"
+#include "../../src/cab/demo/demo_dump.h"
+#include "../../src/cab/demo/demo_text.h"
 #include "../../src/cab/pack/pack.h"
 #include "../repair.h"
 #include "../temp.h"
@@ -1150,6 +1152,238 @@ static void test_idle_writer(void **state)
     demo_free(&w.demo);
 }
 
+/* ---- recordings that are handed out ---- */
+
+static void to_file(void *user, const uint8_t *bytes, size_t n)
+{
+    size_t *at = user;
+
+    assert_true(n > 0 && *at + n <= sizeof file);
+    memcpy(file + *at, bytes, n);
+    *at += n;
+}
+
+/* Hands w's recording out, as `how` says, and reads that. */
+static void dump(const struct demo_writer *w, struct demo_dump how, struct demo *d)
+{
+    size_t n = 0;
+
+    how.size = demo_dump_size(w);
+    how.memory = malloc(how.size);
+    how.out = to_file;
+    how.user = &n;
+    assert_non_null(how.memory);
+    demo_dump(w, &how);
+    free(how.memory);
+    if (!demo_read(d, file, n, err, sizeof err))
+        fail_msg("%s", err);
+}
+
+static void test_dump(void **state)
+{
+    static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 119, 120, 200, 1000 };
+    static uint8_t nvram[300000];
+    struct board_start start = { .seed = 4, .difficulty = -1, .nvram = nvram, .nvram_size = sizeof nvram };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        struct board *b = power(&start);
+        struct rng r;
+        rng_seed(&r, i);
+        for (size_t k = 0; k < sizeof nvram; k++)
+            nvram[k] = (uint8_t)rng_below(&r, i % 2 ? 256 : 2);
+        assert_true(demo_begin(&w, NULL, &cart, b, &start, DEMO_TOUCHED));
+        mark_frames(&w, b, lengths[i]);
+        dump(&w, (struct demo_dump){ .frames = lengths[i] }, &d);
+        assert_true(demo_end(&w, b));
+        w.demo.n_markers -= PADS; /* the points, which it does not tell */
+        same(&d, &w.demo);
+        assert_true(d.complete);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+/* A tick that did not come back: its pads are the last, it has no hashes, and there is no end mark. */
+static void test_dump_in_a_tick(void **state)
+{
+    static const uint32_t lengths[] = { 0, 1, 58, 59, 60, 61, 130 };
+    static const uint16_t last[PADS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
+    struct board_start start = { .seed = 4, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        const uint32_t n = lengths[i];
+        struct board *b = power(&start);
+        struct rng r;
+        rng_seed(&r, i);
+        assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
+        play(&w, b, &r, n);
+        demo_tick_begins(&w, last);
+        dump(&w, (struct demo_dump){ .frames = n, .ticking = true }, &d);
+        assert_false(d.complete);
+        assert_int_equal(d.frames, n + 1);
+        assert_int_equal(d.checksum_frames, n);
+        assert_memory_equal(d.pads[n], last, sizeof last);
+        assert_memory_equal(d.pads, w.demo.pads, n * sizeof d.pads[0]);
+        assert_memory_equal(d.checksums, w.demo.checksums, n * (size_t)d.parts * sizeof d.checksums[0]);
+        demo_free(&d);
+        assert_int_equal(w.demo.frames, n);
+        demo_drop(&w);
+    }
+}
+
+/* Of a run that was gone back in: up to where the player is. */
+static void test_dump_of_the_past(void **state)
+{
+    struct board_start start = { .seed = 4, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct board *b = power(&start);
+    struct rng r;
+    struct demo d;
+
+    (void)state;
+    rng_seed(&r, 1);
+    assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
+    play(&w, b, &r, 250);
+    for (uint32_t n = 0; n < 250; n += 10) {
+        dump(&w, (struct demo_dump){ .frames = n }, &d);
+        assert_false(d.complete);
+        assert_int_equal(d.frames, n);
+        assert_int_equal(d.seconds, n / 60 + 1);
+        assert_memory_equal(d.pads, w.demo.pads, n * sizeof d.pads[0]);
+        demo_free(&d);
+    }
+    demo_drop(&w);
+}
+
+static void test_dump_of_a_fault(void **state)
+{
+    static const uint32_t at[] = { 0, 30, 59, 60, 119 };
+    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    struct board_start start = { .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo d;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+        struct board *b = power(&start);
+        struct rng r;
+        rng_seed(&r, i);
+        assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
+        play(&w, b, &r, at[i]);
+        board_tick(b, select);
+        assert_true(demo_frame(&w, b, select));
+        dump(&w, (struct demo_dump){ .frames = at[i] + 1, .fault = FAULT_SCRIPT }, &d);
+        assert_true(demo_end(&w, b));
+        w.demo.n_markers -= PADS;
+        same(&d, &w.demo);
+        assert_true(d.complete && d.fault == FAULT_SCRIPT);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+static char text[MOST];
+static size_t text_size;
+
+static void to_text(const void *bytes, size_t n)
+{
+    assert_true(text_size + n < sizeof text);
+    memcpy(text + text_size, bytes, n);
+    text_size += n;
+}
+
+/* Any bytes, added in any pieces, come back; before and behind may stand what likes. */
+static void test_text(void **state)
+{
+    struct rng r;
+    uint8_t bytes[500];
+
+    (void)state;
+    rng_seed(&r, 9);
+    for (size_t n = 0; n < sizeof bytes; n++) {
+        struct demo_text t;
+        text_size = 0;
+        to_text("a report\n-----BEGIN SOMETHING-----\n", 35);
+        demo_text_begin(&t, to_text);
+        for (size_t i = 0; i < n; i++)
+            bytes[i] = (uint8_t)rng_below(&r, 256);
+        for (size_t i = 0, k; i < n; i += k) {
+            k = 1 + rng_below(&r, 9);
+            k = k < n - i ? k : n - i;
+            demo_text_add(&t, bytes + i, k);
+        }
+        demo_text_end(&t);
+        to_text("more\n", 5);
+        text[text_size] = 0;
+        for (const char *s = text; *s; s += strcspn(s, "\n") + 1)
+            assert_true(strcspn(s, "\n") <= DEMO_TEXT_LINE);
+        size_t size = text_size;
+        assert_true(demo_text_decode((uint8_t *)text, &size));
+        assert_int_equal(size, n);
+        assert_memory_equal(text, bytes, n);
+    }
+}
+
+static void test_text_lies(void **state)
+{
+    static const char *const none[] = { "", "x", "-----BEGIN CURTAIN DEMO-----", "-----BEGIN CURTAIN DEMO----\nQQ==\n",
+                                        " -----BEGIN CURTAIN DEMO-----\nQQ==\n" };
+    char some[] = "-----BEGIN CURTAIN DEMO-----\r\nQU JD\r\nR\t0Q=\r\n-----END", cut[] = DEMO_TEXT_BEGIN "\nQUJDR";
+    size_t size = sizeof some - 1;
+
+    (void)state;
+    assert_true(demo_text_decode((uint8_t *)some, &size));
+    assert_int_equal(size, 5);
+    assert_memory_equal(some, "ABCGD", 5);
+    size = sizeof cut - 1;
+    assert_true(demo_text_decode((uint8_t *)cut, &size));
+    assert_int_equal(size, 3);
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+        char copy[64];
+        size = strlen(none[i]);
+        memcpy(copy, none[i], size + 1);
+        assert_false(demo_text_decode((uint8_t *)copy, &size));
+        assert_string_equal(copy, none[i]);
+        assert_int_equal(size, strlen(none[i]));
+    }
+}
+
+/* A report is as good as its demo, wherever one is loaded. */
+static void test_load_text(void **state)
+{
+    struct board_start start = { .seed = 3, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct demo_text t;
+    struct demo d;
+    size_t n;
+
+    (void)state;
+    record(&w, &start, 130);
+    n = file_bytes();
+    text_size = 0;
+    to_text("what happened\n", 14);
+    demo_text_begin(&t, to_text);
+    demo_text_add(&t, file, n);
+    demo_text_end(&t);
+    assert_true(plat_save(path, text, text_size));
+    loads(&d);
+    same(&d, &w.demo);
+    demo_free(&d);
+    text[100]++; /* a letter is another */
+    assert_true(plat_save(path, text, text_size));
+    assert_false(demo_load(&d, path, err, sizeof err));
+    assert_true(plat_save(path, text, 14));
+    assert_false(demo_load(&d, path, err, sizeof err));
+    assert_non_null(strstr(err, ": not a demo"));
+    demo_free(&w.demo);
+}
+
 static void test_fits(void **state)
 {
     struct board_start start = { .difficulty = -1 };
@@ -1178,16 +1412,43 @@ static void test_fits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_track),         cmocka_unit_test(test_start),
-        cmocka_unit_test(test_crash),         cmocka_unit_test(test_cut),           cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_order),         cmocka_unit_test(test_nonsense),      cmocka_unit_test(test_nvram_lies),
-        cmocka_unit_test(test_rewind),        cmocka_unit_test(test_flags),         cmocka_unit_test(test_fault),
-        cmocka_unit_test(test_after_fault),   cmocka_unit_test(test_no_file),       cmocka_unit_test(test_idle_writer),
-        cmocka_unit_test(test_fits),          cmocka_unit_test(test_foreign_start), cmocka_unit_test(test_divergence),
-        cmocka_unit_test(test_checksum_lies), cmocka_unit_test(test_practice),      cmocka_unit_test(test_markers),
-        cmocka_unit_test(test_points),        cmocka_unit_test(test_points_lies),   cmocka_unit_test(test_marker_lies),
-        cmocka_unit_test(test_old_format),    cmocka_unit_test(test_save),          cmocka_unit_test(test_values),
-        cmocka_unit_test(test_lang),          cmocka_unit_test(test_many_parts),    cmocka_unit_test(test_format_3),
+        cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_track),
+        cmocka_unit_test(test_start),
+        cmocka_unit_test(test_crash),
+        cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_nonsense),
+        cmocka_unit_test(test_nvram_lies),
+        cmocka_unit_test(test_rewind),
+        cmocka_unit_test(test_flags),
+        cmocka_unit_test(test_fault),
+        cmocka_unit_test(test_after_fault),
+        cmocka_unit_test(test_no_file),
+        cmocka_unit_test(test_idle_writer),
+        cmocka_unit_test(test_dump),
+        cmocka_unit_test(test_dump_in_a_tick),
+        cmocka_unit_test(test_dump_of_the_past),
+        cmocka_unit_test(test_dump_of_a_fault),
+        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_text_lies),
+        cmocka_unit_test(test_load_text),
+        cmocka_unit_test(test_fits),
+        cmocka_unit_test(test_foreign_start),
+        cmocka_unit_test(test_divergence),
+        cmocka_unit_test(test_checksum_lies),
+        cmocka_unit_test(test_practice),
+        cmocka_unit_test(test_markers),
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_points_lies),
+        cmocka_unit_test(test_marker_lies),
+        cmocka_unit_test(test_old_format),
+        cmocka_unit_test(test_save),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_lang),
+        cmocka_unit_test(test_many_parts),
+        cmocka_unit_test(test_format_3),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

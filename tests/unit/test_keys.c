@@ -5,8 +5,9 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/board/view.h"
+#include "../../src/board/board.h"
 #include "../../src/cab/host/config.h"
+#include "../../src/cab/picture/quarter.h"
 
 static char err[256];
 static int lines;
@@ -213,6 +214,24 @@ static void refuse(const char *text, size_t n, const char *want)
     assert_memory_equal(&c, &was, sizeof c);
 }
 
+static void settings_of_the_window(void **state)
+{
+    static const char text[] = "turn = over\nscaling = smooth\ncrt = yes\nborder = no\nvsync = no\nrun_ahead = 1\n"
+                               "panels = beside\n";
+    struct config c;
+    (void)state;
+    config_defaults(&c);
+    assert_true(c.turn == QUARTER_NONE && c.scaling == SCALING_WHOLE && c.panels == PANELS_OVER);
+    assert_true(!c.crt && c.border && c.vsync && !c.run_ahead);
+    assert_true(config_read(&c, "x.conf", text, sizeof text - 1, err, sizeof err));
+    assert_true(c.turn == QUARTER_OVER && c.scaling == SCALING_SMOOTH && c.panels == PANELS_BESIDE);
+    assert_true(c.crt && !c.border && !c.vsync && c.run_ahead);
+    assert_true(config_read(&c, "x.conf", "turn = left", 11, err, sizeof err));
+    assert_int_equal(c.turn, QUARTER_LEFT);
+    assert_true(config_read(&c, "x.conf", "turn = right", 12, err, sizeof err));
+    assert_int_equal(c.turn, QUARTER_RIGHT);
+}
+
 static void bad_settings(void **state)
 {
     char longline[CONFIG_LINE + 8];
@@ -229,6 +248,9 @@ static void bad_settings(void **state)
     REFUSE("mute = 1", "x.conf:1: mute: expected yes or no, got \"1\"");
     REFUSE("focus = held", "x.conf:1: focus: expected hold or toggle, got \"held\"");
     REFUSE("one_hand2 = yes", "x.conf:1: one_hand2: expected no, left or right, got \"yes\"");
+    REFUSE("turn = up", "x.conf:1: turn: expected none, left, right or over, got \"up\"");
+    REFUSE("panels = 1", "x.conf:1: panels: expected over or beside, got \"1\"");
+    REFUSE("run_ahead = 2", "x.conf:1: run_ahead: expected a number from 0 to 1, got \"2\"");
     REFUSE("hello", "x.conf:1: expected name = value, got \"hello\"");
     REFUSE("= 4", "x.conf:1: no setting is called \"\"");
     REFUSE("p1.fire = q qq", "x.conf:1: p1.fire: no switch is called \"qq\"");
@@ -284,14 +306,14 @@ static void hints_name_what_is_used(void **state)
     read_keys(&k, &in, &r);
     keys_first(&k, "p2.bomb", name, sizeof name);
     assert_string_equal(name, "A");
-    keys_bind(&k, "mute", "m pad.north", err, sizeof err);
-    keys_first(&k, "mute", name, sizeof name);
+    keys_bind(&k, "silence", "m pad.north", err, sizeof err);
+    keys_first(&k, "silence", name, sizeof name);
     assert_string_equal(name, "X");
     press(&in, 29); /* the controllers are still held: what is new counts */
     read_keys(&k, &in, &r);
     keys_first(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "z");
-    keys_first(&k, "mute", name, sizeof name);
+    keys_first(&k, "silence", name, sizeof name);
     assert_string_equal(name, "m");
     keys_first(&k, "p2.fire", name, sizeof name);
     assert_string_equal(name, "B");
@@ -540,7 +562,10 @@ static void help_has_them_all(void **state)
     keys_help(count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
-    assert_int_equal(lines, KEYS_ACTIONS + 27);
+    int settings = 0;
+    while (config_setting(settings))
+        settings++;
+    assert_int_equal(lines, KEYS_ACTIONS + settings + 1); /* and the language */
 }
 
 int main(void)
@@ -554,6 +579,7 @@ int main(void)
         cmocka_unit_test(pressed_is_once),
         cmocka_unit_test(bad_bindings_change_nothing),
         cmocka_unit_test(a_settings_file),
+        cmocka_unit_test(settings_of_the_window),
         cmocka_unit_test(bad_settings),
         cmocka_unit_test(help_has_them_all),
         cmocka_unit_test(first_switch),

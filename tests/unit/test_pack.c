@@ -243,8 +243,9 @@ static void test_smallest(void **state)
     assert_string_equal(cart.m.id, want);
     assert_lump(&image.rom, "script/main.lua", "print('hello')\n");
     assert_int_equal(find(&image.rom, "palette/main").size, 768);
+    assert_int_equal(find(&image.rom, "shades").size, CART_SHADES);
     assert_int_equal(cart.n_glyphs, 0);
-    assert_int_equal(image.rom.count, 3);
+    assert_int_equal(image.rom.count, 4);
     rom_image_free(&image);
     assert_null(image.bytes);
 }
@@ -278,7 +279,7 @@ static void test_what_goes_in(void **state)
     assert_lump(&image.rom, "data/data/x.txt", "");
     assert_lump(&image.rom, "data/demos/readme.txt", "hi");
     assert_int_equal(find(&image.rom, "demo/attract").size, 3);
-    assert_int_equal(image.rom.count, 10);
+    assert_int_equal(image.rom.count, 11);
     rom_image_free(&image);
 }
 

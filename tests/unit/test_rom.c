@@ -279,9 +279,10 @@ static void test_hashes(void **state)
                             TEXT("gfx/b", "pix"),
                             TEXT("manifest", "m"),
                             TEXT("palette/main", "p"),
-                            TEXT("script/main.lua", "return 1") };
-    const bool in_game[] = { true, false, false, false, true, false, true };
-    struct block b = make(lumps, 7);
+                            TEXT("script/main.lua", "return 1"),
+                            TEXT("shades", "s") };
+    const bool in_game[] = { true, false, false, false, true, false, true, false };
+    struct block b = make(lumps, 8);
     struct rom rom;
     uint64_t all, game;
 
@@ -290,11 +291,11 @@ static void test_hashes(void **state)
     all = rom_hash(&rom);
     game = rom_game_hash(&rom);
     free(b.p);
-    for (int i = 0; i < 7; i++) {
+    for (int i = 0; i < 8; i++) {
         struct lump was = lumps[i];
         lumps[i].data = bytes("x");
         lumps[i].size = 1;
-        b = make(lumps, 7);
+        b = make(lumps, 8);
         opened(&rom, b);
         assert_true(rom_hash(&rom) != all);
         assert_int_equal(rom_game_hash(&rom) != game, in_game[i]);
@@ -471,6 +472,34 @@ static void test_cart_blends(void **state)
     free(b.p);
 }
 
+/* Tables of shades may be missing, as in older ROMs; those that are there are whole. */
+static void test_cart_shades(void **state)
+{
+    static uint8_t tables[CART_SHADES + 1];
+    struct lump lumps[1 + FULL];
+    struct full f;
+    struct cart cart;
+    struct block b;
+    struct rom rom;
+    char err[256] = "";
+
+    (void)state;
+    full_init(&f);
+    tables[CART_SHADES - 1] = 77;
+    memcpy(lumps, f.lumps, sizeof f.lumps);
+    for (int size = 0; size <= CART_SHADES + 1; size++) {
+        const bool there = size > 0, good = !there || size == CART_SHADES;
+        lumps[FULL] = (struct lump){ "shades", tables, (uint32_t)size };
+        b = make(lumps, there ? FULL + 1 : FULL);
+        opened(&rom, b);
+        assert_int_equal(cart_open(&cart, &rom, err, sizeof err), good);
+        assert_true(!good || (cart.shades != NULL) == there);
+        assert_true(!good || !there || cart.shades[CART_SHADES - 1] == 77);
+        free(b.p);
+    }
+    assert_string_equal(err, "lump \"shades\": 769 bytes long, expected 768");
+}
+
 static void test_cart_without_font(void **state)
 {
     struct full f;
@@ -625,6 +654,7 @@ int main(void)
         cmocka_unit_test(test_cart_lumps),    cmocka_unit_test(test_sprite_size),
         cmocka_unit_test(test_sprite_header), cmocka_unit_test(test_sprite_pixels),
         cmocka_unit_test(test_mutations),     cmocka_unit_test(test_cart_blends),
+        cmocka_unit_test(test_cart_shades),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

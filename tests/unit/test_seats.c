@@ -98,6 +98,7 @@ static void start_joins(void **state)
     hold(1, SOUTH | START);
     told(0, SEATS_TAKEN, 1);
     assert_false(s.event[0].first);
+    assert_true(s.event[0].start);
     assert_int_equal(seats_switches(&s, 1), SOUTH); /* START was for the place */
     hold(1, START);
     assert_int_equal(seats_switches(&s, 1), 0);
@@ -192,6 +193,7 @@ static void another_may_take_the_place(void **state)
     poll();
     hold(0, SOUTH);
     told(0, SEATS_TAKEN, 0);
+    assert_false(s.event[0].start);
     assert_false(s.event[0].first); /* the place was somebody's */
     plug(2, "two");                 /* too late */
     poll();

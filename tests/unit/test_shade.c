@@ -38,7 +38,7 @@ static int wanted(const uint8_t *rgb, int entry, int dim, int before)
 
 static void check(const uint8_t *rgb)
 {
-    uint8_t tables[VIEW_SHADES];
+    uint8_t tables[CART_SHADES];
 
     memset(tables, 0xaa, sizeof tables);
     shade_make(rgb, tables);
@@ -74,7 +74,7 @@ static void test_tables(void **state)
 /* On the default palette, which is made of ramps, shades are about as dark as they should be. */
 static void test_dark(void **state)
 {
-    uint8_t rgb[CART_PALETTE], tables[VIEW_SHADES];
+    uint8_t rgb[CART_PALETTE], tables[CART_SHADES];
 
     (void)state;
     art_default_palette(rgb);
@@ -92,7 +92,7 @@ static void test_dark(void **state)
 /* A ROM without the lump gets tables, made once a palette; one that has it none. */
 static void test_kept(void **state)
 {
-    static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[VIEW_SHADES];
+    static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[CART_SHADES];
     uint8_t rgb[CART_PALETTE];
     struct shade_kept kept = { 0 };
     struct cart cart;
@@ -108,7 +108,7 @@ static void test_kept(void **state)
         struct lump lumps[] = { { "manifest", manifest, sizeof manifest },
                                 { "palette/main", rgb, sizeof rgb },
                                 { "script/main.lua", (const uint8_t *)"", 0 },
-                                { "shades", want, VIEW_SHADES } };
+                                { "shades", want, CART_SHADES } };
         rgb[33] ^= (uint8_t)(with == 1);
         const int n = with == 2 ? 4 : 3;
         assert_true(rom_write_size(lumps, n) <= sizeof bytes);
@@ -119,7 +119,7 @@ static void test_kept(void **state)
         const uint8_t *got = shade_for(&kept, &cart);
         assert_ptr_equal(got, with == 2 ? NULL : kept.tables);
         shade_make(rgb, want);
-        assert_true(with == 2 || memcmp(got, want, VIEW_SHADES) == 0);
+        assert_true(with == 2 || memcmp(got, want, CART_SHADES) == 0);
         kept.tables[5] ^= (uint8_t)(with == 0);
         assert_true(with > 0 || shade_for(&kept, &cart)[5] == (want[5] ^ 1)); /* not made again */
     }

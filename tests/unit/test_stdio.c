@@ -38,6 +38,42 @@ static int out_of_folder(void **state)
     return chdir("/") == 0 && system(name) == 0 ? 0 : -1;
 }
 
+static void fits(int picture_w, int picture_h, int scale, bool any, int room_w, int room_h, int want_w, int want_h)
+{
+    const struct plat_want want = { .w = picture_w, .h = picture_h, .scale = scale, .any = any };
+    int w, h;
+
+    plat_fit(&want, room_w, room_h, &w, &h);
+    assert_int_equal(w, want_w);
+    assert_int_equal(h, want_h);
+}
+
+/* The largest size that fits, and no larger one does; never less than the picture. */
+static void windows_fit(void **state)
+{
+    (void)state;
+    fits(240, 320, 0, false, 1916, 1010, 720, 960);
+    fits(240, 320, 2, false, 1916, 1010, 480, 640);
+    fits(240, 320, 9, true, 1916, 1010, 2160, 2880); /* what was asked for is given */
+    fits(480, 640, 0, false, 1916, 1010, 480, 640);
+    fits(480, 640, 0, true, 1916, 1010, 720, 960);
+    fits(1024, 1024, 0, true, 800, 600, 1024, 1024);
+    fits(64, 64, 0, true, 0, -10, 64, 64);
+    for (int w = 64; w <= 1024; w += 40)
+        for (int h = 64; h <= 1024; h += 56)
+            for (int room = 200; room < 4400; room += 301)
+                for (int any = 0; any < 2; any++) {
+                    const struct plat_want want = { .w = w, .h = h, .any = any };
+                    const int room_h = room * 9 / 16, step = any ? 1 : 4;
+                    int ww, wh;
+                    plat_fit(&want, room, room_h, &ww, &wh);
+                    assert_true((ww <= room && wh <= room_h) || (ww == w && wh == h));
+                    assert_true(4 * ww / w >= 4 && (any || (ww % w == 0 && wh % h == 0)));
+                    const int quarters = 4 * ww / w + step; /* one more does not fit */
+                    assert_true(w * quarters > 4 * room || h * quarters > 4 * room_h);
+                }
+}
+
 static void save_load_append(void **state)
 {
     char buf[16] = { 0 };
@@ -432,6 +468,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_become_colours),
+        cmocka_unit_test(windows_fit),
         cmocka_unit_test(save_load_append),
         cmocka_unit_test(devices_and_pipes),
         cmocka_unit_test(links_stay),

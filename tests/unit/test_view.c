@@ -1,5 +1,5 @@
 /*
- * test_view.c - view.h: colours against the matrices that were published, in floating point; what must stay as it is;
+ * test_view.c - a view's colours against the matrices that were published, in floating point; what must stay as it is;
  * and that what was alike to such eyes no longer is.
  */
 #include <math.h>
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/board/view.h"
+#include "../../src/board/board.h"
 #include "../../src/cab/pack/art.h"
 
 /* Machado, Oliveira, Fernandes 2009, severity 1.0. */
@@ -71,8 +71,7 @@ static void as_published(enum view_colours kind, uint32_t rgb)
         lost[c] = light[c] - seen[kind][c][0] * light[0] - seen[kind][c][1] * light[1] - seen[kind][c][2] * light[2];
     for (int c = 0; c < 3; c++) {
         const double *share = moved[kind][c];
-        const double want =
-            level_of(light[c] + share[0] * lost[0] + share[1] * lost[1] + share[2] * lost[2]);
+        const double want = level_of(light[c] + share[0] * lost[0] + share[1] * lost[1] + share[2] * lost[2]);
         /* nearest in light, not in level, and constants of 16 bits: near black a level is 20 of 65536 */
         if (fabs((double)(got >> (16 - 8 * c) & 255) - want) > 0.62)
             fail_msg("view %d of %06x is %06x: channel %d should be %f", kind, rgb, got, c, want);

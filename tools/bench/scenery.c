@@ -8,7 +8,7 @@
 enum { ROUNDS = 200, VIEW_LAYERS = 3 };
 
 /* Layers from the back: the names of their maps. */
-static const struct view {
+static const struct landscape {
     const char *what, *map[VIEW_LAYERS], *plane;
     bool lines, blend;
 } VIEWS[] = {
@@ -59,7 +59,7 @@ static uint16_t map_named(const struct board *b, const char *name)
     return (uint16_t)(name ? cart_find_map(&b->cart, name) + 1 : 0);
 }
 
-static void show(struct board *b, const struct view *v)
+static void show(struct board *b, const struct landscape *v)
 {
     struct bg *g = &b->bg;
 

@@ -17,7 +17,7 @@
 #include "../../src/board/machine.h"
 
 #if defined __has_include
-#if __has_include("../../src/board/view.h")
+#if __has_include("../../src/board/draw/view_colours.c")
 #define PLAIN NULL, /* the view that board_draw takes; older ones have none */
 #endif
 #endif
@@ -121,7 +121,7 @@ static void play(struct board *b, int frames)
     for (int i = 0; i < frames; i++) {
         const uint16_t pads[PADS] = { pads_at(i), 0 };
         board_tick(b, pads);
-        board_draw(b, PLAIN &fb, rgb, scratch);
+        board_draw(b, PLAIN & fb, rgb, scratch);
         check_fault(b);
     }
     double took = now() - from;

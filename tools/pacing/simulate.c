@@ -93,6 +93,7 @@ struct simulated simulate(const struct simulate *s)
         out.ticks += pace_take(&pace, (uint64_t)h.now).ticks;
         out.off = fmax(out.off, fabs((double)out.ticks - 1 - (h.now - START) * 60 / 1e6));
         work(&h);
+        pace_worked(&pace, (uint64_t)(h.now - began));
         const double shown = refresh_at(&h, next_refresh(&h)) - began;
         show(&h, out.ticks, &out);
         out.mean += shown;

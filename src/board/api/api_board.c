@@ -243,9 +243,7 @@ static const struct api_entry entries[] = {
     { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count", "how often a chip had no room" },
     { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL, "asks the cabinet to show a demo" },
     { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
-      "asks the host for one of its screens; the board stands until it is closed; in a demo, and where there is no "
-      "such "
-      "screen, nothing happens" },
+      "asks the host for one of its screens; the board stands until it is closed; nothing happens in a demo" },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
       "hit-stop: after this frame, field and tasks stand for n frames; what is pressed meanwhile counts as of the "
       "first "

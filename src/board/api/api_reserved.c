@@ -12,7 +12,6 @@ static const struct {
     const char *names;
 } reserved[] = {
     { "", '.', "test" },
-    { "board", '.', "ask" },
 };
 
 static bool has_word(const char *words, const char *word)

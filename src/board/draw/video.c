@@ -4,12 +4,13 @@
  *     background, back sprites, items, enemies, shots, players' lasers, middle sprites, players, bullets, lasers,
  *     sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
  *
- * Options are drawn over the sprites of their layer. A view (view.h) may dim backgrounds and back sprites, before
+ * Options are drawn over the sprites of their layer. A view (board.h) may dim backgrounds and back sprites, before
  * anything else is drawn over them.
  *
  * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
  * (video_bullets.c).
  */
+#include <assert.h>
 #include <string.h>
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
@@ -391,6 +392,8 @@ static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
         rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
 }
 
+static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "a table for each dim but none");
+
 /* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
 static const uint8_t *shade_of(const struct board *b, const struct view *view)
 {
@@ -403,9 +406,7 @@ static const uint8_t *shade_of(const struct board *b, const struct view *view)
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
-    struct draw_target c = {
-        b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL
-    };
+    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL };
     int dx, dy;
 
     screen_shake(&b->screen, b->core.clock, &dx, &dy);

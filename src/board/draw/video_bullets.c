@@ -210,7 +210,8 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 }
 
 /* Opens the lists of order[from .. to - 1]. */
-static struct window open_window(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y, bool clips)
+static struct window open_window(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y,
+                                 bool clips)
 {
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
 

@@ -3,10 +3,10 @@
  * between backgrounds and what matters.
  *
  * A shade is a table of the ROM: what is drawn and blended over it afterwards finds colours of the palette as ever. The
- * dim is exact, but comes when all of the picture is drawn. Pixels are indices, and all share 256 colours, so a dim cannot darken the colours of the picture alone. But few of
- * the 256 are drawn in one frame: a colour that text or a portrait has too moves to an entry that nobody draws with.
- * Then each entry is either the picture's, and dark, or theirs. Only where all entries are taken is a colour shown by
- * the one that comes nearest.
+ * dim is exact, but comes when all of the picture is drawn. Pixels are indices, and all share 256 colours, so a dim
+ * cannot darken the colours of the picture alone. But few of the 256 are drawn in one frame: a colour that text or a
+ * portrait has too moves to an entry that nobody draws with. Then each entry is either the picture's, and dark, or
+ * theirs. Only where all entries are taken is a colour shown by the one that comes nearest.
  */
 #include <string.h>
 #include "../../../fb/fb.h"

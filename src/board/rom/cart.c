@@ -14,7 +14,6 @@
 #include "../../../fb/text.h"
 #include "../../snd/adpcm.h"
 #include "../../snd/tune.h"
-#include "../view.h"
 
 static bool find(const struct rom *rom, const char *name, struct lump *l)
 {
@@ -92,8 +91,8 @@ static bool open_shades(struct cart *c, char *err, size_t err_size)
     if (!find(c->rom, "shades", &l))
         return true;
     c->shades = l.data;
-    return l.size == VIEW_SHADES ||
-           err_set(err, err_size, "lump \"shades\": %" PRIu32 " bytes long, expected %d", l.size, VIEW_SHADES);
+    return l.size == CART_SHADES ||
+           err_set(err, err_size, "lump \"shades\": %" PRIu32 " bytes long, expected %d", l.size, CART_SHADES);
 }
 
 static bool open_blends(struct cart *c, char *err, size_t err_size)
@@ -386,9 +385,9 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
 {
     cart->rom = rom;
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
-           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_langs(cart, err, err_size) && open_faces(cart, err, err_size) &&
-           open_font(cart, err, err_size) && open_sprites(cart, err, err_size) && open_maps(cart, err, err_size) &&
-           open_sounds(cart, err, err_size);
+           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_langs(cart, err, err_size) &&
+           open_faces(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size) &&
+           open_maps(cart, err, err_size) && open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)

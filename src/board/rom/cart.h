@@ -5,8 +5,8 @@
  * Lumps:  manifest        manifest.h
  *         script/X.lua    scripts of the game; script/@std/X.lua modules of the standard library, not always all
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
- *         shades          VIEW_SHADES bytes, of palette/main: the entry that is shown for each of 256 where a view dims
- *                         (view.h); older ROMs have none
+ *         shades          CART_SHADES bytes, of palette/main: the entry shown for each of 256 where a view dims
+ *                         (board.h) by a quarter, then by a half, then by three quarters; older ROMs have none
  *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
  *                         most CART_MAX_BLENDS of them
  *         font/X          a font of its own widths: face.h
@@ -40,6 +40,7 @@ enum {
     CART_GFX_HEADER = 24,
     CART_PALETTE = 768, /* bytes */
     CART_BLEND = 65536, /* bytes */
+    CART_SHADES = 768,  /* bytes */
     CART_MAX_BLENDS = 3,
     CART_MAX_FACES = 8,
     CART_GLYPH = 64, /* bytes */

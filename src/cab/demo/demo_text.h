@@ -2,8 +2,8 @@
  * demo_text.h - a demo as lines of text, in a file that says something else as well: a report that is mailed.
  * floor: cab
  *
- * The lines between DEMO_TEXT_BEGIN and DEMO_TEXT_END are the demo's bytes in base64, 72 characters a line. Lines before
- * and behind are anybody's.
+ * The lines between DEMO_TEXT_BEGIN and DEMO_TEXT_END are the demo's bytes in base64, 72 characters a line. Lines
+ * before and behind are anybody's.
  */
 #ifndef CAB_DEMO_TEXT_H
 #define CAB_DEMO_TEXT_H
@@ -30,9 +30,9 @@ void demo_text_begin(struct demo_text *t, void (*out)(const void *bytes, size_t 
 void demo_text_add(struct demo_text *t, const void *bytes, size_t n);
 void demo_text_end(struct demo_text *t);
 
-/* Finds a demo in a text and puts its bytes in the place of the text: *size becomes theirs. A text that stops before the
- * end line gives what it has. False: there is no line that begins one, and nothing has changed. What is no base64 ends
- * it, so that a damaged one is found by its CRC. */
+/* Finds a demo in a text and puts its bytes in the place of the text: *size becomes theirs. A text that stops before
+ * the end line gives what it has. False: there is no line that begins one, and nothing has changed. What is no base64
+ * ends it, so that a damaged one is found by its CRC. */
 bool demo_text_decode(uint8_t *data, size_t *size);
 
 #endif

@@ -86,8 +86,9 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 /* Defaults, and what CONFIG_FILE says if there is one. False and one sentence for a file that is not right. */
 bool config_load(struct config *c, char *err, size_t err_size);
 
-/* Writes what differs between CONFIG_FILE and *c into it: the last line of each such name, or a new one at the end.
- * False and one sentence: the file is as it was. One that is not right is left alone. */
+/* Writes what differs between CONFIG_FILE and *c into it: the last line of each such name, or a new one at the end; no
+ * file is written when nothing does. False and one sentence: the file is as it was. One that is not right is left alone.
+ */
 bool config_save(const struct config *c, char *err, size_t err_size);
 
 /* The same, of a text: a new one, malloc'ed, ending in NUL. NULL and one sentence. */
@@ -95,5 +96,8 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
 
 /* Hands out a line a setting, for `curtain help play`. */
 void config_help(void (*line)(const char *));
+
+/* The lines of `curtain help config`: the file by its real path, every setting, an example. */
+void config_guide(void (*line)(const char *));
 
 #endif

@@ -39,13 +39,13 @@ static bool is_of(const char *line, size_t n, const char *name, size_t *from, si
     const size_t end = hash ? (size_t)(hash - line) : n, len = strlen(name);
     size_t at = 0;
 
-    while (at < end && strchr(" \t", line[at]))
+    while (at < end && strchr(" \t\r", line[at]))
         at++;
     if (end - at < len || memcmp(line + at, name, len) != 0)
         return false;
     at += len;
     equals = memchr(line + at, '=', end - at);
-    if (!equals || strspn(line + at, " \t") < (size_t)(equals - line) - at)
+    if (!equals || strspn(line + at, " \t\r") < (size_t)(equals - line) - at)
         return false;
     *from = (size_t)(equals - line) + 1;
     *to = end;
@@ -54,7 +54,7 @@ static bool is_of(const char *line, size_t n, const char *name, size_t *from, si
     return true;
 }
 
-/* Gives `name` a value: in its last line, or in a new one. */
+/* Gives `name` a value: in its last line, or in a new one where there is none, or where it would get too long. */
 static void set_line(struct text *t, const char *name, const char *value)
 {
     char words[CONFIG_LINE];
@@ -66,7 +66,7 @@ static void set_line(struct text *t, const char *name, const char *value)
         const size_t n = end ? (size_t)(end - (t->at + i)) : t->n - i;
         size_t a, b;
         if (is_of(t->at + i, n, name, &a, &b)) {
-            found = true;
+            found = n - (b - a) + 1 + strlen(value) < CONFIG_LINE;
             at = i;
             from = a;
             to = b;
@@ -74,7 +74,7 @@ static void set_line(struct text *t, const char *name, const char *value)
         i += n + 1;
     }
     if (found) {
-        snprintf(words, sizeof words, " %s", value);
+        snprintf(words, sizeof words, "%s%s", value[0] ? " " : "", value);
         splice(t, at + from, to - from, words);
         return;
     }
@@ -110,9 +110,15 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
             keys_text(&c->keys, keys_action(i), value, sizeof value);
             set_line(&t, keys_action(i), value);
         }
-    if (!t.at)
-        err_set(err, err_size, "%s: out of memory", files_shown(CONFIG_FILE, shown));
-    return t.at;
+    if (t.at && t.n <= CONFIG_BYTES)
+        return t.at;
+    files_shown(CONFIG_FILE, shown);
+    if (t.at)
+        err_set(err, err_size, "%s: would be larger than %d bytes", shown, CONFIG_BYTES);
+    else
+        err_set(err, err_size, "%s: out of memory", shown);
+    free(t.at);
+    return NULL;
 }
 
 bool config_save(const struct config *c, char *err, size_t err_size)
@@ -125,8 +131,9 @@ bool config_save(const struct config *c, char *err, size_t err_size)
         !files_read(CONFIG_FILE, files_shown(CONFIG_FILE, shown), CONFIG_BYTES, &text, &size, err, err_size))
         return false;
     char *now = config_edit(c, text ? (const char *)text : "", size, err, err_size);
+    const bool same = now && strlen(now) == size && (size == 0 || memcmp(now, text, size) == 0);
+    const bool good = now && (same || files_save(CONFIG_FILE, now, strlen(now), err, err_size));
     free(text);
-    const bool good = now && files_save(CONFIG_FILE, now, strlen(now), err, err_size);
     free(now);
     return good;
 }

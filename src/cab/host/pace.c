@@ -16,6 +16,10 @@ enum {
     SMOOTH = 16,     /* refreshes */
     BAND = TICK / 4, /* of what the clock may be off; of a fast screen a quarter of its refresh */
     MARGIN = 4,    /* a picture is handed in a quarter after the refresh before its own, so that it is not that one's */
+    SAFE = 4000,   /* usec that a picture is handed in before it has to be */
+    WORTH = 1000,  /* usec: for less nothing is waited for */
+    FORGETS = 256, /* frames until a long one is hardly remembered */
+    CAREFUL = 300, /* refreshes after one that was missed */
     SETTLES = 2,   /* ticks */
     BELIEVED = 30, /* refreshes that an error of the rate is spread over at least */
     RATE_MOST = 32,     /* the rate is believed to be wrong by a 32nd part at most */
@@ -41,6 +45,9 @@ static void begin_locked(struct pace *p, uint64_t now)
     p->off = 0;
     p->counted = 0;
     p->asleep = false;
+    p->begin = 0;
+    p->spare = 0;
+    p->careful = CAREFUL;
 }
 
 void pace_refresh(struct pace *p, int refresh, uint64_t now)
@@ -76,6 +83,8 @@ uint64_t pace_due(const struct pace *p)
 {
     if (!p->refresh)
         return free_due(p, p->ticks);
+    if (p->begin)
+        return p->begin;
     return p->asleep ? refresh_due(p, p->at + p->step + p->step / MARGIN) : 0;
 }
 
@@ -109,8 +118,10 @@ static bool count_refresh(struct pace *p, uint64_t now)
         return false;
     p->at += p->step;
     p->counted++;
+    p->careful -= p->careful > 0;
     if (late > p->step / 2) { /* some were missed: of the one that was heard of nothing is known */
         p->at += (late + p->step / 2) / p->step * p->step;
+        p->careful = CAREFUL;
         return true;
     }
     p->off += (late - p->off) / SMOOTH;
@@ -119,10 +130,33 @@ static bool count_refresh(struct pace *p, uint64_t now)
     return true;
 }
 
+/* A tick is due. Begins its frame, or waits as long as its picture is in time for the next refresh. */
+static bool begin_frame(struct pace *p, uint64_t now)
+{
+    const uint64_t end = refresh_due(p, p->at + p->off + p->step), needs = (uint64_t)p->work + SAFE;
+
+    p->spare = 0;
+    if (p->careful || end < now + needs + WORTH)
+        return true;
+    p->begin = end - needs;
+    p->spare = (int64_t)(p->begin - now);
+    return false;
+}
+
+void pace_worked(struct pace *p, uint64_t usec)
+{
+    p->work = int64_max((int64_t)usec, p->work - p->work / FORGETS);
+}
+
 bool pace_comes(struct pace *p, uint64_t now)
 {
     if (!p->refresh)
         return now >= free_due(p, p->ticks);
+    if (p->begin) {
+        const bool comes = now >= p->begin;
+        p->begin = comes ? 0 : p->begin;
+        return comes;
+    }
     if (p->asleep && now < pace_due(p)) /* the host does not wait, it calls again */
         return false;
     if (p->asleep) {
@@ -134,7 +168,7 @@ bool pace_comes(struct pace *p, uint64_t now)
         return false;
     }
     p->asleep = p->at / TICK < (int64_t)p->ticks + 1;
-    return !p->asleep;
+    return !p->asleep && begin_frame(p, now);
 }
 
 static struct pace_frame take_free(struct pace *p, uint64_t now)
@@ -157,7 +191,7 @@ static struct pace_frame take_locked(struct pace *p, uint64_t now)
 {
     const int64_t ready = p->at / TICK - (int64_t)p->ticks;
     struct pace_frame f = { .ticks = (int)int64_clamp(ready, 1, PACE_LATE) };
-    const uint64_t due = moment(p, (int64_t)p->ticks * TICK + EARLIEST);
+    const uint64_t due = moment(p, (int64_t)p->ticks * TICK + EARLIEST) + (uint64_t)p->spare;
 
     f.due = due < now ? due : now;
     p->ticks += (uint64_t)f.ticks;

@@ -12,6 +12,10 @@
  * with which they are heard of; it is set right when it is off by more than that, and its rate with it. So which refresh
  * has how many ticks follows from the two rates alone. A screen that does not wait is waited for here; refreshes that
  * were missed are counted as passed. It is never more than a tick away from the clock on average.
+ *
+ * A picture that is ready long before the refresh it is for would only show switches that are older. So a frame begins
+ * so late that what frames take, and some thousandths of a second, are left; after a refresh that was missed, for some
+ * seconds at once.
  */
 #ifndef CAB_PACE_H
 #define CAB_PACE_H
@@ -35,6 +39,10 @@ struct pace {
     int64_t off;    /* by how much they are heard of later than that, smoothed */
     int counted;    /* refreshes since the clock was last set right */
     bool asleep;    /* the next refresh is waited for here, not by the screen */
+    uint64_t begin; /* usec: a tick is due, and its frame begins then; 0: none is waited for */
+    int64_t spare;  /* usec that the last frame was begun later */
+    int64_t work;   /* usec that a frame takes until its picture is handed in: the most, lately */
+    int careful;    /* refreshes in which frames are begun at once */
 };
 
 /* What a frame stands for. */
@@ -57,6 +65,9 @@ uint64_t pace_due(const struct pace *p);
 /* Is a frame due? To be asked once after each wait; true is followed by pace_take. */
 bool pace_comes(struct pace *p, uint64_t now);
 struct pace_frame pace_take(struct pace *p, uint64_t now);
+
+/* The frame took so long, in usec, from pace_take until its picture was handed in. */
+void pace_worked(struct pace *p, uint64_t usec);
 
 /* The frame that has come is on time, whatever its time is: another clock leads. */
 void pace_follow(struct pace *p, uint64_t now);

@@ -6,7 +6,7 @@
 #define CAB_VIEWS_H
 
 #include <stddef.h>
-#include "../../board/view.h"
+#include "../../board/board.h"
 
 /* Lists that end with NULL; the place of a word is the field's value. */
 extern const char *const views_dim[], *const views_flashes[], *const views_colours[];

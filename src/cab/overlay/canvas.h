@@ -14,7 +14,7 @@
 #define CAB_CANVAS_H
 
 #include "../../../fb/fb.h"
-#include "../../board/view.h"
+#include "../../board/board.h"
 
 enum canvas_colour {
     CANVAS_DARK, /* the background of text */
@@ -70,6 +70,9 @@ int canvas_fit(const char *text, int columns);
  * that the face does not have is a box. Returns the x after it, a gap included. */
 int canvas_say(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
 
+/* The same for the first n bytes of text. */
+int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n);
+
 /* The same with a dark rim one pixel wide, to be read on any picture without a band. */
 int canvas_say_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
 
@@ -79,8 +82,8 @@ int canvas_say_within(const struct canvas *canvas, int x, int y, enum canvas_col
 /* The width of a line in px, from its first pixel to its last: no gap after it. 0 of an empty one. */
 int canvas_say_width(const char *text);
 
-/* How many bytes of text fit on one line of so many px: up to a \n, or to where the line is broken, after a blank if
- * there is one in the second half. At least one character, unless the line is empty. */
+/* How many bytes of text fit on one line of so many px: up to a \n, or to where the line is broken, after a blank or
+ * a slash if there is one in the second half. At least one character, unless the line is empty. */
 int canvas_say_fit(const char *text, int width);
 
 /* Draws text in lines of at most `width` px, the first at (x, y) and CANVAS_LINE_H apart; returns how many. With a

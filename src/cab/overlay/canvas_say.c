@@ -60,6 +60,11 @@ int canvas_say(const struct canvas *canvas, int x, int y, enum canvas_colour c, 
     return say(canvas, x, y, c, text, strlen(text));
 }
 
+int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n)
+{
+    return say(canvas, x, y, c, text, (size_t)n);
+}
+
 int canvas_say_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text)
 {
     for (int i = 0; i < 9; i++)
@@ -118,7 +123,7 @@ int canvas_say_fit(const char *text, int width)
     struct letter l;
     if (!text[n] || text[n] == '\n')
         return (int)n;
-    while (blank > 0 && text[blank] != ' ' && text[blank - 1] != ' ')
+    while (blank > 0 && text[blank] != ' ' && text[blank - 1] != ' ' && text[blank - 1] != '/')
         blank--;
     if (blank > n / 2)
         return (int)(blank + strspn(text + blank, " "));

@@ -241,7 +241,7 @@ static bool add_palettes(struct packer *p)
 
 static bool add_shades(struct packer *p)
 {
-    uint8_t tables[VIEW_SHADES];
+    uint8_t tables[CART_SHADES];
 
     shade_make(p->palette, tables);
     return add_copy(p, "", "shades", tables, sizeof tables);

@@ -41,7 +41,7 @@ static uint8_t shade(const uint8_t *rgb, int entry, int dim, int before)
     return (uint8_t)(best >= 0 ? best : before);
 }
 
-void shade_make(const uint8_t rgb[CART_PALETTE], uint8_t tables[VIEW_SHADES])
+void shade_make(const uint8_t rgb[CART_PALETTE], uint8_t tables[CART_SHADES])
 {
     for (int i = 0; i < 256; i++) {
         uint8_t before = (uint8_t)i;

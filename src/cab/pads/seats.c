@@ -99,6 +99,7 @@ static void pressed(struct seats *s, int i, int players, uint32_t fresh)
     s->seat[player] = i;
     tell(s, SEATS_TAKEN, player, &s->is[i]);
     s->event[s->events - 1].first = first && !s->waits[player];
+    s->event[s->events - 1].start = fresh >> PLAT_START & 1;
     s->waits[player] = false;
 }
 

@@ -29,7 +29,8 @@ enum seats_what {
 struct seats_event {
     enum seats_what what;
     int player;                        /* from 0 */
-    bool first;                        /* player 1's first one was taken, without START */
+    bool first;                        /* taken by player 1, who had none before */
+    bool start;                        /* taken by START */
     struct plat_controller controller; /* as it was, of one that is gone */
 };
 

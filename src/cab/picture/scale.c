@@ -15,21 +15,19 @@ static uint32_t mix(uint32_t a, uint32_t b, uint32_t share)
     return red_blue | green;
 }
 
-/* Of the small picture every pixel is `whole` times itself; the middle of a large pixel is then between two of these,
- * in 256ths. */
-static void place_pixel(struct scale_axis *a, int i, int small, int large, int whole)
+/* A large pixel covers `small` parts of the small picture, of which each pixel has `large`. What of that is beyond the
+ * pixel in which it begins is the share of the next one; a smaller picture would have more than two in it. */
+static void place_pixel(struct scale_axis *a, int i, int small, int large)
 {
-    const int64_t middle = ((int64_t)(2 * i + 1) * small * whole * 128) / large - 128;
-    const int most = small * whole - 1, at = (int)int64_clamp(middle >> 8, 0, most), next = int_min(at + 1, most);
+    const int64_t begin = (int64_t)i * small, border = (begin / large + 1) * large, end = begin + small;
 
-    a->from[i] = (uint16_t)(at / whole);
-    a->share[i] = middle < 0 || at / whole == next / whole ? 0 : (uint16_t)(middle & 255);
+    a->from[i] = (uint16_t)(begin / large);
+    a->share[i] =
+        end > border && begin / large + 1 < small ? (uint16_t)int64_min((end - border) * 256 / small, 255) : 0;
 }
 
 bool scale_open(struct scale_axis *a, int small, int large)
 {
-    const int whole = int_max(1, large / small);
-
     *a = (struct scale_axis){ .n = large };
     a->from = malloc((size_t)large * sizeof *a->from);
     a->share = malloc((size_t)large * sizeof *a->share);
@@ -38,7 +36,7 @@ bool scale_open(struct scale_axis *a, int small, int large)
         return false;
     }
     for (int i = 0; i < large; i++)
-        place_pixel(a, i, small, large, whole);
+        place_pixel(a, i, small, large);
     return true;
 }
 
@@ -57,8 +55,23 @@ void scale_row(const struct scale_axis *a, const uint32_t *small, uint32_t *larg
     }
 }
 
-void scale_mix(uint32_t *out, const uint32_t *first, const uint32_t *second, int share, int n)
+enum { BLOCK = 32 };
+
+/* In this form compilers make vectors of it: a constant number of bytes, products of 16 bits. */
+static inline void mix_bytes(uint8_t *restrict out, const uint8_t *restrict first, const uint8_t *restrict second,
+                             uint16_t share, int n)
 {
     for (int i = 0; i < n; i++)
-        out[i] = mix(first[i], second[i], (uint32_t)share);
+        out[i] = (uint8_t)((uint16_t)(first[i] * (uint16_t)(256 - share) + second[i] * share) >> 8);
+}
+
+void scale_mix(uint32_t *out, const uint32_t *first, const uint32_t *second, int share, int n)
+{
+    uint8_t *to = (uint8_t *)out;
+    const uint8_t *a = (const uint8_t *)first, *b = (const uint8_t *)second;
+    int i = 0;
+
+    for (; i + BLOCK <= 4 * n; i += BLOCK)
+        mix_bytes(to + i, a + i, b + i, (uint16_t)share, BLOCK);
+    mix_bytes(to + i, a + i, b + i, (uint16_t)share, 4 * n - i);
 }

@@ -1,9 +1,10 @@
 /*
- * scale.h - pictures of colours made larger: each pixel first by a whole number, what is left smoothly, so that squares
- * stay squares with edges one pixel wide.
+ * scale.h - pictures of colours made larger, by any factor: squares stay squares, and where an edge between two falls
+ * within a pixel, that one is mixed of both as far as it belongs to each.
  * floor: cab
  *
- * Where the size is a whole multiple nothing is mixed at all. Integers only: the same on every host.
+ * This is what a very large whole number and then the mean of all that a pixel covers would give. Where the size is a
+ * whole multiple nothing is mixed at all. Integers only: the same on every host.
  */
 #ifndef CAB_SCALE_H
 #define CAB_SCALE_H

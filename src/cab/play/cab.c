@@ -199,7 +199,7 @@ void cab_powered(const struct board_start *start)
 {
     cab.start = *start;
     cab.nvram_saved = 0;
-    cab.fault_reported = cab.paused = cab.scrubbed = cab.waiting = cab.taken = false;
+    cab.fault_reported = cab.paused = cab.scrubbed = cab.awaits = cab.taken = false;
     cab.timebar_left = cab.slow_frames = 0;
     memset(cab.pads, 0, sizeof cab.pads);
     cab_pads_power();
@@ -220,6 +220,7 @@ static void finish(void)
     screens_close_all(&cab.screens);
     cab_keep_leave();
     cab_save_nvram();
+    cab_report_close();
     practice_close(&cab.practice);
     if (cab_fault())
         cab.result = RESULT_REFUSED;
@@ -241,12 +242,33 @@ static void finish(void)
     plat_close();
 }
 
+/* What there is when no run is on. */
+static void leave(void)
+{
+    cab_report_close();
+    speaker_close(&cab.speaker);
+    cab_picture_close(&cab.picture);
+    plat_close();
+}
+
+/* A frame while a folder is waited for. */
+static bool wait_frame(uint64_t now)
+{
+    frames_due(now);
+    cab_wait_frame();
+    if (cab.quit)
+        leave();
+    return !cab.quit;
+}
+
 static bool frame(void)
 {
     struct keys_read k;
     if (!frame_comes())
         return true;
     uint64_t now = plat_usec();
+    if (cab.waiting.on)
+        return wait_frame(now);
     cab_poll(&k);
     cab_check_folder();
     struct speaker_time time = frames_due(now);
@@ -272,6 +294,7 @@ static bool frame(void)
     overlay_lap(&cab.overlay, SPLIT_DRAW);
     cab_picture_show(&cab.picture);
     cab_look_back();
+    pace_worked(&cab.pace, cab.window.handed - now);
     overlay_lap(&cab.overlay, SPLIT_SHOW);
     overlay_end(&cab.overlay);
     if (cab.quit)
@@ -279,17 +302,46 @@ static bool frame(void)
     return !cab.quit;
 }
 
-static enum result refuse(enum result result, const char *what)
+/* All that belongs to a run; harmless where there is none. */
+static void close_run(void)
 {
-    cab_say("curtain: %s: %s", cab_game(), what);
+    cab_report_close();
     practice_close(&cab.practice);
-    speaker_close(&cab.speaker);
     session_close(&cab.session);
     cab_picture_close(&cab.picture);
     cab_window_close();
     free(cab.nvram);
-    plat_close();
-    return result;
+    cab.nvram = NULL;
+}
+
+/* The run cannot be: a folder's is waited for, if its own files are why. */
+static bool refuse(enum result result, const char *what)
+{
+    char why[FILES_ERR + sizeof cab.session.err];
+
+    snprintf(why, sizeof why, "%s: %s", cab_game(), what);
+    close_run();
+    cab.result = result;
+    if (result == RESULT_REFUSED && cab.options.open && cab_wait(why, ""))
+        return false;
+    if (result != RESULT_REFUSED || !cab.options.open)
+        cab_say("curtain: %s", why);
+    cab.quit = true;
+    return false;
+}
+
+/* A folder's scripts that fault at power-on are as one that cannot be loaded: nothing has been played yet. */
+static bool wait_for_fault(void)
+{
+    struct board_fault fault = *cab_fault();
+    char why[FILES_PATH + sizeof fault.message + 4];
+
+    cab_log_lines(board_last(cab_live()));
+    snprintf(why, sizeof why, "%s: %s", cab_game(), fault.message);
+    close_run();
+    if (!cab_wait(why, fault.trace))
+        cab.quit = true;
+    return false;
 }
 
 /* What was typed comes before what is in the file. */
@@ -309,12 +361,48 @@ void cab_take_lang(struct board_start *start)
         snprintf(start->lang, sizeof start->lang, "%s", cab.config.lang);
 }
 
+bool cab_power(void)
+{
+    const struct cab_options *o = &cab.options;
+
+    cab.start = o->start;
+    if (!cab.start.lang[0] && !o->demo)
+        cab_take_lang(&cab.start);
+    if (!o->seeded && !o->demo)
+        cab.start.seed = cab_seed_from_clock();
+    cab.nvram = cab_load_nvram(&cab.start);
+    if (!session_open(&cab.session, o->cart, &cab.start, o->demo, o->record))
+        return refuse(RESULT_REFUSED, cab.session.err);
+    if (cab_fault() && o->open && !o->demo)
+        return wait_for_fault();
+    if (!cab_open_window())
+        return refuse(RESULT_HOST, "there is no window to play in");
+    cab_picture_close(&cab.picture);
+    if (!cab_picture_open(&cab.picture, cab_live()))
+        return refuse(RESULT_HOST, "not enough memory for the picture");
+    practice_init(&cab.practice, o->cart, &cab.start);
+    if (!o->demo)
+        practice_began(&cab.practice, &cab.start);
+    cab_report_last_crash();
+    cab_report_ready();
+    cab_check_recording(!cab.session.err[0]);
+    if (cab.slow > 1 && !o->demo)
+        cab_mark_assisted();
+    cab_log_lines(board_last(cab_live()));
+    if (cab_fault())
+        cab_report_fault();
+    folder_open(&cab.folder, o->path);
+    cab_open_resume();
+    cab_pads_power();
+    pace_open(&cab.pace, plat_usec());
+    return true;
+}
+
 enum result cab_play(const struct cab_options *options)
 {
     char err[FILES_ERR + CONFIG_LINE];
     memset(&cab, 0, sizeof cab);
     cab.options = *options;
-    cab.start = options->start;
     if (!config_load(&cab.config, err, sizeof err)) {
         cab_say("curtain: %s", err);
         return RESULT_REFUSED;
@@ -323,31 +411,16 @@ enum result cab_play(const struct cab_options *options)
     speaker_open(&cab.speaker, cab.config.volume, options->mute || cab.config.mute, !cab.config.resample);
     speaker_levels(&cab.speaker, cab.config.music, cab.config.sounds);
     cab.slow = 1 << cab.config.speed;
-    if (!cab.start.lang[0] && !options->demo)
-        cab_take_lang(&cab.start);
-    if (!options->seeded && !options->demo)
-        cab.start.seed = cab_seed_from_clock();
-    cab.nvram = cab_load_nvram(&cab.start);
-    if (!session_open(&cab.session, options->cart, &cab.start, options->demo, options->record))
-        return refuse(RESULT_REFUSED, cab.session.err);
     take_options();
-    if (!cab_open_window())
-        return refuse(RESULT_HOST, "there is no window to play in");
-    if (!cab_picture_open(&cab.picture, cab_live()))
-        return refuse(RESULT_HOST, "not enough memory for the picture");
     cab_pads_open();
-    practice_init(&cab.practice, options->cart, &cab.start);
-    if (!options->demo)
-        practice_began(&cab.practice, &cab.start);
-    cab_check_recording(!cab.session.err[0]);
-    if (cab.slow > 1 && !options->demo)
-        cab_mark_assisted();
-    cab_log_lines(board_last(cab_live()));
-    if (cab_fault())
-        cab_report_fault();
-    folder_open(&cab.folder, options->path);
-    cab_open_resume();
     pace_open(&cab.pace, plat_usec());
-    plat_loop(frame);
+    if (options->cart)
+        cab_power();
+    else
+        cab.quit = !cab_wait(options->wrong, "");
+    if (!cab.quit)
+        plat_loop(frame);
+    else
+        leave();
     return cab.result;
 }

@@ -14,8 +14,13 @@
 #include "../demo/demo.h"
 #include "../host/result.h"
 
+struct cab_options;
+
+/* What became of an attempt to open the game: it is in the options; its folder is wrong; the arguments are. */
+enum cab_opened { CAB_OPENED, CAB_WRONG, CAB_REFUSED };
+
 struct cab_options {
-    const struct cart *cart;  /* open, and its ROM */
+    const struct cart *cart;  /* open, and its ROM; NULL: `wrong` says why there is none */
     const char *path;         /* what the user typed; NULL: the built-in game */
     struct board_start start; /* nvram NULL: the cabinet loads and saves user:<id>.nv, but not of practice or a demo */
     bool seeded;              /* start.seed was given; else it comes from the host's clock */
@@ -26,10 +31,17 @@ struct cab_options {
     bool verbose;             /* say at the end how the sound did */
     bool resume, no_resume;   /* go on with the run that was left, or begin at the title: without asking */
     bool nearest;             /* as pack: for a folder that is packed again when it changes */
+
+    /* For a folder, else NULL: opens the game anew, which gives cart, start and demo. With it, what is wrong with the
+     * folder is shown in the window, and waited for. */
+    enum cab_opened (*open)(void *user, struct cab_options *o, char *err, size_t err_size);
+    void *user;
+    const char *wrong; /* a sentence, without cart */
 };
 
-/* Plays until quit. RESULT_REFUSED: a script fault or a bad settings file; RESULT_HOST: the host failed. With these a
- * line that says why has gone to plat_log; after a script fault its traceback too. */
+/* Plays until quit. RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file;
+ * RESULT_HOST: the host failed. With these a line that says why has gone to plat_log; after a script fault its
+ * traceback too. */
 enum result cab_play(const struct cab_options *options);
 
 #endif

@@ -76,7 +76,7 @@ static bool change_session(const struct cart *cart, struct session_rom *rom, con
     cab.session = new;
     cab_guest_forget();
     cab.guest.demo = demo;
-    cab.taken = cab.waiting = false;
+    cab.taken = cab.awaits = false;
     cab.differs = 0;
     cab_powered(start);
     cab_fit_cart();
@@ -260,7 +260,7 @@ void cab_resume_arrived(void)
     }
     cab.nvram_saved = 0; /* the run's image is written anew */
     cab_keep_follow();
-    cab.paused = cab.waiting = true;
+    cab.paused = cab.awaits = true;
     cab.timebar_left = 0;
     cab_notice(-1, "your run goes on: press a button%s",
                cab.guest.same ? "" : ". Scores were made since; this run's are not kept");

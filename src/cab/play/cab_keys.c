@@ -125,6 +125,16 @@ static void take_pads(const struct keys_read *k)
     }
 }
 
+void cab_scroll(int *top, int most, uint16_t pad, int wheel)
+{
+    static const uint64_t every = 3; /* frames a line, while held */
+    bool step = cab.frames % every == 0;
+
+    *top += (step && pad & PAD_DOWN ? 1 : 0) - (step && pad & PAD_UP ? 1 : 0) - 3 * wheel;
+    *top = *top > most ? most : *top;
+    *top = *top < 0 ? 0 : *top;
+}
+
 /* While the console is open it has all keys. Scores are saved before a line can touch them. */
 static void console_keys(const struct plat_input *in, struct keys_read *k)
 {
@@ -171,13 +181,15 @@ void cab_poll(struct keys_read *k)
         k->held = k->pressed = 0;
         return;
     }
-    if (cab.waiting && (k->fresh || !cab.paused)) {
-        cab.waiting = cab.paused = false;
+    if (cab.awaits && (k->fresh || !cab.paused)) {
+        cab.awaits = cab.paused = false;
         cab.notice_left = 0;
     }
     console_keys(&in, k);
     overlay_keys(&cab.overlay, k->pressed);
     take_pads(k);
+    if (cab_fault())
+        cab_scroll(&cab.fault_top, cab.fault_most, k->pads[0], in.wheel);
     host_keys(k);
     clock_keys(k);
     cab_practice_keys(k);

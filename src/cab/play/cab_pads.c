@@ -1,6 +1,7 @@
 /*
  * cab_pads.c - whose controller is whose, and from the buttons that are held to the pads of a tick.
  */
+#include <stdarg.h>
 #include <stdio.h>
 #include "../../board/inspect.h"
 #include "../pads/switches.h"
@@ -66,12 +67,26 @@ void cab_seats_poll(const struct plat_input *in)
 
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
-    seats_poll(&cab.seats, cab_cart()->m.players, in->controllers, plugged);
+    seats_poll(&cab.seats, cab.session.now ? cab_cart()->m.players : 1, in->controllers, plugged);
 }
 
 const char *cab_controller_name(const struct plat_controller *c)
 {
     return c->name[0] ? c->name : switch_kind_name(c->kind);
+}
+
+/* Over the picture, and at the foot of a screen. */
+CAB_PRINTF(2, 3) static void tell(int frames, const char *format, ...)
+{
+    char text[sizeof cab.notice];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    cab_notice(frames, "%s", text);
+    if (screens_are_open(&cab.screens))
+        screens_say(&cab.screens, "%s", text);
 }
 
 /* A player lost what they played with: the game waits for them. */
@@ -83,11 +98,12 @@ static bool waits_for(int player)
 static void lost(int player, const char *name)
 {
     if (!waits_for(player)) {
-        cab_notice(CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
+        tell(CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
         return;
     }
     cab.paused = cab.unplugged = true;
-    cab_notice(-1, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1, name);
+    tell(CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1,
+         name);
 }
 
 static void seat_event(const struct seats_event *e)
@@ -97,23 +113,23 @@ static void seat_event(const struct seats_event *e)
     if (e->what == SEATS_LOST)
         lost(e->player, name);
     else if (e->what == SEATS_FULL)
-        cab_notice(CAB_NOTICE_FRAMES, "every player has a controller already");
+        tell(CAB_NOTICE_FRAMES, "every player has a controller already");
     else if (cab.unplugged)
-        cab_notice(-1, "player %d has %s. START goes on", e->player + 1, name);
+        tell(CAB_NOTICE_STAYS, "player %d has %s. START goes on", e->player + 1, name);
     else if (!e->first)
-        cab_notice(CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
+        tell(CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
 }
 
 /* START ends the pause that a lost controller began, and the game does not get it. */
 static void go_on(const struct keys_read *k)
 {
-    if (!cab.unplugged)
+    if (!cab.unplugged || screens_are_open(&cab.screens))
         return;
+    for (int i = 0; i < cab.seats.events; i++)
+        cab.paused = cab.paused && !cab.seats.event[i].start;
     for (int p = 0; p < PADS; p++) {
-        if (k->pads_fresh[p] & PAD_START) {
-            cab.stale[p] |= PAD_START;
-            cab.paused = false;
-        }
+        cab.paused = cab.paused && !(k->pads_fresh[p] & PAD_START);
+        cab.stale[p] |= k->pads_fresh[p] & PAD_START;
     }
     if (cab.paused)
         return;

@@ -36,7 +36,8 @@
 
 enum {
     CAB_NAME = 96,
-    CAB_NOTICE_FRAMES = 180 /* how long a notice is shown */
+    CAB_NOTICE_STAYS = INT32_MAX, /* until it is taken away */
+    CAB_NOTICE_FRAMES = 180       /* how long a notice is shown */
 };
 
 /* fb, rgb: the board's picture as it drew it, by the view of the settings. composed, composed_rgb: a copy with the
@@ -57,6 +58,7 @@ struct cab_window {
     uint8_t *border_rgba; /* malloc */
     bool border_read;
     uint32_t border_crc;     /* of the ROM it was read from */
+    uint64_t handed;         /* usec: when the last picture was handed to the port */
     int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it does at once */
     bool composes;           /* this picture will be composed */
     bool cannot;             /* the port has no plat_paint, or there is no memory */
@@ -68,6 +70,29 @@ struct cab_window {
     struct fb side; /* beside the picture */
     void *side_memory;
     bool has_side;
+};
+
+/* A folder that is waited for. */
+struct waiting {
+    bool on;
+    bool looks; /* it has changed: it is read in the next frame, once the picture says so */
+    char why[FILES_ERR], more[sizeof((struct board_fault *)0)->trace];
+    int top, most; /* lines scrolled, and the most */
+};
+
+/* What a report is made of. */
+struct report {
+    char known[4096]; /* lines that are written before there is anything to report */
+    size_t n;
+    char stem[128];  /* the name, without its number */
+    uint8_t *memory; /* of demo_dump; NULL: reports are without a demo */
+    size_t size;
+    char *text; /* of a fault's; malloc */
+    size_t used, room;
+    bool failed;            /* there was not enough memory */
+    char where[FILES_PATH]; /* the path of the last one; "": none */
+    uint32_t frame;         /* and what it was of */
+    char message[sizeof((struct board_fault *)0)->message];
 };
 
 /* What is known of the run that is on, and of its replay. */
@@ -116,12 +141,15 @@ struct cab {
     bool ticked;              /* the live board did, in this frame */
     int since_save;           /* frames since nvram was last looked at */
     uint32_t nvram_saved;     /* board_nvram's count when it was last saved */
-    bool no_scores;           /* the score file could not be read: it is left as it is */
+    struct waiting waiting;
+    struct report report;
+    int fault_top, fault_most; /* lines of a fault's page that are scrolled, and the most */
+    bool no_scores;            /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct cab_keep keep;
     struct cab_guest guest;
-    bool taken;   /* the player plays on from a playback: nothing of it is kept */
-    bool waiting; /* paused until a button is pressed */
+    bool taken;  /* the player plays on from a playback: nothing of it is kept */
+    bool awaits; /* paused until a button is pressed */
     struct screens screens;
     bool stands;          /* the board does in this frame, for a screen is open or was */
     bool focus;           /* at the last poll */
@@ -158,6 +186,10 @@ extern struct cab cab;
 
 /* ---- cab.c ---- */
 
+/* Powers the session with cab.options and opens its window. False: it cannot be, a line has said why, and cab.result
+ * tells; or it is waited for. */
+bool cab_power(void);
+
 /* Powers on from this start: what the player had chosen and seen of the run before is forgotten. */
 void cab_powered(const struct board_start *start);
 
@@ -170,6 +202,27 @@ void cab_take_lang(struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
 void cab_save_nvram(void);
+
+/* ---- cab_wait.c ---- */
+
+/* Shows why the game's folder cannot be played, and waits for a change of it. False: there is no window. */
+bool cab_wait(const char *why, const char *more);
+
+/* A frame of that. */
+void cab_wait_frame(void);
+
+/* ---- cab_report.c ---- */
+
+/* Makes ready what a crash would leave: to be called when a board was powered, and when settings changed. */
+void cab_report_ready(void);
+
+/* Writes a report of a live run's fault, and a line that says where it is; once for each fault. */
+void cab_report_write(const struct board_fault *fault);
+
+/* Tells, once, of a crash that ended Curtain when it last ran. */
+void cab_report_last_crash(void);
+
+void cab_report_close(void);
 
 /* ---- cab_run.c ---- */
 
@@ -297,6 +350,7 @@ void cab_asked(enum board_ask what);
 void cab_open_menu(void);
 void cab_open_settings(void);
 void cab_open_keys(void);
+void cab_open_controllers(void);
 void cab_open_replays(void);
 void cab_open_resume(void);
 
@@ -313,8 +367,9 @@ void cab_screens_foot(char *text, size_t size);
 void cab_look_ahead(void);
 void cab_look_back(void);
 
-/* Allocates the pictures of a board. False: not enough memory. */
+/* Allocates the pictures of a board, or pictures of a size that no board draws. False: not enough memory. */
 bool cab_picture_open(struct picture *p, const struct board *b);
+bool cab_picture_alloc(struct picture *p, int w, int h);
 void cab_picture_close(struct picture *p);
 
 /* Draws the board that is to be seen; shows the picture with the overlay on it. */
@@ -349,6 +404,9 @@ void cab_window_show(const struct fb *fb, const uint32_t rgb[256], bool side);
 void cab_window_mouse(int *x, int *y);
 
 /* ---- cab_keys.c ---- */
+
+/* Scrolls a page by up and down of a pad, and by the mouse's wheel. */
+void cab_scroll(int *top, int most, uint16_t pad, int wheel);
 
 /* Reads the switches and carries out the cabinet's own keys. */
 void cab_poll(struct keys_read *k);

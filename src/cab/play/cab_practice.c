@@ -38,6 +38,7 @@ static void power_anew(struct board_start start)
     cab_guest_forget();
     cab_powered(&start);
     practice_began(&cab.practice, &start);
+    cab_report_ready();
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
         cab_report_fault();

@@ -117,6 +117,8 @@ void cab_report_fault(void)
         clean_lines(fault.trace);
         if (fault.trace[0])
             plat_log(fault.trace);
+        cab.fault_top = 0;
+        cab_report_write(cab_fault());
     }
     cab.fault_reported = true;
 }
@@ -303,8 +305,8 @@ void cab_take_over(void)
 
 static void report_reload_failure(void)
 {
-    cab_notice(-1, "not taken in: %s", cab.session.err);
-    cab_say("curtain: %s", cab.notice);
+    cab_notice(-1, "%s", cab.session.err);
+    cab_say("curtain: not taken in: %s", cab.session.err);
 }
 
 void cab_reload(void)
@@ -348,6 +350,7 @@ void cab_fit_cart(void)
 
     cab.fault_reported = false;
     practice_reloaded(&cab.practice, cab_cart());
+    cab_report_ready();
     cab_picture_close(&cab.picture);
     if (!cab_picture_open(&cab.picture, cab_live())) {
         plat_log("curtain: not enough memory for the picture");

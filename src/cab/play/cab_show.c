@@ -10,6 +10,7 @@
 #include "cab_parts.h"
 #include "../host/files.h"
 #include "../overlay/message.h"
+#include "../overlay/page.h"
 #include "../pack/png.h"
 #include "timebar.h"
 
@@ -21,9 +22,14 @@ bool cab_picture_open(struct picture *p, const struct board *b)
 {
     int w, h;
     board_screen(b, &w, &h);
-    p->memory = calloc(2, fb_size(w, h));
     p->scratch = malloc(board_scratch(b) + 1);
-    if (!p->memory || !p->scratch)
+    return p->scratch && cab_picture_alloc(p, w, h);
+}
+
+bool cab_picture_alloc(struct picture *p, int w, int h)
+{
+    p->memory = calloc(2, fb_size(w, h));
+    if (!p->memory)
         return false;
     fb_init(&p->fb, p->memory, w, h);
     fb_init(&p->composed, (char *)p->memory + fb_size(w, h), w, h);
@@ -106,7 +112,6 @@ static struct canvas copy_picture(struct picture *p)
 /* The message over the picture; "": none. */
 static void message_text(char *text, size_t size)
 {
-    const struct board_fault *f = cab_fault();
     uint32_t at = board_frame(cab_live());
 
     text[0] = 0;
@@ -117,14 +122,37 @@ static void message_text(char *text, size_t size)
         snprintf(text, size, "go to frame %s_", cab.prompt.digits);
     else if (cab.notice_left)
         snprintf(text, size, "%s", cab.notice);
-    else if (f)
-        snprintf(text, size, "%s\n\n%s", f->message, f->trace);
     else if (cab.rewinding)
         snprintf(text, size, "rewind  frame %u", (unsigned)at);
     else if (cab.paused)
         snprintf(text, size, "paused at frame %u", (unsigned)at);
     else if (cab.slow > 1)
         snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
+}
+
+/* Is there something to be read at leisure: a fault, or a change that was not taken in? */
+static bool shows_page(void)
+{
+    return cab.session.state == SESSION_PLAYING && !cab.prompt.open && !cab.rewinding &&
+           (cab.notice_left < 0 || (cab_fault() && !cab.notice_left));
+}
+
+/* Returns the row after it. */
+static int draw_page(const struct canvas *canvas)
+{
+    const struct board_fault *f = cab_fault();
+    char foot[FILES_PATH + 64] = "The game goes on as it was.";
+    struct page page = { "What changed is not taken in", cab.notice, "", foot, cab.fault_top, 0 };
+
+    if (cab.notice_left >= 0) {
+        page.title = "A script has stopped the game";
+        page.text = f->message;
+        page.more = f->trace;
+        snprintf(foot, sizeof foot, "%s%s", cab.report.where[0] ? "A report is in " : "", cab.report.where);
+    }
+    int y = page_draw(canvas, &page);
+    cab.fault_most = page.most;
+    return y;
 }
 
 /* What a player who has just come presses: below a menu before a game, and below a demo. "": neither is there, or there
@@ -169,14 +197,15 @@ static void draw_progress(const struct canvas *canvas, int y)
 
 /* What is over the picture, or beside it: the texts, and where there is room for them. */
 struct over {
-    char text[sizeof((struct board_fault *)0)->message + sizeof((struct board_fault *)0)->trace + 4], hint[160];
+    char text[sizeof cab.notice + 32], hint[160];
+    bool page;                     /* there is a page to be read, over the picture wherever the rest is */
     struct canvas picture, beside; /* beside.fb NULL: all of it is over the picture */
     int y0, y1;                    /* rows that are free for panels */
 };
 
 static bool anything(const struct over *o)
 {
-    return o->text[0] || o->hint[0] || cab_timebar_shown() || cab.console.open || overlay_on(&cab.overlay) ||
+    return o->page || o->text[0] || o->hint[0] || cab_timebar_shown() || cab.console.open || overlay_on(&cab.overlay) ||
            ships_shown();
 }
 
@@ -199,6 +228,7 @@ static void draw_over(struct over *o)
     const bool bar = cab_timebar_shown() && !cab.console.open;
 
     o->y1 = console_draw(&cab.console, canvas) - (bar ? TIMEBAR_H : 0);
+    o->y0 = o->page ? draw_page(canvas) : 0;
     if (o->text[0])
         o->y1 = message_draw_above(canvas, o->y1, o->text);
     if (cab.session.state != SESSION_PLAYING)
@@ -218,6 +248,8 @@ static void draw_beside(struct over *o)
         draw_progress(canvas, o->y0 + 1);
         o->y0 += 3;
     }
+    if (o->page)
+        draw_page(&o->picture);
 }
 
 static void show_over(struct picture *p, struct over *o)
@@ -237,7 +269,7 @@ static void show_over(struct picture *p, struct over *o)
 
 void cab_picture_show(struct picture *p)
 {
-    struct over o = { .y0 = 0 };
+    struct over o = { .page = shows_page() };
 
     cab_window_begin(p->fb.w, p->fb.h);
     if (screens_are_open(&cab.screens)) {
@@ -248,7 +280,7 @@ void cab_picture_show(struct picture *p)
         return;
     }
     message_text(o.text, sizeof o.text);
-    hint_text(o.text, o.hint, sizeof o.hint);
+    hint_text(o.page ? " " : o.text, o.hint, sizeof o.hint);
     if (anything(&o))
         show_over(p, &o);
     else

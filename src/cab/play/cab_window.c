@@ -154,6 +154,7 @@ static bool show_composed(const struct fb *fb, const uint32_t rgb[256], bool sid
 
     compose_picture(c, fb->pix, fb->pitch, rgb);
     compose_side(c, side ? window->side.pix : NULL, window->side.pitch, rgb);
+    window->handed = plat_usec();
     return plat_paint(c->pixels, c->w, c->w, c->h);
 }
 
@@ -176,11 +177,13 @@ static void show_plain(const struct fb *fb, const uint32_t rgb[256])
 
     window->shown_turn = turned ? turn : QUARTER_NONE;
     if (!turned) {
+        window->handed = plat_usec();
         plat_show(fb->pix, fb->pitch, w, h, rgb);
         return;
     }
     quarter_size(turn, &w, &h);
     quarter_picture(turn, fb->pix, fb->pitch, fb->w, fb->h, turned, w);
+    window->handed = plat_usec();
     plat_show(turned, w, w, h, rgb);
 }
 

@@ -71,6 +71,19 @@ static void describe_heading(int at, struct screen_row *row)
     }
 }
 
+/* What it is for, and what to press here, on what was used last. */
+static void describe_how(const char *meaning, struct screen_row *row)
+{
+    const struct keys_device *d = &cab.config.keys.cabinet;
+    char more[SWITCH_NAME] = "Enter", less[SWITCH_NAME] = "Delete";
+
+    if (d->controller) {
+        switch_label(SWITCH_CONTROLLER | PLAT_SOUTH, d->kind, more, sizeof more);
+        switch_label(SWITCH_CONTROLLER | PLAT_NORTH, d->kind, less, sizeof less);
+    }
+    snprintf(row->help, sizeof row->help, "%s\n%s: one more, by pressing it. %s: one less.", meaning, more, less);
+}
+
 static void describe(void *of, int at, struct screen_row *row)
 {
     const int action = action_at(at);
@@ -86,7 +99,7 @@ static void describe(void *of, int at, struct screen_row *row)
     labels_of(action, row->value, sizeof row->value);
     if (wait.listening && wait.action == action)
         snprintf(row->value, sizeof row->value, "press it ...");
-    snprintf(row->help, sizeof row->help, "%s\nEnter: one more, by pressing it. Delete: one less.", keys_meaning(same));
+    describe_how(keys_meaning(same), row);
 }
 
 /* ---- changes ---- */

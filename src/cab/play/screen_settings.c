@@ -172,7 +172,7 @@ void cab_open_settings(void)
 
 void cab_save_settings(void)
 {
-    char err[512];
+    char err[FILES_ERR + CONFIG_LINE];
 
     if (config_save(&cab.kept, err, sizeof err))
         return;

@@ -22,6 +22,7 @@ enum {
 };
 
 enum { WAIT = 20, AGAIN = 3 /* frames until a held arrow repeats, and between repeats */, SAID = 240 };
+enum { NO_MOUSE = 255 /* in place of its buttons: where it is and what it holds was not meant for this screen */ };
 
 /* ---- the stack ---- */
 
@@ -83,7 +84,7 @@ void screens_open(struct screens *s, const struct screen_def *screen, void *of)
     keep_chosen(top_of(s));
     s->held = UINT32_MAX; /* what is held now was pressed for something else */
     s->held_for = 0;
-    s->mouse = 255;
+    s->mouse = NO_MOUSE;
     s->said_for = 0;
 }
 
@@ -102,6 +103,12 @@ void screens_close_all(struct screens *s)
 {
     while (s->deep > 0)
         screens_close(s);
+}
+
+void screens_settle(struct screens *s)
+{
+    if (s->deep > 0)
+        keep_chosen(top_of(s));
 }
 
 void screens_choose(struct screens *s, int row)
@@ -228,14 +235,18 @@ static uint32_t of_pads(const struct keys_read *k)
     return held;
 }
 
-/* What was just pressed, and arrows that repeat because they are held. Who presses yes and no means no. */
+/* What was just pressed, and arrows that repeat because they are held since they were pressed here. Who presses yes and
+ * no means no. */
 static uint32_t pressed(struct screens *s, uint32_t held)
 {
     uint32_t fresh = held & ~s->held;
 
-    s->held_for = held & REPEATS && !(fresh & REPEATS) ? s->held_for + 1 : 0;
+    if (fresh & REPEATS)
+        s->held_for = 1;
+    else
+        s->held_for = held & REPEATS && s->held_for > 0 ? s->held_for + 1 : 0;
     s->held = held;
-    if (s->held_for >= WAIT && (s->held_for - WAIT) % AGAIN == 0)
+    if (s->held_for > WAIT && (s->held_for - WAIT - 1) % AGAIN == 0)
         fresh |= held & REPEATS;
     return fresh & NO ? fresh & ~(uint32_t)YES : fresh;
 }
@@ -256,7 +267,7 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
     const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
-    const bool moved = in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y;
+    const bool moved = s->mouse != NO_MOUSE && (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
     const int at = in->mouse_x >= 0 ? row_under(s, p, in->mouse_x, in->mouse_y) : -1;
 
     s->mouse = in->mouse;
@@ -287,7 +298,7 @@ static void accept(const struct screen_place *p)
     struct screen_row row = { 0 };
 
     p->screen->row(p->of, p->row, &row);
-    if (row.faint)
+    if (row.faint || row.heading)
         return;
     if (row.changes && p->screen->change)
         p->screen->change(p->of, p->row, 1);
@@ -318,7 +329,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
     s->said_for -= s->said_for > 0;
     if (p->screen->listen && p->screen->listen(p->of, in)) {
         s->held = UINT32_MAX;
-        s->mouse = 255;
+        s->mouse = NO_MOUSE;
         return true;
     }
     keep_chosen(p);

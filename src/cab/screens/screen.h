@@ -69,7 +69,7 @@ struct screens {
     } place[SCREENS_DEEP];
     int deep;
     uint32_t held;        /* of the last poll */
-    int held_for;         /* frames that an arrow is held */
+    int held_for;         /* frames that an arrow is held, the one of its press included; 0: it was not pressed here */
     uint8_t mouse;        /* its buttons at the last poll */
     int mouse_x, mouse_y; /* at the last poll */
     int shown;            /* rows of the last drawing, the first of them at y, each screen_row_height() high */
@@ -101,6 +101,9 @@ void screens_close_all(struct screens *s);
 
 /* Chooses a row of the topmost screen, if it can be chosen. */
 void screens_choose(struct screens *s, int row);
+
+/* Chooses another row of the topmost screen where the chosen one is gone or a heading by now; drawing begins with it. */
+void screens_settle(struct screens *s);
 
 /* Shows a line at the foot for some seconds. */
 SCREEN_PRINTF(2, 3) void screens_say(struct screens *s, const char *format, ...);

@@ -202,6 +202,7 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
     if (s->deep == 0)
         return;
     struct screen_place *p = &s->place[s->deep - 1];
+    screens_settle(s);
     const char *text = p->screen->text ? p->screen->text(p->of) : "";
     const struct screen_area a = area_of(p, canvas, text);
     const bool feet = !p->screen->small && foot[0] && a.h >= FOOT_FROM;

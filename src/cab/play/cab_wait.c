@@ -1,0 +1,140 @@
+/*
+ * cab_wait.c - a game's folder that cannot be played as it is, from the start: the window says why, in full, and the
+ * game begins as soon as the folder is right.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "cab_parts.h"
+#include "../host/clean.h"
+#include "../overlay/page.h"
+
+enum {
+    PAGE_W = 400, /* px: there is no game yet that would say how large the picture is */
+    PAGE_H = 300,
+    LOOK_EVERY = 15, /* frames between two looks at the folder */
+    ESCAPE = 41      /* the key's usage: the page names it, whatever the settings say */
+};
+
+static bool open_page(void)
+{
+    struct picture *p = &cab.picture;
+
+    cab_picture_close(p);
+    if (!cab_picture_alloc(p, PAGE_W, PAGE_H))
+        return false;
+    snprintf(cab.title, sizeof cab.title, "Curtain");
+    cab.want.w = PAGE_W;
+    cab.want.h = PAGE_H;
+    cab.want.rate = 0;
+    cab.want.scale = cab.config.scale;
+    cab.want.fullscreen = cab.config.fullscreen;
+    cab.want.title = cab.title;
+    return plat_open(&cab.want);
+}
+
+/* Why there is no game. */
+static void tell(const char *why, const char *more)
+{
+    struct waiting *w = &cab.waiting;
+
+    snprintf(w->why, sizeof w->why, "%s", why);
+    snprintf(w->more, sizeof w->more, "%s", more);
+    clean_lines(w->why);
+    clean_lines(w->more);
+    w->top = 0;
+    cab_say("curtain: %s", w->why);
+    if (w->more[0])
+        plat_log(w->more);
+}
+
+bool cab_wait(const char *why, const char *more)
+{
+    struct waiting *w = &cab.waiting;
+
+    tell(why, more);
+    cab.result = RESULT_REFUSED;
+    if (!cab.picture.memory && !open_page())
+        return false;
+    if (!w->on)
+        folder_open(&cab.folder, cab.options.path);
+    w->on = true;
+    cab_say("curtain: %s: waiting for a change", cab.options.path);
+    return true;
+}
+
+static void draw(void)
+{
+    char title[FILES_PATH + 64];
+    struct picture *p = &cab.picture;
+    struct waiting *w = &cab.waiting;
+    struct canvas canvas;
+    struct page page = { title, w->why, w->more,
+                         w->looks ? "looking at what changed"
+                                  : "Waiting for a change in the game's folder. Escape leaves.",
+                         .top = w->top };
+
+    snprintf(title, sizeof title, "%s cannot be played yet", cab.options.path);
+    memset(p->composed_rgb, 0, sizeof p->composed_rgb);
+    fb_fill(&p->composed, 0);
+    canvas_open(&canvas, &p->composed, p->composed_rgb);
+    canvas_rect(&canvas, 0, 0, PAGE_W, PAGE_H, CANVAS_DARK);
+    page_draw(&canvas, &page);
+    w->most = page.most;
+    plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
+}
+
+static void poll(void)
+{
+    struct plat_input in;
+    struct keys_read k;
+    const uint32_t leaves = (uint32_t)1 << CAB_QUIT | (uint32_t)1 << CAB_MENU;
+
+    plat_poll(&in);
+    cab_seats_poll(&in);
+    keys_read(&cab.config.keys, &in, &cab.seats, &k);
+    cab.quit = cab.quit || in.quit || k.pressed & leaves || plat_key(&in, ESCAPE);
+    if (k.pressed & (uint32_t)1 << CAB_FULLSCREEN) {
+        cab.config.fullscreen = !cab.config.fullscreen;
+        cab.want.fullscreen = cab.config.fullscreen;
+        cab.quit = !plat_open(&cab.want) || cab.quit;
+    }
+    cab_scroll(&cab.waiting.top, cab.waiting.most, k.pads[0], in.wheel);
+}
+
+/* The folder has changed: the game, or another sentence. */
+static void try_again(void)
+{
+    char err[FILES_ERR];
+    enum cab_opened opened = cab.options.open(cab.options.user, &cab.options, err, sizeof err);
+
+    if (opened == CAB_OPENED) {
+        cab.start = cab.options.start;
+        cab.result = RESULT_DONE;
+        cab.waiting.on = !cab_power();
+    } else if (opened == CAB_WRONG)
+        cab.quit = !cab_wait(err, "") || cab.quit;
+    else {
+        cab_say("curtain: %s", err);
+        cab.quit = true;
+    }
+}
+
+void cab_wait_frame(void)
+{
+    struct waiting *w = &cab.waiting;
+
+    poll();
+    if (w->looks && !cab.quit) {
+        w->looks = false;
+        try_again();
+        if (!w->on)
+            return;
+    } else if (++cab.since_check >= LOOK_EVERY) {
+        cab.since_check = 0;
+        w->looks = folder_changed(&cab.folder);
+    }
+    if (!cab.quit)
+        draw();
+}

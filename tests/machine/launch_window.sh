@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# launch_window.sh - in a window of a real (virtual) X server: a folder that is wrong at launch is told and waited for,
+# and a crash leaves a report that says what it happened in.
+. "$(dirname "$0")/../xserver.sh"
+export SDL_AUDIODRIVER=dummy
+
+game g <<'LUA'
+print 'it runs'
+local dot = sprite.put { sprite = 'dot', x = 0, y = 30 }
+task.go(function()
+  while true do
+    dot.x = (dot.x + 1) % 64
+    wait(1)
+  end
+end)
+LUA
+cp g/main.lua right.lua
+
+window_png() { found && xwd -silent -id "$win" -out "$scratch/window.xwd" && convert "xwd:$scratch/window.xwd" "$1"; }
+colours() { # at least N
+    window_png "$scratch/seen.png" 2>/dev/null && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
+}
+size_is() {
+    [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
+}
+said() { grep -q -- "$1" "$scratch/err"; }
+
+echo 'local x = = 3' >g/main.lua
+if start "Curtain" "$OUT/curtain" play g --scale 2; then
+    check "the window is there" size_is 800x600
+    check "the log says what is wrong" said "^curtain: g: main.lua:1: unexpected symbol near '='$"
+    check "the window says it: title, sentence, what to do" soon colours 4
+    cp right.lua g/main.lua
+    title=Probe
+    check "put right, the game begins" soon said "^it runs$"
+    check "in its own window" soon found
+    check "of its own size" soon size_is 128x128
+    kill -SEGV $child
+    wait $child 2>/dev/null
+    same "a crash ends it as ever" 139 $?
+    report=$(sed -n 's/^curtain: crashed (SIGSEGV); a report is in //p' "$scratch/err")
+    check "and leaves a report" test -s "$report"
+    check "which says what is here" grep -qE "^port      SDL 2\.[0-9]+\.[0-9]+, x11$" "$report"
+    check "its demo holds" "$curtain" verify g "$report"
+    leave
+fi
+
+echo 'local x = = 3' >g/main.lua
+if start "Curtain" "$OUT/curtain" play g --scale 1; then
+    check "at scale 1" size_is 400x300
+    xdotool key Escape
+    check "Escape ends it" soon gone
+    wait $child
+    same "with the exit code of what is wrong" 2 $?
+    leave
+fi
+check "without a display it is refused at once" eval \
+    'env -u DISPLAY -u WAYLAND_DISPLAY "$OUT/curtain" play g >out 2>err; [ $? = 2 ] && grep -q "unexpected symbol" err'
+finish

@@ -1,0 +1,351 @@
+/*
+ * test_config.c - settings written back: what their owner wrote stays, the last line of a name is the one that is
+ * changed, whatever is written is read as what was meant, and no damage is more than a sentence.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/host/config.h"
+#include "../temp.h"
+
+static char err[512];
+
+/* What the settings are, without what is held at present. */
+static bool equal(const struct config *a, const struct config *b)
+{
+    const struct config_setting *s;
+
+    for (int i = 0; (s = config_setting(i)) != NULL; i++)
+        if (config_value(a, s) != config_value(b, s))
+            return false;
+    return strcmp(a->lang, b->lang) == 0 && memcmp(a->keys.code, b->keys.code, sizeof a->keys.code) == 0;
+}
+
+/* Settings of a text, over the defaults. */
+static struct config read_text(const char *text)
+{
+    struct config c;
+
+    config_defaults(&c);
+    if (!config_read(&c, "x.conf", text, strlen(text), err, sizeof err))
+        fail_msg("%s in: %s", err, text);
+    return c;
+}
+
+/* `was` edited so that it says what `now` says becomes `want`. */
+static void edits(const char *was, const char *now, const char *want)
+{
+    struct config c = read_text(now);
+    char *text = config_edit(&c, was, strlen(was), err, sizeof err);
+
+    if (!text)
+        fail_msg("%s", err);
+    assert_string_equal(text, want);
+    c = read_text(text);
+    const struct config meant = read_text(now);
+    assert_true(equal(&c, &meant));
+    free(text);
+}
+
+static void what_stands_there_stays(void **state)
+{
+    (void)state;
+    edits("# mine\n\n  scale=3   # wide\n volume = 40\t# quiet\n", "scale = 4\nvolume = 40",
+          "# mine\n\n  scale= 4   # wide\n volume = 40\t# quiet\n");
+    edits("volume=40#quiet", "volume = 50", "volume= 50#quiet");
+    edits("p1.fire = z # and x\n", "p1.fire = space pad.l2", "p1.fire = space pad.l2 # and x\n");
+    edits("# volume = 4\n", "volume = 10", "# volume = 4\nvolume = 10\n");
+    edits("mute = no # mute = yes\n", "mute = yes", "mute = yes # mute = yes\n");
+    edits("fullscreen = yes\n", "", "fullscreen = no\n"); /* back to what is so anyway: the line is not taken away */
+    edits("scale = 3\n", "scale = 3", "scale = 3\n");
+    edits("", "", "");
+}
+
+static void the_last_line_counts(void **state)
+{
+    (void)state;
+    edits("volume = 1\nvolume = 2\nmute = yes\n", "volume = 3\nmute = yes", "volume = 1\nvolume = 3\nmute = yes\n");
+    edits("volume = 1\n\rvolume = 2\n", "volume = 3", "volume = 1\n\rvolume = 3\n");
+    edits("volume = 1\nvolume\r= 2\n", "volume = 3", "volume = 1\nvolume\r= 3\n");
+    edits("sounds = 5\n",
+          "sound"
+          "s = 6",
+          "sounds = 6\n");
+    edits("p1.up = q\n", "p1.up = q\np1.up = w", "p1.up = w\n");
+}
+
+static void a_new_line_comes_at_the_end(void **state)
+{
+    (void)state;
+    edits("", "volume = 70", "volume = 70\n");
+    edits("scale = 2", "scale = 2\nvolume = 70", "scale = 2\nvolume = 70\n");
+    edits("scale = 2\n", "scale = 2\nspeed = half\nlang = de", "scale = 2\nspeed = half\nlang = de\n");
+    edits("scale = 2", "scale = 5\np2.bomb = none", "scale = 5\np2.bomb = none\n");
+    edits("lang = de\n", "", "lang =\n");
+}
+
+static void lines_end_as_they_did(void **state)
+{
+    (void)state;
+    edits("scale = 2\r\nvolume = 5 # low\r\n", "scale = 3\nvolume = 6", "scale = 3\r\nvolume = 6 # low\r\n");
+    edits("scale = 2\r", "scale = 3", "scale = 3\r");
+}
+
+/* A comment that leaves no room in its line stays; the value gets a line of its own. */
+static void a_line_never_gets_too_long(void **state)
+{
+    char was[CONFIG_LINE + 64], want[CONFIG_LINE + 128];
+    (void)state;
+    memset(was, '-', sizeof was);
+    memcpy(was, "volume = 5 #", 12);
+    was[CONFIG_LINE - 2] = 0;
+    strcat(was, "\n");
+    snprintf(want, sizeof want, "%s", was);
+    want[9] = '7';
+    edits(was, "volume = 7", want);
+    memcpy(want, was, sizeof was);
+    strcat(want, "volume = 77\n");
+    was[CONFIG_LINE - 2] = '-';
+    memcpy(was + CONFIG_LINE - 1, "\n", 2);
+    memcpy(want + CONFIG_LINE - 2, "-\nvolume = 77\n", 15);
+    edits(was, "volume = 77", want);
+}
+
+static char folder[256], path[400];
+
+/* err is this of the settings file. */
+static void says(const char *want)
+{
+    char whole[600];
+
+    snprintf(whole, sizeof whole, "%s%s", path, want);
+    assert_string_equal(err, whole);
+}
+
+static void refused(const char *was, size_t n, const char *want)
+{
+    struct config c = read_text("volume = 7");
+
+    assert_null(config_edit(&c, was, n, err, sizeof err));
+    says(want);
+}
+
+static void what_is_not_right_is_refused(void **state)
+{
+    char *large = malloc(CONFIG_BYTES);
+
+    (void)state;
+    refused("scael = 3\n", 10, ":1: no setting is called \"scael\"");
+    refused("mute = no\n\0", 11, ":2: not a line of text");
+    assert_non_null(large);
+    memset(large, '\n', CONFIG_BYTES);
+    refused(large, CONFIG_BYTES, ": would be larger than 65536 bytes");
+    free(large);
+}
+
+/* Settings and actions stand in one file. */
+static void no_name_means_two_things(void **state)
+{
+    const struct config_setting *s;
+
+    (void)state;
+    for (int i = 0; (s = config_setting(i)) != NULL; i++) {
+        assert_false(keys_known(s->name));
+        assert_string_not_equal(s->name, "lang");
+        for (int k = 0; k < i; k++)
+            assert_string_not_equal(s->name, config_setting(k)->name);
+    }
+    for (int i = 0; i < KEYS_ACTIONS; i++)
+        for (int k = 0; k < i; k++)
+            assert_string_not_equal(keys_action(i), keys_action(k));
+}
+
+/* ---- whatever is set ---- */
+
+static int below(struct rng *r, int n)
+{
+    return (int)(rng_next(r) % (uint32_t)n);
+}
+
+static const char *const switches[] = { "z",         "0",       "f12",        "kp+",         "kp.",      "key100",
+                                        "alt+enter", "ctrl+q",  "pad.south",  "pad1.rright", "pad2.l3",  "backspace",
+                                        "lbracket",  "kpenter", "ctrl+key99", "alt+kp9",     "capslock", "escape" };
+
+static void any_settings(struct rng *r, struct config *c)
+{
+    static const char *const langs[] = { "", "de", "ja", "pt-BR", "a_b" };
+    const struct config_setting *s;
+    char list[256];
+
+    for (int i = 0; (s = config_setting(i)) != NULL; i++)
+        if (below(r, 3) == 0)
+            config_put(c, s, s->lo + below(r, s->hi - s->lo + 1));
+    if (below(r, 4) == 0)
+        snprintf(c->lang, sizeof c->lang, "%s", langs[below(r, 5)]);
+    for (int i = 0; i < KEYS_ACTIONS; i++) {
+        size_t n = 0;
+        if (below(r, 5) != 0)
+            continue;
+        list[0] = 0;
+        for (int k = below(r, KEYS_EACH + 1); k > 0; k--)
+            n += (size_t)snprintf(list + n, sizeof list - n, "%s ",
+                                  switches[below(r, (int)(sizeof switches / sizeof *switches))]);
+        assert_true(keys_bind(&c->keys, keys_action(i), n ? list : "none", err, sizeof err));
+    }
+}
+
+/* The text of one round is the file of the next, and none of its comments is lost. */
+static void what_is_written_is_read(void **state)
+{
+    static const char first[] = "# mine\r\nvolume=3 # low\r\n\r\nmute = no\np1.up = q # far\nlang = fr#x\n\n#end";
+    char *text = strdup(first);
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 19);
+    for (int round = 0; round < 400; round++) {
+        struct config c = read_text(text), again;
+        any_settings(&r, &c);
+        char *next = config_edit(&c, text, strlen(text), err, sizeof err);
+        if (!next)
+            fail_msg("round %d: %s", round, err);
+        again = read_text(next);
+        if (!equal(&c, &again))
+            fail_msg("round %d: another setting is read:\n%s", round, next);
+        assert_memory_equal(next, "# mine\r\nvolume=", 15);
+        assert_non_null(strstr(next, " # low\r\n\r\nmute = "));
+        assert_non_null(strstr(next, " # far\nlang ="));
+        assert_non_null(strstr(next, "#x\n\n#end\n"));
+        free(text);
+        text = next;
+    }
+    assert_true(strlen(text) < 8192); /* one line a name */
+    free(text);
+}
+
+/* Spoilt files, each in memory of its own size: refused in a sentence, or edited into what was meant. */
+static void no_damage_is_more_than_a_sentence(void **state)
+{
+    static const char good[] = "# mine\nvolume = 40 # low\r\nmute=yes\n\nlang = de\np1.fire = z pad.south\nspeed=half";
+    static const char likely[] = "\n\r\t =#\0az.09\xff";
+    int edited = 0, refusals = 0;
+    struct rng r;
+
+    (void)state;
+    rng_seed(&r, 20);
+    for (int round = 0; round < 20000; round++) {
+        const size_t n = (size_t)below(&r, sizeof good);
+        char *text = malloc(n + (n == 0));
+        struct config c, again;
+        assert_non_null(text);
+        memcpy(text, good, n);
+        for (int k = below(&r, 4); n && k > 0; k--)
+            text[below(&r, (int)n)] = likely[below(&r, sizeof likely - 1)];
+        config_defaults(&c);
+        const struct config standard = c;
+        if (round % 2)
+            any_settings(&r, &c);
+        err[0] = 0;
+        char *next = config_edit(&c, text, n, err, sizeof err);
+        again = standard;
+        if (next) {
+            edited++;
+            assert_true(config_read(&again, "x.conf", next, strlen(next), err, sizeof err));
+            assert_true(equal(&c, &again));
+        } else {
+            refusals++;
+            assert_false(config_read(&again, path, text, n, err, sizeof err));
+            assert_memory_equal(err, path, strlen(path));
+        }
+        free(next);
+        free(text);
+    }
+    assert_true(edited > 2000 && refusals > 2000);
+}
+
+/* ---- the file ---- */
+
+static void write_file(const char *text)
+{
+    FILE *f = fopen(path, "wb");
+
+    assert_non_null(f);
+    assert_int_equal(fwrite(text, 1, strlen(text), f), strlen(text));
+    assert_int_equal(fclose(f), 0);
+}
+
+static void file_is(const char *want)
+{
+    char text[4096];
+    FILE *f = fopen(path, "rb");
+
+    assert_non_null(f);
+    text[fread(text, 1, sizeof text - 1, f)] = 0;
+    fclose(f);
+    assert_string_equal(text, want);
+}
+
+static void the_file(void **state)
+{
+    struct config c;
+
+    (void)state;
+    assert_true(config_load(&c, err, sizeof err));
+    assert_true(config_save(&c, err, sizeof err));
+    assert_int_not_equal(access(path, F_OK), 0); /* nothing differs, so there is none yet */
+    c.music = 30;
+    assert_true(config_save(&c, err, sizeof err));
+    file_is("music = 30\n");
+    write_file("# by hand\nmusic = 60 # so\n");
+    c.volume = 90;
+    assert_true(config_save(&c, err, sizeof err));
+    file_is("# by hand\nmusic = 30 # so\nvolume = 90\n");
+    assert_true(config_load(&c, err, sizeof err));
+    assert_int_equal(c.music, 30);
+    assert_int_equal(c.volume, 90);
+    write_file("musik = 60 # so\n");
+    assert_false(config_save(&c, err, sizeof err));
+    says(":1: no setting is called \"musik\"");
+    file_is("musik = 60 # so\n");
+}
+
+static int open_folder(void **state)
+{
+    (void)state;
+    if (!temp_folder(folder, sizeof folder, "config") || setenv("XDG_DATA_HOME", folder, 1) != 0)
+        return -1;
+    snprintf(path, sizeof path, "%s/curtain", folder);
+    if (mkdir(path, 0700) != 0)
+        return -1;
+    snprintf(path, sizeof path, "%s/curtain/curtain.conf", folder);
+    return 0;
+}
+
+static int close_folder(void **state)
+{
+    (void)state;
+    remove(path);
+    path[strlen(path) - strlen("/curtain.conf")] = 0;
+    return rmdir(path) | rmdir(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_stands_there_stays),           cmocka_unit_test(the_last_line_counts),
+        cmocka_unit_test(a_new_line_comes_at_the_end),       cmocka_unit_test(lines_end_as_they_did),
+        cmocka_unit_test(a_line_never_gets_too_long),        cmocka_unit_test(what_is_not_right_is_refused),
+        cmocka_unit_test(no_name_means_two_things),          cmocka_unit_test(what_is_written_is_read),
+        cmocka_unit_test(no_damage_is_more_than_a_sentence), cmocka_unit_test(the_file),
+    };
+    return cmocka_run_group_tests(tests, open_folder, close_folder);
+}

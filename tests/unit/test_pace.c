@@ -1,0 +1,157 @@
+/*
+ * test_pace.c - 60 ticks a second on any screen: no drift, no more refreshes with two ticks or none than the rates ask
+ * for, and a late host that loses what it says.
+ * floor: tests
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include "../../src/cab/host/pace.h"
+#include "../../tools/pacing/simulate.h"
+
+enum { MINUTES = 10, SECONDS = MINUTES * 60 };
+
+static struct simulate screen(double hz, double told, int late)
+{
+    return (struct simulate){ .hz = hz,
+                              .told = told,
+                              .waits = true,
+                              .seconds = SECONDS,
+                              .work = { 2000, 5000 },
+                              .late = late,
+                              .seed = (uint64_t)(hz * 100) + (uint64_t)late };
+}
+
+static void holds(struct simulate s, int uneven)
+{
+    const struct simulated r = simulate(&s);
+
+    assert_true(llabs(r.ticks - 60 * SECONDS) <= 3);
+    assert_true(llabs(simulated_uneven(&r)) <= uneven);
+    assert_true(r.off < 2.5);
+    if (s.hz > 60.5)
+        assert_true(r.with[2] + r.with[3] <= uneven);
+}
+
+/* Some thousandths of a second of jitter make no refresh another than the rates do. */
+static void test_screens(void **state)
+{
+    static const double rates[] = { 50, 59.94, 60, 60.05, 75, 100, 119.88, 120, 143.98, 144, 165, 240 };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rates / sizeof *rates; i++)
+        for (int late = 0; late <= 1500; late += 500)
+            holds(screen(rates[i], rates[i], late), 4);
+}
+
+/* A rate that the host tells wrong is found out: 59 for 59.94, 144 for 143.86. */
+static void test_told_wrong(void **state)
+{
+    (void)state;
+    holds(screen(59.94, 59, 500), 4);
+    holds(screen(59.94, 60, 500), 4);
+    holds(screen(143.86, 144, 500), 4);
+    holds(screen(60, 61, 500), 4);
+}
+
+/* A screen that does not wait, or is faster than it says, is waited for here: there are 60 ticks, not more. */
+static void test_does_not_wait(void **state)
+{
+    struct pace p;
+    uint64_t now = 1000000;
+    int ticks = 0;
+
+    (void)state;
+    pace_open(&p, now);
+    pace_refresh(&p, 60000, now);
+    for (int calls = 0; now < 1000000 + 10 * PACE_SECOND; calls++) {
+        assert_true(calls < 3000); /* it is no busy loop */
+        now = pace_due(&p) > now ? pace_due(&p) : now + 100;
+        if (pace_comes(&p, now))
+            ticks += pace_take(&p, now).ticks;
+    }
+    assert_in_range(ticks, 598, 602);
+}
+
+/* Every now and then a frame takes too long: it costs no tick. */
+static void test_stalls(void **state)
+{
+    struct simulate s = screen(60, 60, 500);
+    struct simulated r;
+
+    (void)state;
+    s.stalls = 600;
+    r = simulate(&s);
+    assert_true(llabs(r.ticks - 60 * SECONDS) <= 3);
+    assert_true(simulated_uneven(&r) <= 4 * r.refreshes / 600);
+}
+
+/* Without a screen's rate a frame is due every sixtieth, to the microsecond, for ever. */
+static void test_no_screen(void **state)
+{
+    struct pace p;
+    const uint64_t base = 12345;
+
+    (void)state;
+    pace_open(&p, base);
+    for (uint64_t i = 0; i < 100000; i++) {
+        const uint64_t due = base + i * PACE_SECOND / 60;
+        assert_true(pace_due(&p) == due);
+        assert_true(i == 0 || !pace_comes(&p, due - 1));
+        assert_true(pace_comes(&p, due));
+        const struct pace_frame f = pace_take(&p, due);
+        assert_int_equal(f.ticks, 1);
+        assert_true(f.due == due && f.lost == 0);
+    }
+}
+
+/* Four ticks at most; the rest is lost, and said. */
+static void test_late(void **state)
+{
+    struct pace p;
+    struct pace_frame f;
+
+    (void)state;
+    pace_open(&p, 0);
+    assert_int_equal(pace_take(&p, 0).ticks, 1);
+    f = pace_take(&p, 40000); /* those of 16666 and 33333 */
+    assert_int_equal(f.ticks, 2);
+    assert_true(f.due == 16666 && f.lost == 0);
+    f = pace_take(&p, 500000);
+    assert_int_equal(f.ticks, PACE_LATE);
+    assert_true(f.due == 50000 && f.lost == 500000 + 16666 - 116666);
+    assert_true(pace_due(&p) == 500000 + 16666);
+    pace_follow(&p, 700000);
+    assert_int_equal(pace_take(&p, 700000).ticks, 1);
+    assert_true(pace_due(&p) == 716666);
+}
+
+/* Rates that no screen has are none. */
+static void test_no_rate(void **state)
+{
+    struct pace p;
+
+    (void)state;
+    pace_open(&p, 0);
+    pace_refresh(&p, 1000, 0);
+    assert_int_equal(p.refresh, 0);
+    pace_refresh(&p, 60000, 0);
+    assert_int_equal(p.refresh, 60000);
+    pace_refresh(&p, 2000000, 0);
+    assert_int_equal(p.refresh, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_screens), cmocka_unit_test(test_told_wrong), cmocka_unit_test(test_does_not_wait),
+        cmocka_unit_test(test_stalls),  cmocka_unit_test(test_no_screen),  cmocka_unit_test(test_late),
+        cmocka_unit_test(test_no_rate),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

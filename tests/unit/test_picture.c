@@ -1,0 +1,383 @@
+/*
+ * test_picture.c - quarter turns, places, sizes, the look of a tube, borders, and the window made of them: every pixel
+ * of what each must be, and nothing outside of the memory it has, at odd sizes.
+ * floor: tests
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/base/rng.h"
+#include "../../src/cab/picture/compose.h"
+
+enum { W = 24, H = 40, GREY = 0x808080 };
+
+static uint8_t pix[W * H];
+static uint32_t rgb[256];
+
+static void draw(void)
+{
+    for (uint32_t i = 0; i < 256; i++)
+        rgb[i] = i * 0x9E3779u & 0xFFFFFF;
+    for (int i = 0; i < W * H; i++)
+        pix[i] = (uint8_t)(i * 7 + i / W * 13);
+}
+
+/* ---- quarter turns ---- */
+
+static void test_to_and_fro(void **state)
+{
+    (void)state;
+    draw();
+    for (enum quarter t = QUARTER_NONE; t < QUARTERS; t++) {
+        uint8_t turned[W * H], back[W * H];
+        int w = W, h = H;
+        quarter_size(t, &w, &h);
+        quarter_picture(t, pix, W, W, H, turned, w);
+        quarter_picture(quarter_back(t), turned, w, w, h, back, W);
+        assert_memory_equal(back, pix, sizeof pix);
+        for (int y = 0; y < H; y++)
+            for (int x = 0; x < W; x++) {
+                int tx = x, ty = y;
+                quarter_point(t, W, H, &tx, &ty);
+                assert_in_range(tx, 0, w - 1);
+                assert_in_range(ty, 0, h - 1);
+                assert_int_equal(turned[ty * w + tx], pix[y * W + x]);
+                quarter_point(quarter_back(t), w, h, &tx, &ty);
+                assert_true(tx == x && ty == y);
+            }
+    }
+}
+
+/* Left: what was at the top is at the left. */
+static void test_which_way(void **state)
+{
+    int x = W - 1, y = 0;
+    struct area a;
+
+    (void)state;
+    quarter_point(QUARTER_LEFT, W, H, &x, &y);
+    assert_true(x == 0 && y == 0);
+    x = 0, y = 0;
+    quarter_point(QUARTER_RIGHT, W, H, &x, &y);
+    assert_true(x == H - 1 && y == 0);
+    a = quarter_area(QUARTER_LEFT, W, H, (struct area){ 1, 2, 3, 4 });
+    assert_true(a.x == 2 && a.y == W - 4 && a.w == 4 && a.h == 3);
+    a = quarter_area(QUARTER_OVER, W, H, (struct area){ 1, 2, 3, 4 });
+    assert_true(a.x == W - 4 && a.y == H - 6 && a.w == 3 && a.h == 4);
+}
+
+/* ---- places ---- */
+
+static const int windows[][2] = { { 24, 40 }, { 40, 24 },   { 97, 131 },   { 131, 97 }, { 1, 1 },      { 7, 300 },
+                                  { 300, 7 }, { 640, 480 }, { 1280, 721 }, { 23, 39 },  { 1201, 333 }, { 73, 121 } };
+enum { WINDOWS = sizeof windows / sizeof *windows };
+
+static struct place_want want_place(int i, enum quarter t, bool smooth, bool beside)
+{
+    return (struct place_want){ windows[i][0], windows[i][1], W, H, t, smooth, beside };
+}
+
+/* Every pixel of a window is one of the picture's or none, and neighbours there are the same or neighbours here. */
+static void test_points(void **state)
+{
+    (void)state;
+    for (int i = 0; i < WINDOWS; i++)
+        for (int t = 0; t < 2 * QUARTERS; t++) {
+            const struct place_want want = want_place(i, (enum quarter)(t / 2), t % 2, false);
+            const struct placed p = place(&want);
+            int64_t inside = 0, most = (int64_t)p.picture.w * p.picture.h;
+            for (int y = 0; y < want.window_h; y++)
+                for (int x = 0; x < want.window_w; x++) {
+                    int px = x, py = y;
+                    if (!place_point(&want, &p, &px, &py))
+                        continue;
+                    assert_in_range(px, 0, W - 1);
+                    assert_in_range(py, 0, H - 1);
+                    inside++;
+                }
+            assert_true(inside > 0 && inside <= most);
+            if (want.window_w >= p.picture.w && want.window_h >= p.picture.h)
+                assert_true(inside == most);
+        }
+}
+
+static void test_places(void **state)
+{
+    struct place_want want = { 640, 480, 240, 320, QUARTER_NONE, false, false };
+    struct placed p = place(&want);
+
+    (void)state;
+    assert_true(p.picture.x == 200 && p.picture.y == 80 && p.picture.w == 240 && p.picture.h == 320 && !p.side.w);
+    want.turn = QUARTER_LEFT;
+    p = place(&want);
+    assert_true(p.picture.x == 0 && p.picture.y == 0 && p.picture.w == 640 && p.picture.h == 480);
+    want.turn = QUARTER_NONE;
+    want.smooth = true;
+    p = place(&want);
+    assert_true(p.picture.x == 140 && p.picture.y == 0 && p.picture.w == 360 && p.picture.h == 480);
+    want = (struct place_want){ 1920, 1080, 320, 240, QUARTER_NONE, false, true };
+    p = place(&want);
+    assert_true(p.picture.x == 320 && p.picture.w == 1280 && p.side_scale == 2 && p.side_w == 160);
+    assert_true(p.side.x == 1600 && p.side.y == 0 && p.side.w == 320 && p.side.h == 1080 && p.side_h == 540);
+    want.turn = QUARTER_OVER; /* to the right of it for who stands on the head */
+    p = place(&want);
+    assert_true(p.side.x == 0 && p.side.w == 320);
+    want = (struct place_want){ 1280, 1024, 320, 240, QUARTER_NONE, false, true };
+    p = place(&want);
+    assert_int_equal(p.side.w, 0);
+}
+
+/* ---- sizes ---- */
+
+static void test_sizes(void **state)
+{
+    (void)state;
+    for (int small = 1; small < 60; small += 7)
+        for (int large = 1; large < 400; large += 3) {
+            struct scale_axis a;
+            assert_true(scale_open(&a, small, large));
+            for (int i = 0; i < large; i++) {
+                assert_true(a.from[i] < small && a.share[i] < 256);
+                assert_true(!a.share[i] || (a.from[i] + 1 < small && large % small));
+                assert_true(!i || a.from[i] >= a.from[i - 1]);
+                if (large % small == 0)
+                    assert_int_equal(a.from[i], i / (large / small));
+            }
+            scale_close(&a);
+        }
+}
+
+/* Squares stay squares: of a pixel's columns at most one at either end is mixed. */
+static void test_edges(void **state)
+{
+    struct scale_axis a;
+    int mixed[W + 1] = { 0 };
+
+    (void)state;
+    assert_true(scale_open(&a, W, W * 7 / 2));
+    for (int i = 0; i < a.n; i++)
+        mixed[a.from[i]] += a.share[i] > 0;
+    for (int i = 0; i < W; i++)
+        assert_true(mixed[i] <= 1);
+    scale_close(&a);
+}
+
+/* ---- the tube ---- */
+
+static void test_lines(void **state)
+{
+    (void)state;
+    for (int scale = 2; scale < 9; scale++) {
+        int least = 256, most = 0, sum = 0;
+        for (int y = 0; y < scale; y++) {
+            const struct crt_line line = crt_line(y + 5 * scale, 100, 100 * scale);
+            assert_true(line.dark + line.bright <= 256);
+            assert_memory_equal(&line, &(struct crt_line[]){ crt_line(y, 100, 100 * scale) }, sizeof line);
+            least = line.dark < least ? line.dark : least;
+            most = line.dark > most ? line.dark : most;
+            sum += line.dark;
+        }
+        assert_true(most > 200 && most - least > 60); /* lines are seen, and have a bright middle */
+        assert_in_range(sum / scale, 170, 200);       /* and are equally dark at all sizes */
+    }
+    assert_int_equal(crt_line(3, 100, 199).dark, 256); /* too small for lines */
+}
+
+static void test_tube_bytes(void **state)
+{
+    uint32_t row[256], mask[256], lifted[256], greys[256];
+
+    (void)state;
+    for (uint32_t i = 0; i < 256; i++)
+        greys[i] = i * 0x010101;
+    crt_colours(lifted, greys);
+    assert_true(lifted[0] == 0 && lifted[255] == 0xFFFFFF && lifted[128] > greys[128]);
+    crt_mask(mask, 64, 256);
+    for (int y = 0; y < 4; y++) {
+        const struct crt_line line = crt_line(y, 64, 256);
+        memcpy(row, greys, sizeof row);
+        crt_row(row, mask, line, 256);
+        for (uint32_t i = 0; i < 256; i++)
+            for (int shift = 0; shift < 32; shift += 8) {
+                const uint32_t c = greys[i] >> shift & 255, m = mask[i] >> shift & 255;
+                const uint32_t lit = c * (line.dark + (c * line.bright >> 8)) >> 8;
+                assert_int_equal(row[i] >> shift & 255, lit * (m + 1) >> 8);
+            }
+    }
+}
+
+/* ---- borders ---- */
+
+enum { BW = 32, BH = 20 };
+static uint8_t art[4 * BW * BH];
+
+/* Red to the left of the hole, green to the right, blue above and below. The hole is 12, 4, 8 x 10. */
+static void draw_art(void)
+{
+    for (int y = 0; y < BH; y++)
+        for (int x = 0; x < BW; x++) {
+            const bool hole = x >= 12 && x < 20 && y >= 4 && y < 14;
+            const uint8_t p[4] = { x < 12 ? 255 : 0, x >= 20 ? 255 : 0, x >= 12 && x < 20 ? 255 : 0, hole ? 0 : 255 };
+            memcpy(art + 4 * (y * BW + x), p, 4);
+        }
+}
+
+static void test_border(void **state)
+{
+    struct border b;
+    char err[128] = "";
+    static uint32_t out[100 * 80];
+
+    (void)state;
+    draw_art();
+    assert_true(border_open(&b, art, BW, BH, err, sizeof err));
+    assert_true(b.hole.x == 12 && b.hole.y == 4 && b.hole.w == 8 && b.hole.h == 10);
+    border_paint(&b, out, 100, 80, (struct area){ 30, 20, 32, 40 }, QUARTER_NONE);
+    assert_int_equal(out[0], 0xFF0000);
+    assert_int_equal(out[50 * 100 + 29], 0xFF0000);
+    assert_int_equal(out[50 * 100 + 62], 0x00FF00);
+    assert_int_equal(out[19 * 100 + 40], 0x0000FF);
+    assert_int_equal(out[60 * 100 + 40], 0x0000FF);
+    assert_int_equal(out[30 * 100 + 40], 0); /* the hole */
+    assert_int_equal(out[79 * 100 + 99], 0x00FF00);
+    border_paint(&b, out, 100, 80, (struct area){ 30, 20, 40, 32 }, QUARTER_LEFT); /* its top is at the left */
+    assert_int_equal(out[40 * 100 + 29], 0x0000FF);
+    assert_int_equal(out[79 * 100 + 50], 0xFF0000);
+    assert_int_equal(out[0 * 100 + 50], 0x00FF00);
+    memset(art, 255, sizeof art);
+    assert_false(border_open(&b, art, BW, BH, err, sizeof err));
+    assert_non_null(strstr(err, "needs a hole"));
+}
+
+/* Art that is as large as the window is shown as it is. */
+static void test_border_as_it_is(void **state)
+{
+    static uint32_t out[BW * BH];
+    struct border b;
+    char err[128];
+
+    (void)state;
+    for (int i = 0; i < 4 * BW * BH; i++)
+        art[i] = i % 4 == 3 ? 255 : (uint8_t)(i * 31);
+    for (int y = 4; y < 14; y++)
+        memset(art + 4 * (y * BW + 12), 0, 4 * 8);
+    assert_true(border_open(&b, art, BW, BH, err, sizeof err));
+    border_paint(&b, out, BW, BH, b.hole, QUARTER_NONE);
+    for (int i = 0; i < BW * BH; i++)
+        assert_int_equal(out[i], (uint32_t)art[4 * i] << 16 | (uint32_t)art[4 * i + 1] << 8 | art[4 * i + 2]);
+}
+
+/* ---- the whole window ---- */
+
+/* Whole numbers: a pixel of the window is one of the picture's colours, turned, or black. */
+static void test_whole(void **state)
+{
+    (void)state;
+    draw();
+    for (int i = 0; i < WINDOWS; i++)
+        for (enum quarter t = QUARTER_NONE; t < QUARTERS; t++) {
+            struct compose c = { 0 };
+            const struct compose_want want = { .place = want_place(i, t, false, false) };
+            assert_true(compose_fit(&c, &want));
+            assert_true(c.w == windows[i][0] && c.h == windows[i][1]);
+            compose_picture(&c, pix, W, rgb);
+            for (int y = 0; y < c.h; y++)
+                for (int x = 0; x < c.w; x++) {
+                    int px = x, py = y;
+                    const bool on = compose_point(&c, &px, &py);
+                    assert_int_equal(c.pixels[y * c.w + x], on ? rgb[pix[py * W + px]] : 0);
+                }
+            compose_close(&c);
+        }
+}
+
+/* Everything at once, at every size: what one picture left is gone with the next, and memory is kept to. */
+static void test_all(void **state)
+{
+    struct compose c = { 0 };
+    struct border b;
+    char err[128];
+
+    (void)state;
+    draw();
+    draw_art();
+    assert_true(border_open(&b, art, BW, BH, err, sizeof err));
+    for (int i = 0; i < WINDOWS; i++)
+        for (int n = 0; n < 32; n++) {
+            const struct compose_want want = { .place = want_place(i, (enum quarter)(n % 4), n & 4, true),
+                                               .crt = n & 8,
+                                               .border = n & 16 ? &b : NULL };
+            assert_true(compose_fit(&c, &want));
+            uint32_t *before = malloc((size_t)(c.w * c.h) * sizeof *before);
+            compose_picture(&c, pix, W, rgb);
+            memcpy(before, c.pixels, (size_t)(c.w * c.h) * sizeof *before);
+            uint8_t *side = calloc((size_t)(c.placed.side_w * c.placed.side_h) + 1, 1);
+            compose_side(&c, c.placed.side.w ? side : NULL, c.placed.side_w, rgb);
+            compose_side(&c, NULL, 0, rgb);
+            compose_picture(&c, pix, W, rgb);
+            assert_memory_equal(c.pixels, before, (size_t)(c.w * c.h) * sizeof *before);
+            free(before);
+            free(side);
+        }
+    compose_close(&c);
+    compose_close(&c);
+}
+
+static void test_side(void **state)
+{
+    struct compose c = { 0 };
+    const struct compose_want want = { .place = { 1201, 333, W, H, QUARTER_LEFT, false, true } };
+    static uint8_t side[1201 * 333];
+
+    (void)state;
+    draw();
+    assert_true(compose_fit(&c, &want));
+    assert_int_equal(c.placed.side.w, 0); /* for who looks at it the window is narrow */
+    struct compose_want wide = want;
+    wide.place.turn = QUARTER_NONE;
+    assert_true(compose_fit(&c, &wide));
+    assert_true(c.placed.side.w >= PLACE_SIDE);
+    memset(side, 9, sizeof side);
+    side[0] = 17;
+    compose_picture(&c, pix, W, rgb);
+    compose_side(&c, side, c.placed.side_w, rgb);
+    assert_int_equal(c.pixels[c.placed.side.y * c.w + c.placed.side.x], rgb[17]);
+    assert_int_equal(c.pixels[c.placed.side.y * c.w + c.w - 1], rgb[9]);
+    compose_close(&c);
+}
+
+/* A very large window is composed smaller, in the same shape. */
+static void test_large(void **state)
+{
+    struct compose c = { 0 };
+    const struct compose_want want = { .place = { 3840, 2160, W, H, QUARTER_NONE, true, false }, .crt = true };
+    int x = 960, y = 540;
+
+    (void)state;
+    assert_true(compose_fit(&c, &want));
+    assert_true(c.w == 1920 && c.h == 1080);
+    compose_picture(&c, pix, W, rgb);
+    assert_true(compose_point(&c, &x, &y));
+    assert_true(x == W / 2 && y == H / 2);
+    compose_close(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_to_and_fro), cmocka_unit_test(test_which_way),
+        cmocka_unit_test(test_points),     cmocka_unit_test(test_places),
+        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_edges),
+        cmocka_unit_test(test_lines),      cmocka_unit_test(test_tube_bytes),
+        cmocka_unit_test(test_border),     cmocka_unit_test(test_border_as_it_is),
+        cmocka_unit_test(test_whole),      cmocka_unit_test(test_all),
+        cmocka_unit_test(test_side),       cmocka_unit_test(test_large),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

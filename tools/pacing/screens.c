@@ -1,0 +1,49 @@
+/*
+ * screens.c - ten minutes of pace.h on screens of many rates.
+ */
+#include <stdlib.h>
+#include "../report/report.h"
+#include "pacing.h"
+#include "simulate.h"
+
+enum { SECONDS = 600, JITTER = 1000 };
+
+static const double rates[] = { 50, 59.94, 60, 75, 120, 144 };
+
+static void row(double hz, bool waits, int stalls)
+{
+    const struct simulate s = { .hz = hz,
+                                .told = hz,
+                                .waits = waits,
+                                .seconds = SECONDS,
+                                .work = { 2000, 5000 },
+                                .late = JITTER,
+                                .stalls = stalls,
+                                .seed = (uint64_t)(hz * 100) };
+    const struct simulated r = simulate(&s);
+
+    report_row(false, report_string("%g Hz", hz), waits ? "yes" : "no", report_count(r.ticks), report_count(r.with[0]),
+               report_count(r.with[1]), report_count(r.with[2] + r.with[3]), report_count(llabs(r.least)),
+               report_count(llabs(simulated_uneven(&r))), report_string("%.1f", r.off),
+               report_string("%.1f ms", r.mean / 1000), NULL);
+}
+
+void section_screens(void)
+{
+    report_section("Screens");
+    report_text("Ten minutes of each, simulated: 36,000 ticks are due. A frame takes 2 to 5 ms, and the host is up to "
+                "1 ms late\nwherever it waits. A refresh shows no new tick, one, or two; *asked* is how many of the "
+                "first and the last kind the\ntwo rates ask for, *beyond* how many more there were. *Off* is how far "
+                "the ticks were from the clock at most,\n*to the screen* how long a tick waited for its refresh on "
+                "average.");
+    report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|asked>|beyond>|off, ticks>|to the screen>");
+    for (int waits = 1; waits >= 0; waits--)
+        for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)
+            row(rates[i], waits, 0);
+    report_table_end();
+    report_text("With one frame of 600 that takes 25 ms:");
+    report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|asked>|beyond>|off, ticks>|to the screen>");
+    row(60, true, 600);
+    row(144, true, 600);
+    report_table_end();
+}
