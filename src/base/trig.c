@@ -80,9 +80,12 @@ static int32_t rounded(uint64_t q, int bits, ang a)
     return (int32_t)negate_if(a >> 31, (int64_t)((q >> (64 - bits)) + (q >> (63 - bits) & 1)));
 }
 
-static uint32_t magnitude(fx v)
+/* |v|, without a branch. */
+static inline uint32_t magnitude(fx v)
 {
-    return v < 0 ? 0 - (uint32_t)v : (uint32_t)v;
+    const uint32_t sign = (uint32_t)(v >> 31);
+
+    return ((uint32_t)v ^ sign) - sign;
 }
 
 int32_t trig_sin30(ang a)
@@ -173,7 +176,7 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
  * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Of all the vectors of 32-bit coordinates none is nearer to such a
  * ray than 2^-90 of its length (make prove), so the 120 bits decide.
  */
-static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
 {
     struct wide c, s;
 
@@ -281,7 +284,7 @@ ang trig_atan2(fx y, fx x)
  * Is the fraction of m times the sine, or cosine, of v <= 2^29 above one half? Asked when the estimate cannot tell. No
  * such product of m <= 2^31 is nearer to a half than 2^-66 (make prove); the series is off by 2^-89 of a unit at most.
  */
-static bool above_half(uint32_t v, bool cosine, uint64_t m)
+FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
 {
     struct wide c, s;
 
@@ -367,12 +370,6 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
     polar_by_series(speed, dir, vx, vy);
 }
-
-void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
-{
-    for (int i = 0; i < n; i++)
-        polar_by_series(speed[i], dir[i], &vx[i], &vy[i]);
-}
 #else
 /* The whole number nearest to (v + 1/2) * 2^10, in the low bits; |v| <= 2^31. 1.5 * 2^42 has no bits below 2^-10. */
 static inline uint64_t in_steps(double v)
@@ -390,7 +387,7 @@ static inline uint64_t in_steps(double v)
  * between it and the exact value, and it is right when cut to units; one time in 512 it is, and the series decides.
  * Only from FX_MIN can more come than an fx holds.
  */
-static inline void polar(fx speed, ang dir, fx *vx, fx *vy)
+void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
     double cosine, sine;
 
@@ -406,16 +403,6 @@ static inline void polar(fx speed, ang dir, fx *vx, fx *vy)
     *vy = (fx)(y >> 10);
 }
 
-void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
-{
-    polar(speed, dir, vx, vy);
-}
-
-void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
-{
-    for (int i = 0; i < n; i++)
-        polar(speed[i], dir[i], &vx[i], &vy[i]);
-}
 #endif
 
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy)
