@@ -13,7 +13,7 @@
 
 #include <assert.h>
 #include <string.h>
-#include "bits.h"
+#include "int.h"
 
 enum {
     UNIT = HEAP_ALIGN,

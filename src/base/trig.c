@@ -173,10 +173,30 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 }
 
 /*
+ * Cosine and sine of u <= 2^30 half angs, an eighth of a turn, in Q64: those of the last of 513 directions
+ * (trig_tables.h), turned on by r < 2^-9.3. The sine of that is r (1 - r^2 (1 - r^2 / 20) / 6), and one less its cosine
+ * is r^2 / 2 (1 - r^2 / 12); what is left out is below 2^-65. Each is off by less than 2^3, and `scaled` asks for less
+ * than 2^4; the series take twice the time.
+ */
+static inline void way_of(uint32_t u, uint64_t *cosine, uint64_t *sine)
+{
+    const uint64_t *way = WAY[u >> 21];
+    const uint64_t r = fx_mul_high((uint64_t)(u & 0x1fffff) << 43, 0x6487ed5110b461);           /* 2 pi 2^52 */
+    const uint64_t square = fx_mul_high(r << 9, r << 9);                                        /* of r, times 2^18 */
+    const uint64_t sixth = 0x2aaaaaaaaaaaaaaa - (fx_mul_high(square, 0x222222222222222) >> 18); /* and 1 / 120 */
+    const uint64_t aside = r - (fx_mul_high(r, fx_mul_high(square, sixth)) >> 18);
+    const uint64_t back =
+        square - (fx_mul_high(square, fx_mul_high(square, 0x1555555555555555)) >> 18); /* times 2^19 */
+
+    *cosine = way[0] - fx_mul_high(way[1], aside) - (fx_mul_high(way[0], back) >> 19);
+    *sine = way[1] + fx_mul_high(way[0], aside) - (fx_mul_high(way[1], back) >> 19);
+}
+
+/*
  * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Of all the vectors of 32-bit coordinates none is nearer to such a
  * ray than 2^-90 of its length (make prove), so the 120 bits decide.
  */
-FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+FX_COLD static bool above_near_ray(uint32_t n, uint32_t d, uint32_t k)
 {
     struct wide c, s;
 
@@ -184,6 +204,17 @@ FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
     c = wide_scale(c, (uint64_t)n << 32);
     s = wide_scale(s, (uint64_t)d << 32);
     return c.hi > s.hi || (c.hi == s.hi && c.lo > s.lo);
+}
+
+/* The same. The ray of tables is off by less than 2^3 in either part, and decides unless the vector is next to it. */
+FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+{
+    uint64_t c, s;
+    int64_t above;
+
+    way_of(2 * k + 1, &c, &s);
+    above = (int64_t)(fx_mul_high((uint64_t)n << 32, c) - fx_mul_high((uint64_t)d << 32, s));
+    return above > 32 || above < -32 ? above > 0 : above_near_ray(n, d, k);
 }
 
 #ifdef FX_INTEGER
@@ -301,26 +332,6 @@ struct heading {
     bool swap, left, up; /* swap: c is the sine of v, s the cosine */
 };
 
-/*
- * Cosine and sine of v <= 2^29, an eighth of a turn, in Q64: those of the last of 513 directions (trig_tables.h),
- * turned on by r < 2^-9.3. The sine of that is r (1 - r^2 (1 - r^2 / 20) / 6), and one less its cosine is
- * r^2 / 2 (1 - r^2 / 12); what is left out is below 2^-65. Each is off by less than 2^3, and `scaled` asks for less
- * than 2^4; the series take twice the time.
- */
-static inline void way_of(uint32_t v, uint64_t *cosine, uint64_t *sine)
-{
-    const uint64_t *way = WAY[v >> 20];
-    const uint64_t r = fx_mul_high((uint64_t)(v & 0xfffff) << 44, 0x6487ed5110b461);            /* 2 pi 2^52 */
-    const uint64_t square = fx_mul_high(r << 9, r << 9);                                        /* of r, times 2^18 */
-    const uint64_t sixth = 0x2aaaaaaaaaaaaaaa - (fx_mul_high(square, 0x222222222222222) >> 18); /* and 1 / 120 */
-    const uint64_t aside = r - (fx_mul_high(r, fx_mul_high(square, sixth)) >> 18);
-    const uint64_t back =
-        square - (fx_mul_high(square, fx_mul_high(square, 0x1555555555555555)) >> 18); /* times 2^19 */
-
-    *cosine = way[0] - fx_mul_high(way[1], aside) - (fx_mul_high(way[0], back) >> 19);
-    *sine = way[1] + fx_mul_high(way[0], aside) - (fx_mul_high(way[1], back) >> 19);
-}
-
 static inline struct heading heading_of(ang dir)
 {
     uint32_t u = dir & 0x3fffffff;
@@ -329,7 +340,7 @@ static inline struct heading heading_of(ang dir)
     bool swap = past != (dir >> 30 & 1);
     uint64_t c, s;
 
-    way_of(v, &c, &s);
+    way_of(2 * v, &c, &s);
 
     uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
 

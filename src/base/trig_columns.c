@@ -3,9 +3,9 @@
  * floor: base
  *
  * The guesses are those of trig.c, taken apart into loops that gcc and clang vectorise at -O2 without flags: restrict
- * parameters, a constant trip count, no branch; what looks something up has loops of its own. A guess that is in doubt is
- * left to the functions that do one at a time. What a guess may be off stands there, but for strides, whose guesses are
- * made here. What is over after whole LANES goes with some of those before once more, or one by one.
+ * parameters, a constant trip count, no branch; what looks something up has loops of its own. A guess in doubt is left
+ * to the functions that do one at a time. What a guess may be off stands there, but for strides, whose guesses are made
+ * here. What is over after whole LANES goes with some of those before once more, or one by one.
  */
 #include "trig.h"
 
@@ -53,9 +53,9 @@ static inline double double_of(uint64_t bits)
 /* |v|, but 0 for FX_MIN. */
 static inline int32_t size_of(fx v)
 {
-    const int32_t sign = v >> 31;
+    const uint32_t sign = (uint32_t)(v >> 31);
 
-    return ((v ^ sign) - sign) & FX_MAX;
+    return (int32_t)((((uint32_t)v ^ sign) - sign) & FX_MAX);
 }
 
 /* t = the shorter part by the longer. Returns 0 if some vector has none that is longer than 0, or FX_MIN for one. */
@@ -84,8 +84,8 @@ static void mirror(const fx *restrict y, const fx *restrict x, ang *restrict a)
 }
 
 /*
- * Guesses, in 2^-24 of an ang, become whole angs; doubtful: those within 5000 of the next, as trig.c has it, and 8 more,
- * for the look is in steps of 4. Returns 0 if none is.
+ * Guesses, in 2^-24 of an ang, become whole angs; doubtful: those within 5000 of another, as trig.c has it, and 8 more,
+ * for they are looked at in steps of 4. Returns 0 if none is.
  */
 static int32_t cut(const double *restrict guess, ang *restrict a, int32_t *restrict doubtful)
 {

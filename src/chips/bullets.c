@@ -410,44 +410,77 @@ static void resume(struct bullets *b, uint32_t i)
         set_busy(b, i, b->motion[i] || b->flags[i] & BULLET_FINE);
 }
 
-/* The first bullet from slot i on that stands, or top. Eight at a time are passed over: parked slots do not stand. */
-static uint32_t next_standing(const uint8_t *stands, uint32_t i, uint32_t top)
+/* At the start of a move, of a block: who stands in it? out[k] = 1 for those that have stood as long as they were to;
+ * returns 1 if there are some. */
+static int32_t stand_block(uint8_t *restrict stands, int32_t *restrict frozen, uint8_t *restrict out)
 {
-    while (i < top && !stands[i])
-        i += i % 8 || bytes_get64(stands + i) ? 1 : 8;
-    return i;
+    int32_t any = 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++) {
+        const int32_t stand = stands[k] != 0, left = frozen[k] != 0, over = stand & (left ^ 1);
+        frozen[k] -= stand & left & (frozen[k] != FROZEN_FOREVER);
+        stands[k] |= (uint8_t)((stand & left) * STOOD);
+        out[k] = (uint8_t)over;
+        any |= over;
+    }
+    return any;
 }
 
-/* At the start of a move: who stands in it? */
+static bool any_stands(const uint8_t *restrict stands)
+{
+    uint8_t any = 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        any |= stands[k];
+    return any;
+}
+
 static void stand(struct bullets *b)
 {
-    const uint32_t top = b->s.top;
-    uint8_t *stands = b->stands; /* a byte that is written may be any: these are fetched once */
-    int32_t *frozen = b->frozen;
+    uint8_t out[SLOTS_BLOCK];
 
-    for (uint32_t i = next_standing(stands, 0, top); i < top; i = next_standing(stands, i + 1, top)) {
-        if (!frozen[i]) {
-            resume(b, i);
-            continue;
-        }
-        frozen[i] -= frozen[i] != FROZEN_FOREVER;
-        stands[i] |= STOOD;
+    for (uint32_t first = 0; first < b->s.top; first += SLOTS_BLOCK)
+        if (any_stands(b->stands + first) && stand_block(b->stands + first, b->frozen + first, out))
+            for (uint64_t m = slots_gather(out); m; m &= m - 1)
+                resume(b, first + bits_lowest(m));
+}
+
+/* At the end of a frame, of a block. */
+static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict mute, const uint8_t *restrict flags,
+                       uint32_t *restrict born, uint32_t *restrict end)
+{
+    for (int k = 0; k < SLOTS_BLOCK; k++) {
+        const uint32_t stood = (stands[k] & STOOD) != 0, begun = (mute[k] & STEP_BEGUN) != 0;
+        born[k] += stood;
+        end[k] += stood & (begun | ((flags[k] & BULLET_DELAYED) != 0));
     }
+}
+
+/* When it bounced stands in `pace`. */
+static void stay_bounced(struct bullets *b, uint32_t first)
+{
+    for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)
+        if (b->stands[i] & STOOD && b->pace[i] && !(b->flags[i] & BULLET_FINE))
+            b->pace[i]++;
+}
+
+static bool any_paces(const int64_t *restrict pace)
+{
+    int64_t any = 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        any |= pace[k];
+    return any;
 }
 
 void bullets_stay(struct bullets *b)
 {
-    if (!b->standing)
-        return;
-    for (uint32_t i = next_standing(b->stands, 0, b->s.top); i < b->s.top;
-         i = next_standing(b->stands, i + 1, b->s.top)) {
-        if (!(b->stands[i] & STOOD))
+    for (uint32_t i = 0; b->standing && i < b->s.top; i += SLOTS_BLOCK) {
+        if (!any_stands(b->stands + i))
             continue;
-        b->born[i]++;
-        if (b->mute[i] & STEP_BEGUN || b->flags[i] & BULLET_DELAYED)
-            b->end[i]++;
-        if (b->pace[i] && !(b->flags[i] & BULLET_FINE)) /* a bounce */
-            b->pace[i]++;
+        stay_block(b->stands + i, b->mute + i, b->flags + i, b->born + i, b->end + i);
+        if (any_paces(b->pace + i))
+            stay_bounced(b, i);
     }
 }
 
@@ -547,8 +580,9 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     return true;
 }
 
-static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
-                  uint32_t n)
+/* Called, for other steps would wait for what it prepares. */
+__attribute__((noinline)) static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute,
+                                            uint32_t st, uint32_t k, uint32_t n)
 {
     if (turn_and_speed(b, w, i, mute, st, k, n))
         bullets_steer(b, i);
@@ -1132,15 +1166,16 @@ static enum program_state go_on(struct bullets *b, const struct motion_world *w,
 /* ---- steps that have begun ---- */
 
 /*
- * What the bullets of one ring do in the middle of a step is the same for all, and so is how those fly that are fine and
- * have no step to run. Those of a block that are alike are done together, column by column. It comes to what go_on does
- * of each, whenever that is: what it writes no other of its block reads before the block moves.
+ * What the bullets of one ring do in the middle of a step is the same for all; so is what those do that are fine and
+ * have no step to run: they fly. Those of a block that are alike are done together, column by column. It comes to what
+ * go_on does of each, whenever that is: what it writes no other of its block reads before the block moves.
  */
 struct course {
     uint32_t motion, pc; /* those of the bullets it is for, and */
     unsigned mute;
     bool fine;
     bool is, timed;    /* there is one; it is a step's, which ends at `end` */
+    bool never;        /* nobody at this step has one */
     uint32_t st, does; /* the step, and of DOES_DRIVE what it does and is not muted */
     bool steers;       /* even if that is muted */
 };
@@ -1185,13 +1220,14 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
     c->mute = b->mute[i];
     c->fine = b->flags[i] & BULLET_FINE;
     c->does = 0;
-    c->steers = false;
+    c->steers = c->never = false;
     c->timed = c->motion && c->pc < w->motions->length[c->motion - 1];
     c->is = c->fine;
     if (!c->timed)
         return;
     const uint32_t st = w->motions->first[c->motion - 1] + c->pc, does = s->does[st];
-    c->is = c->mute & STEP_BEGUN && !(does & others) && (c->fine || does & DOES_DRIVE);
+    c->never = does & others;
+    c->is = c->mute & STEP_BEGUN && !c->never && (c->fine || does & DOES_DRIVE);
     if (!c->is)
         return;
     c->does = does & DOES_DRIVE;
@@ -1232,19 +1268,35 @@ static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
     return slots_gather(out);
 }
 
-/* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. */
-static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of)
+enum { WORTH = 6 /* alike in a block: if there are so many, one by one takes longer */ };
+
+/* Is one of the next few of `rest`, out of the block from slot `first` on, on that course? */
+static bool has_company(const struct bullets *b, const struct course *c, uint32_t first, uint64_t rest, int few)
+{
+    for (; rest && few > 0; few--, rest &= rest - 1)
+        if (on_course(b, c, first + bits_lowest(rest)))
+            return true;
+    return false;
+}
+
+/* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
+ * ask all is dear, so the next *few are asked first; and where none of these was on it, from then on one. */
+static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
+                      int *few)
 {
     const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
-    const uint64_t rest = of & (of - 1);
     uint8_t out[SLOTS_BLOCK];
 
+    if (c->never && b->motion[i] == c->motion && b->pc[i] == c->pc)
+        return 0;
     if (!on_course(b, c, i))
         take_course(c, b, w, i);
     if (!c->is || (c->timed && b->end[i] == w->clock))
         return 0;
-    if (!rest || !on_course(b, c, first + bits_lowest(rest))) /* as it looks, each its own */
+    if (!has_company(b, c, first, of & (of - 1), *few)) {
+        *few = 1;
         return bit(i);
+    }
     course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
     return of & slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
 }
@@ -1282,7 +1334,11 @@ static void aim_some(const struct bullets *b, const struct targets *t, const str
         dir[k] = targets_aim(t, b->x[nth(s, k)], b->y[nth(s, k)], dir[k]);
     if (!n || n > FEW)
         return;
-    for (int k = 0; k < s->n; k++) {
+    for (int k = 0; n == 1 && k < s->n; k++) {
+        dx[k] = fx_sub(t->x[few[0]], b->x[nth(s, k)]);
+        dy[k] = fx_sub(t->y[few[0]], b->y[nth(s, k)]);
+    }
+    for (int k = 0; n > 1 && k < s->n; k++) {
         const fx x = b->x[nth(s, k)], y = b->y[nth(s, k)];
         uint32_t nearest = few[0];
         for (int other = 1; other < n; other++)
@@ -1360,24 +1416,36 @@ static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
         fly_by(b, nth(s, k), to[k], dx[k], dy[k]);
 }
 
+static fx fastest_block(const fx *restrict vx, const fx *restrict vy)
+{
+    fx most = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
+        most = ax > most ? ax : most;
+        most = ay > most ? ay : most;
+    }
+    return most;
+}
+
 /* bullets_steer for all of them. None stands, for whose program runs does not. */
 static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
 {
-    fx speed[SLOTS_BLOCK], vx[SLOTS_BLOCK], vy[SLOTS_BLOCK], most = b->fastest;
+    fx speed[SLOTS_BLOCK], to_x[SLOTS_BLOCK], to_y[SLOTS_BLOCK], most = b->fastest;
+    fx *vx = s->row ? b->vx + s->first : to_x, *vy = s->row ? b->vy + s->first : to_y;
 
-    if (s->row)
-        trig_polars(b->speed + s->first, dir, b->vx + s->first, b->vy + s->first, s->n);
-    else {
-        for (int k = 0; k < s->n; k++)
-            speed[k] = b->speed[s->slot[k]];
-        trig_polars(speed, dir, vx, vy, s->n);
-        for (int k = 0; k < s->n; k++) {
-            b->vx[s->slot[k]] = vx[k];
-            b->vy[s->slot[k]] = vy[k];
-        }
+    for (int k = 0; !s->row && k < s->n; k++)
+        speed[k] = b->speed[s->slot[k]];
+    trig_polars(s->row ? b->speed + s->first : speed, dir, vx, vy, s->n);
+    for (int k = 0; !s->row && k < s->n; k++) {
+        b->vx[s->slot[k]] = vx[k];
+        b->vy[s->slot[k]] = vy[k];
     }
-    for (int k = 0; k < s->n; k++)
-        most = fx_max(most, fx_max(fx_abs(b->vx[nth(s, k)]), fx_abs(b->vy[nth(s, k)])));
+    if (s->n == SLOTS_BLOCK)
+        most = fx_max(most, fastest_block(vx, vy));
+    else
+        for (int k = 0; k < s->n; k++)
+            most = fx_max(most, fx_max(fx_abs(vx[k]), fx_abs(vy[k])));
     b->fastest = most;
 }
 
@@ -1429,12 +1497,13 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
     struct course c = { .motion = UINT32_MAX }; /* nobody's */
     struct some some, later;
+    int few = 1 + bits_count(b->busy[block]) / WORTH;
 
     later.n = 0;
     later.row = false;
     for (uint64_t m = b->busy[block] | woken; m;) {
         const uint32_t i = first + bits_lowest(m);
-        const uint64_t who = woken & bit(i) ? 0 : alike(b, w, &c, i, m & ~woken);
+        const uint64_t who = woken & bit(i) ? 0 : alike(b, w, &c, i, m & ~woken, &few);
         enum program_state state = PROGRAM_WAITS;
         if (who) {
             if (who == bit(i) && !c.fine)
@@ -1624,18 +1693,6 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
 
 /* The bound on speeds follows slowly: it is found anew every FASTEST_AGE frames. */
 enum { FASTEST_AGE = 64 };
-
-static fx fastest_block(const fx *restrict vx, const fx *restrict vy)
-{
-    fx most = 0;
-
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
-        most = ax > most ? ax : most;
-        most = ay > most ? ay : most;
-    }
-    return most;
-}
 
 static fx fastest_of(const struct bullets *b)
 {
