@@ -13,7 +13,7 @@
 
 #include <assert.h>
 #include <string.h>
-#include "int.h"
+#include "bits.h"
 
 enum {
     UNIT = HEAP_ALIGN,

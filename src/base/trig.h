@@ -35,7 +35,7 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
  */
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy);
 
-/* The same of n each, bit for bit (trig_columns.c). What is written is no part of what is read. */
+/* The same of n each, bit for bit. What is written is no part of what is read. */
 void trig_atan2s(const fx *y, const fx *x, ang *a, int n);
 void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n);
 void trig_strides(const int64_t *from, const int64_t *to, const ang *dir, int64_t *dx, int64_t *dy, int n);

@@ -25,7 +25,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../base/int.h"
+#include "../base/bits.h"
 #include "../base/bytes.h"
 
 enum column_kind {

@@ -11,7 +11,7 @@
  * A plan lives in Lua's heap, held by its function, and holds its strings. It changes no result: what it says of the
  * order is only where a search begins.
  */
-#include "../../base/int.h"
+#include "../../base/bits.h"
 #include "api_parts.h"
 
 enum {

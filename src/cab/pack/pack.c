@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../../base/int.h"
+#include "../../base/bits.h"
 #include "../../base/err.h"
 #include "../../base/hash.h"
 #include "../../base/heap.h"

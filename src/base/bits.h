@@ -1,0 +1,44 @@
+/*
+ * bits.h - the lowest and the highest set bit of a word, and how many are set.
+ * floor: base
+ */
+#ifndef BASE_BITS_H
+#define BASE_BITS_H
+
+#include <stdint.h>
+
+/* The number of the lowest set bit, v != 0. */
+static inline uint32_t bits_lowest(uint64_t v)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_ctzll(v);
+#else
+    uint32_t n = 0;
+    for (; !(v & 1); v >>= 1)
+        n++;
+    return n;
+#endif
+}
+
+/* The number of the highest set bit, v != 0. */
+static inline uint32_t bits_highest(uint32_t v)
+{
+#ifdef __GNUC__
+    return 31u - (uint32_t)__builtin_clz(v);
+#else
+    uint32_t n = 0;
+    while (v >>= 1)
+        n++;
+    return n;
+#endif
+}
+
+/* How many bits are set, counted in bytes: the processors that are compiled for have no instruction for it. */
+static inline int bits_count(uint64_t v)
+{
+    v -= v >> 1 & 0x5555555555555555;
+    v = (v & 0x3333333333333333) + (v >> 2 & 0x3333333333333333);
+    return (int)(((v + (v >> 4)) & 0x0f0f0f0f0f0f0f0f) * 0x0101010101010101 >> 56);
+}
+
+#endif
