@@ -2,10 +2,10 @@
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed
  * then, to the end of the line; at its end the port asks to quit. Time passes only when waited for. Of every picture
- * shown, a line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
- * picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be composed; those are hashed
- * whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of that rate.
- * floor: tests
+ * shown, a line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes its words.
+ * With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to picture.ppm. With
+ * KEYS_WINDOW=WxH there is a window of that size, for which pictures can be composed; those are hashed whole. With
+ * KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of that rate. floor: tests
  */
 #include <inttypes.h>
 #include <stdbool.h>

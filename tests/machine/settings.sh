@@ -17,8 +17,8 @@ task.go(function()
 end)
 LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua
-convert -size 400x440 'gradient:#802020-#204080' -alpha set \( -size 240x320 xc:white \) -geometry +80+60 -compose DstOut -composite \
-    g/art/border.png || exit 2
+convert -size 400x440 'gradient:#802020-#204080' -alpha set \( -size 240x320 xc:white \) -geometry +80+60 \
+    -compose DstOut -composite g/art/border.png || exit 2
 sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
 H=11 G=10
