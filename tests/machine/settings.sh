@@ -152,6 +152,13 @@ check 'and the picture in it' cmp a b
 
 # ---- what is wrong ----
 
+"$curtain" check g >found
+check 'the border is a picture that is used' refuted grep border found
+sed -i '/border =/d' g/rom.lua
+"$curtain" check g >found
+check 'and is not when nobody names it' grep -q '^art/border.png: rom.lua does not name it' found
+sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
+
 cp -R g wrong
 bad() { # FILE: packs with that as its border
     cp "$1" wrong/art/border.png
