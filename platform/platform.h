@@ -140,9 +140,9 @@ struct plat_window {
 };
 bool plat_window(struct plat_window *out);
 
-/* Shows a picture of full colours, 0xRRGGBB, over the whole window, stretched if it is not as large. pitch is in pixels.
- * False: the port only has plat_show. The cabinet asks for it where plat_window is known and there is more to show than
- * plat_show can: a picture turned, smooth, with lines, a border, or panels beside it. */
+/* Shows a picture of full colours, 0xRRGGBB, over the whole window, stretched if it is not as large. pitch is in
+ * pixels. False: the port only has plat_show. The cabinet asks for it where plat_window is known and there is more to
+ * show than plat_show can: a picture turned, smooth, with lines, a border, or panels beside it. */
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
 
 /* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns

@@ -77,7 +77,8 @@ static void heed_hangup(void)
 
 /* ---- window ---- */
 
-/* The part of the desktop that a window may fill, without its title and edges. An open one knows how large these are. */
+/* The part of the desktop that a window may fill, without its title and edges. An open one knows how large these are.
+ * */
 static void find_room(int *w, int *h)
 {
     const int display = port.window ? SDL_GetWindowDisplayIndex(port.window) : 0;

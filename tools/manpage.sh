@@ -100,7 +100,9 @@ and of the program.
 A name is followed by the switches it has without settings:
 keys by their place on a keyboard of the United States, and, as
 .BR pad.south ,
-switches of a controller.
+switches of a controller by their place on it.
+The first controller that is used plays for player 1;
+START on another one takes the place of player 2.
 END
 part 'Keys' | columns | entries
 cat <<'END'
@@ -131,8 +133,20 @@ A game's score tables and saves.
 .I $XDG_DATA_HOME/curtain/GAME.practice
 What was tried and captured in practice.
 .TP
+.I $XDG_DATA_HOME/curtain/replays/GAME/DATE.demo
+The last runs of a game, and those saved under a name; beside each a
+.I .card
+with what a list shows of it.
+.TP
+.I $XDG_DATA_HOME/curtain/resume/GAME.demo
+The run that is on, or was left.
+.TP
+.I $XDG_DATA_HOME/curtain/roms/GAME\-HASH.rom
+Older ROMs of a game, for as long as replays need them.
+.TP
 .I $XDG_DATA_HOME/curtain/reports/GAME-DATE-N.txt
-What a fault of a script, or a crash, has left: a text with the run up to there in it, which
+What a fault of a script, or a crash, has left:
+a text with the run up to there in it, which
 .BR verify " and"
 .B play \-\-demo
 take as a demo.

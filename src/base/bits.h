@@ -1,5 +1,5 @@
 /*
- * bits.h - the lowest and the highest set bit of a word.
+ * bits.h - the lowest and the highest set bit of a word, and how many are set.
  * floor: base
  */
 #ifndef BASE_BITS_H
@@ -31,6 +31,14 @@ static inline uint32_t bits_highest(uint32_t v)
         n++;
     return n;
 #endif
+}
+
+/* How many bits are set, counted in bytes: the processors that are compiled for have no instruction for it. */
+static inline int bits_count(uint64_t v)
+{
+    v -= v >> 1 & 0x5555555555555555;
+    v = (v & 0x3333333333333333) + (v >> 2 & 0x3333333333333333);
+    return (int)(((v + (v >> 4)) & 0x0f0f0f0f0f0f0f0f) * 0x0101010101010101 >> 56);
 }
 
 #endif

@@ -28,15 +28,17 @@ ang trig_atan2(fx y, fx x);
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
-/* The same for n of them. */
-void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n);
-
 /*
  * What leads from the point at distance `from` along dir to the point at distance `to`, each of the two rounded once:
  * so strides in one direction add up without error. Any unit, |from|, |to| <= 2^48. A point is the nearest one unless
  * its exact place is within 2^-70 of halfway.
  */
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy);
+
+/* The same of n each, bit for bit. What is written is no part of what is read. */
+void trig_atan2s(const fx *y, const fx *x, ang *a, int n);
+void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n);
+void trig_strides(const int64_t *from, const int64_t *to, const ang *dir, int64_t *dx, int64_t *dy, int n);
 
 /* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). FX_MIN is allowed. */
 void trig_normalise(fx x, fx y, fx *ux, fx *uy);

@@ -22,11 +22,13 @@ struct inspect_area inspect_field(const struct board *b)
     return (struct inspect_area){ m->field_x, m->field_y, m->field_w, m->field_h };
 }
 
-bool inspect_plays(const struct board *b, int player)
+struct inspect_ship_has inspect_plays(const struct board *b, int player)
 {
-    const uint8_t in = b->player.in[player];
+    const bool flies = b->player.in[player] && b->core.frozen <= 0;
+    const unsigned withheld = player_withheld(&b->player, (uint32_t)player);
 
-    return in & PLAYER_IN && !(in & PLAYER_NO_FIRE) && b->core.frozen <= 0;
+    return (struct inspect_ship_has){ .steers = flies && !(withheld & PAD_FOCUS),
+                                      .fires = flies && !(withheld & PAD_FIRE) };
 }
 
 /* ---- bodies ---- */

@@ -54,8 +54,12 @@ struct inspect_shape_of {
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context);
 
-/* Does a player (from 0) fly and fire: in the game, and neither a menu nor a talk has the buttons? */
-bool inspect_plays(const struct board *b, int player);
+/* Which of a player's buttons are its ship's: those that steer it, and those it fires with? Not those that a menu or a talk
+ * has. player: from 0. */
+struct inspect_ship_has {
+    bool steers, fires;
+};
+struct inspect_ship_has inspect_plays(const struct board *b, int player);
 
 /* The field on the screen, px. */
 struct inspect_area {

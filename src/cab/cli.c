@@ -251,6 +251,12 @@ static enum result help(const struct args *a)
         say("Keys, and the names to change them by:");
         keys_help(say);
         say("");
+        say("Controllers: the first that is used plays for player 1, START on another one takes the place of player "
+            "2.");
+        say("pad. is the player's own, pad1. to pad4. a certain one; south is the lowest of four buttons, east the "
+            "right");
+        say("one, whatever is printed there.");
+        say("");
         say("Settings:");
         config_help(say);
     }

@@ -410,44 +410,77 @@ static void resume(struct bullets *b, uint32_t i)
         set_busy(b, i, b->motion[i] || b->flags[i] & BULLET_FINE);
 }
 
-/* The first bullet from slot i on that stands, or top. Eight at a time are passed over: parked slots do not stand. */
-static uint32_t next_standing(const uint8_t *stands, uint32_t i, uint32_t top)
+/* At the start of a move, of a block: who stands in it? out[k] = 1 for those that have stood as long as they were to;
+ * returns 1 if there are some. */
+static int32_t stand_block(uint8_t *restrict stands, int32_t *restrict frozen, uint8_t *restrict out)
 {
-    while (i < top && !stands[i])
-        i += i % 8 || bytes_get64(stands + i) ? 1 : 8;
-    return i;
+    int32_t any = 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++) {
+        const int32_t stand = stands[k] != 0, left = frozen[k] != 0, over = stand & (left ^ 1);
+        frozen[k] -= stand & left & (frozen[k] != FROZEN_FOREVER);
+        stands[k] |= (uint8_t)((stand & left) * STOOD);
+        out[k] = (uint8_t)over;
+        any |= over;
+    }
+    return any;
 }
 
-/* At the start of a move: who stands in it? */
+static bool any_stands(const uint8_t *restrict stands)
+{
+    uint8_t any = 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        any |= stands[k];
+    return any;
+}
+
 static void stand(struct bullets *b)
 {
-    const uint32_t top = b->s.top;
-    uint8_t *stands = b->stands; /* a byte that is written may be any: these are fetched once */
-    int32_t *frozen = b->frozen;
+    uint8_t out[SLOTS_BLOCK];
 
-    for (uint32_t i = next_standing(stands, 0, top); i < top; i = next_standing(stands, i + 1, top)) {
-        if (!frozen[i]) {
-            resume(b, i);
-            continue;
-        }
-        frozen[i] -= frozen[i] != FROZEN_FOREVER;
-        stands[i] |= STOOD;
+    for (uint32_t first = 0; first < b->s.top; first += SLOTS_BLOCK)
+        if (any_stands(b->stands + first) && stand_block(b->stands + first, b->frozen + first, out))
+            for (uint64_t m = slots_gather(out); m; m &= m - 1)
+                resume(b, first + bits_lowest(m));
+}
+
+/* At the end of a frame, of a block. */
+static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict mute, const uint8_t *restrict flags,
+                       uint32_t *restrict born, uint32_t *restrict end)
+{
+    for (int k = 0; k < SLOTS_BLOCK; k++) {
+        const uint32_t stood = (stands[k] & STOOD) != 0, begun = (mute[k] & STEP_BEGUN) != 0;
+        born[k] += stood;
+        end[k] += stood & (begun | ((flags[k] & BULLET_DELAYED) != 0));
     }
+}
+
+/* When it bounced stands in `pace`. */
+static void stay_bounced(struct bullets *b, uint32_t first)
+{
+    for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)
+        if (b->stands[i] & STOOD && b->pace[i] && !(b->flags[i] & BULLET_FINE))
+            b->pace[i]++;
+}
+
+static bool any_paces(const int64_t *restrict pace)
+{
+    int64_t any = 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        any |= pace[k];
+    return any;
 }
 
 void bullets_stay(struct bullets *b)
 {
-    if (!b->standing)
-        return;
-    for (uint32_t i = next_standing(b->stands, 0, b->s.top); i < b->s.top;
-         i = next_standing(b->stands, i + 1, b->s.top)) {
-        if (!(b->stands[i] & STOOD))
+    for (uint32_t i = 0; b->standing && i < b->s.top; i += SLOTS_BLOCK) {
+        if (!any_stands(b->stands + i))
             continue;
-        b->born[i]++;
-        if (b->mute[i] & STEP_BEGUN || b->flags[i] & BULLET_DELAYED)
-            b->end[i]++;
-        if (b->pace[i] && !(b->flags[i] & BULLET_FINE)) /* a bounce */
-            b->pace[i]++;
+        stay_block(b->stands + i, b->mute + i, b->flags + i, b->born + i, b->end + i);
+        if (any_paces(b->pace + i))
+            stay_bounced(b, i);
     }
 }
 
@@ -513,12 +546,13 @@ static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i,
 
 enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
 
-/* What a step does to direction and speed in one of its frames: the k-th of n. */
-static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
-                  uint32_t n)
+/* What a step does to direction and speed in one of its frames: the k-th of n. True: the velocity is to follow. */
+static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets *b, const struct motion_world *w,
+                                                                 uint32_t i, unsigned mute, uint32_t st, uint32_t k,
+                                                                 uint32_t n)
 {
     const struct steps *s = w->steps;
-    unsigned does = s->does[st];
+    const unsigned does = s->does[st];
 
     if (!(mute & OVERRIDE_DIR)) {
         if (does & DOES_DIR)
@@ -530,32 +564,49 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         if (does & DOES_HOME)
             b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
     }
-    if (does & (DOES_SPEED | DOES_ACCEL) && !(mute & OVERRIDE_SPEED)) {
-        int shift =
-            b->flags[i] & BULLET_FINE ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
-        int64_t v = bullets_speed(b, i) >> shift;
+    if (!(does & (DOES_SPEED | DOES_ACCEL)) || mute & OVERRIDE_SPEED)
+        return does & DOES_STEER;
+    const bool fine = b->flags[i] & BULLET_FINE;
+    const int shift = fine ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
+    int64_t v = bullets_speed(b, i) >> shift;
+    if (does & DOES_SPEED)
+        v = motion_part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
+    if (does & DOES_ACCEL)
+        v += s->accel[st] >> shift;
+    v = clamp_pace(v * ((int64_t)1 << shift));
+    b->speed[i] = pace_fx(v);
+    if (fine)
+        b->pace[i] = v;
+    return true;
+}
 
-        if (does & DOES_SPEED)
-            v = motion_part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
-        if (does & DOES_ACCEL)
-            v += s->accel[st] >> shift;
-        bullets_set_speed(b, i, clamp_pace(v * ((int64_t)1 << shift)));
-    } else if (does & DOES_STEER)
+/* Called, for other steps would wait for what it prepares. */
+__attribute__((noinline)) static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute,
+                                            uint32_t st, uint32_t k, uint32_t n)
+{
+    if (turn_and_speed(b, w, i, mute, st, k, n))
         bullets_steer(b, i);
 }
 
-/* Moves a fine bullet on by its pace. vx, vy become what that is in whole units. */
+/* Moves a fine bullet on to `way`, that far. vx, vy become what that is in whole units. */
+static void fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64_t dy)
+{
+    int64_t x, y;
+
+    bullets_place(b, i, &x, &y);
+    const fx nx = split(x + dx, &b->x_more[i]), ny = split(y + dy, &b->y_more[i]);
+    set_velocity(b, i, nx - b->x[i], ny - b->y[i]);
+    b->way[i] = (int64_t)((uint64_t)way << 16) >> 16;
+}
+
+/* Moves a fine bullet on by its pace. */
 static void fly(struct bullets *b, uint32_t i)
 {
-    int64_t x, y, dx, dy, to = b->way[i] + b->pace[i];
-    fx nx, ny;
+    const int64_t to = b->way[i] + b->pace[i];
+    int64_t dx, dy;
 
     trig_stride(b->way[i], to, b->dir[i], &dx, &dy);
-    bullets_place(b, i, &x, &y);
-    nx = split(x + dx, &b->x_more[i]);
-    ny = split(y + dy, &b->y_more[i]);
-    set_velocity(b, i, nx - b->x[i], ny - b->y[i]);
-    b->way[i] = (int64_t)((uint64_t)to << 16) >> 16;
+    fly_by(b, i, to, dx, dy);
 }
 
 /* A step with a bullet's values in the place of names: steps.does[0] and so on are those of `step`. */
@@ -1115,139 +1166,364 @@ static enum program_state go_on(struct bullets *b, const struct motion_world *w,
 /* ---- steps that have begun ---- */
 
 /*
- * What bullets of one ring do in the middle of a step is the same for all: the step is looked up once for those that
- * follow each other, the products of its frame are kept, and their new velocities are found in one go. It comes to what
- * run_program does; where that would do anything else, it does it.
+ * What the bullets of one ring do in the middle of a step is the same for all; so is what those do that are fine and
+ * have no step to run: they fly. Those of a block that are alike are done together, column by column. It comes to what
+ * go_on does of each, whenever that is: what it writes no other of its block reads before the block moves.
  */
 struct course {
-    uint32_t motion, pc; /* whose step it is; motion 0: nobody's */
-    uint32_t does, over; /* does: 0, it is not for this */
-    ang dir, turn, home;
-    int64_t speed, accel;       /* in fx */
-    int64_t from;               /* the speed at which it began, and */
-    uint32_t left;              /* frames that are left of it: of a bullet */
-    int64_t reached;            /* whose speed is this now */
-    int n;                      /* bullets that wait for their velocity */
-    uint32_t slot[SLOTS_BLOCK]; /* which */
-    fx pace[SLOTS_BLOCK];
-    ang way[SLOTS_BLOCK];
+    uint32_t motion, pc; /* those of the bullets it is for, and */
+    unsigned mute;
+    bool fine;
+    bool is, timed;    /* there is one; it is a step's, which ends at `end` */
+    bool never;        /* nobody at this step has one */
+    uint32_t st, does; /* the step, and of DOES_DRIVE what it does and is not muted */
+    bool steers;       /* even if that is muted */
 };
 
-static void take_course(struct course *c, const struct motion_world *w, uint32_t motion, uint32_t pc)
+/* Some bullets of a block: those from slot `first` on, or else each in `slot`. */
+struct some {
+    int n;
+    bool row;
+    uint32_t first;
+    uint32_t slot[SLOTS_BLOCK];
+};
+
+static inline uint32_t nth(const struct some *s, int k)
+{
+    return s->row ? s->first + (uint32_t)k : s->slot[k];
+}
+
+/* Those of the block from slot `first` on that `who` names; it is not 0. */
+static void take_some(struct some *s, uint32_t first, uint64_t who)
+{
+    const uint32_t low = bits_lowest(who);
+    const uint64_t row = who >> low;
+
+    s->first = first + low;
+    s->row = !(row & (row + 1));
+    if (s->row) {
+        s->n = ~row ? (int)bits_lowest(~row) : SLOTS_BLOCK;
+        return;
+    }
+    for (s->n = 0; who; who &= who - 1)
+        s->slot[s->n++] = first + bits_lowest(who);
+}
+
+static void take_course(struct course *c, const struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     const struct steps *s = w->steps;
     const uint32_t others =
         DOES_NAMED | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT;
 
-    c->motion = motion;
-    c->pc = pc;
+    c->motion = b->motion[i];
+    c->pc = b->pc[i];
+    c->mute = b->mute[i];
+    c->fine = b->flags[i] & BULLET_FINE;
     c->does = 0;
-    if (!motion || pc >= w->motions->length[motion - 1])
+    c->steers = c->never = false;
+    c->timed = c->motion && c->pc < w->motions->length[c->motion - 1];
+    c->is = c->fine;
+    if (!c->timed)
         return;
-    const uint32_t st = w->motions->first[motion - 1] + pc, does = s->does[st];
-    if (does & others || !(does & DOES_DRIVE))
+    const uint32_t st = w->motions->first[c->motion - 1] + c->pc, does = s->does[st];
+    c->never = does & others;
+    c->is = c->mute & STEP_BEGUN && !c->never && (c->fine || does & DOES_DRIVE);
+    if (!c->is)
         return;
     c->does = does & DOES_DRIVE;
-    c->over = s->over[st];
-    c->dir = s->dir[st];
-    c->turn = (ang)s->turn[st];
-    c->home = s->home[st];
-    c->speed = s->speed[st] >> PACE_BITS;
-    c->accel = s->accel[st] >> PACE_BITS;
-    c->left = 0;
+    c->steers = does & DOES_STEER;
+    if (c->mute & OVERRIDE_DIR)
+        c->does &= ~(uint32_t)DOES_STEER;
+    if (c->mute & OVERRIDE_SPEED)
+        c->does &= ~(uint32_t)(DOES_SPEED | DOES_ACCEL);
+    c->st = st;
 }
 
-/* The velocities of those that wait for them. */
-static void set_course(struct bullets *b, struct course *c)
+static inline bool on_course(const struct bullets *b, const struct course *c, uint32_t i)
 {
-    fx vx[SLOTS_BLOCK], vy[SLOTS_BLOCK];
-
-    trig_polars(c->pace, c->way, vx, vy, c->n);
-    for (int k = 0; k < c->n; k++)
-        set_velocity(b, c->slot[k], vx[k], vy[k]);
-    c->n = 0;
+    return b->motion[i] == c->motion && b->pc[i] == c->pc && b->mute[i] == c->mute &&
+           !(b->flags[i] & BULLET_FINE) == !c->fine;
 }
 
-static ang course_dir(const struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i)
+/* out[k] = 1 for those of a block on that course. */
+static void course_block(const uint16_t *restrict motion, const uint16_t *restrict pc, const uint8_t *restrict mute,
+                         const uint8_t *restrict flags, const struct course *c, uint8_t *restrict out)
 {
-    ang dir = c->does & DOES_DIR ? c->dir : b->dir[i];
+    const uint16_t is_motion = (uint16_t)c->motion, is_pc = (uint16_t)c->pc;
+    const uint8_t is_mute = (uint8_t)c->mute, is_fine = c->fine ? BULLET_FINE : 0;
 
-    if (c->does & DOES_AIM)
-        dir = targets_aim(&w->targets, b->x[i], b->y[i], dir);
-    dir += c->does & DOES_TURN ? c->turn : 0;
-    if (c->does & DOES_HOME)
-        dir = toward(dir, targets_aim(&w->targets, b->x[i], b->y[i], dir), c->home);
-    return dir;
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        out[k] = (uint8_t)((motion[k] == is_motion) & (pc[k] == is_pc));
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        out[k] &= (uint8_t)((mute[k] == is_mute) & ((flags[k] & BULLET_FINE) == is_fine));
 }
 
-static fx course_speed(const struct bullets *b, struct course *c, uint32_t i, uint32_t left)
+/* Where a step of theirs ends in this frame go_on has to look at them. */
+static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
 {
-    const int64_t from = b->from[i] >> PACE_BITS, most = (int64_t)MAX_SPEED << 16;
-    int64_t v = b->speed[i];
+    uint8_t out[SLOTS_BLOCK];
 
-    if (c->does & DOES_SPEED) {
-        if (c->left != left || c->from != from)
-            c->reached = motion_part_way(from, c->speed, c->over - left + 1, c->over);
-        c->from = from;
-        c->left = left;
-        v = c->reached;
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        out[k] = end[k] == clock;
+    return slots_gather(out);
+}
+
+enum { WORTH = 6 /* alike in a block: if there are so many, one by one takes longer */ };
+
+/* Is one of the next few of `rest`, out of the block from slot `first` on, on that course? */
+static bool has_company(const struct bullets *b, const struct course *c, uint32_t first, uint64_t rest, int few)
+{
+    for (; rest && few > 0; few--, rest &= rest - 1)
+        if (on_course(b, c, first + bits_lowest(rest)))
+            return true;
+    return false;
+}
+
+/* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
+ * ask all is dear, so the next *few are asked first; and where none of these was on it, from then on one. */
+static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
+                      int *few)
+{
+    const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
+    uint8_t out[SLOTS_BLOCK];
+
+    if (c->never && b->motion[i] == c->motion && b->pc[i] == c->pc)
+        return 0;
+    if (!on_course(b, c, i))
+        take_course(c, b, w, i);
+    if (!c->is || (c->timed && b->end[i] == w->clock))
+        return 0;
+    if (!has_company(b, c, first, of & (of - 1), *few)) {
+        *few = 1;
+        return bit(i);
     }
-    return (fx)int64_clamp(c->does & DOES_ACCEL ? v + c->accel : v, -most, most);
+    course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
+    return of & slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
 }
 
-/* A frame in the middle of a step of bullet i. False, and nothing is done: run_program has to look at it. */
-static inline bool keep_course(struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i)
-{
-    unsigned does;
+enum { FEW = 4 };
 
-    if (b->motion[i] != c->motion || b->pc[i] != c->pc)
-        take_course(c, w, b->motion[i], b->pc[i]);
-    if (!c->does)
-        return false;
-    const unsigned mute = b->mute[i], left = b->end[i] - w->clock;
-    if (!(mute & STEP_BEGUN) || b->flags[i] & BULLET_FINE || !left)
-        return false;
+/* The targets there are, FEW + 1: more than that. */
+static int few_targets(const struct targets *t, uint32_t found[FEW])
+{
+    const uint32_t end = t->s->used ? t->s->top : t->s->live;
+    int n = 0;
+
+    for (uint32_t i = 0; i < end && n <= FEW; i++) {
+        if (t->s->used && !(t->s->used[i / SLOTS_BLOCK] & bit(i))) {
+            if (!t->s->used[i / SLOTS_BLOCK])
+                i |= SLOTS_BLOCK - 1;
+        } else if (!t->in || t->in[i]) {
+            if (n < FEW)
+                found[n] = i;
+            n++;
+        }
+    }
+    return n;
+}
+
+/* targets_aim for all of them: dir, what it is without a target, becomes the direction. */
+static void aim_some(const struct bullets *b, const struct targets *t, const struct some *s, ang *dir)
+{
+    uint32_t few[FEW];
+    fx dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
+    ang to[SLOTS_BLOCK];
+    const int n = s->n > 1 ? few_targets(t, few) : FEW + 1;
+
+    for (int k = 0; n > FEW && k < s->n; k++)
+        dir[k] = targets_aim(t, b->x[nth(s, k)], b->y[nth(s, k)], dir[k]);
+    if (!n || n > FEW)
+        return;
+    for (int k = 0; n == 1 && k < s->n; k++) {
+        dx[k] = fx_sub(t->x[few[0]], b->x[nth(s, k)]);
+        dy[k] = fx_sub(t->y[few[0]], b->y[nth(s, k)]);
+    }
+    for (int k = 0; n > 1 && k < s->n; k++) {
+        const fx x = b->x[nth(s, k)], y = b->y[nth(s, k)];
+        uint32_t nearest = few[0];
+        for (int other = 1; other < n; other++)
+            if (distance_squared(t, few[other], x, y) < distance_squared(t, nearest, x, y))
+                nearest = few[other];
+        dx[k] = fx_sub(t->x[nearest], x);
+        dy[k] = fx_sub(t->y[nearest], y);
+    }
+    trig_atan2s(dy, dx, to, s->n);
+    for (int k = 0; k < s->n; k++)
+        dir[k] = dx[k] | dy[k] ? to[k] : dir[k];
+}
+
+static void turn_some(const struct bullets *b, const struct motion_world *w, const struct course *c,
+                      const struct some *s, ang *dir)
+{
+    ang goal[SLOTS_BLOCK];
+
+    if (c->does & DOES_DIR)
+        for (int k = 0; k < s->n; k++)
+            dir[k] = w->steps->dir[c->st];
+    if (c->does & DOES_AIM)
+        aim_some(b, &w->targets, s, dir);
+    if (c->does & DOES_TURN)
+        for (int k = 0; k < s->n; k++)
+            dir[k] += (ang)w->steps->turn[c->st];
+    if (!(c->does & DOES_HOME))
+        return;
+    memcpy(goal, dir, (size_t)s->n * sizeof *dir);
+    aim_some(b, &w->targets, s, goal);
+    for (int k = 0; k < s->n; k++)
+        dir[k] = toward(dir[k], goal[k], w->steps->home[c->st]);
+}
+
+/* Those that began alike have one speed: it is found once for them. */
+static void speed_some(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
+{
+    const int shift = c->fine ? 0 : PACE_BITS;
+    const int64_t most = (int64_t)MAX_SPEED << (c->fine ? 32 : 16);
+    const int64_t goal = w->steps->speed[c->st] >> shift, accel = w->steps->accel[c->st] >> shift;
+    const uint32_t over = w->steps->over[c->st];
+    int64_t from = 0, reached = 0;
+    uint32_t end = w->clock; /* nobody's */
+
+    for (int k = 0; k < s->n; k++) {
+        const uint32_t i = nth(s, k);
+        int64_t v = c->fine ? b->pace[i] : b->speed[i];
+        if (c->does & DOES_SPEED) {
+            const int64_t began = b->from[i] >> shift;
+            if (b->end[i] != end || began != from) {
+                from = began;
+                end = b->end[i];
+                reached = motion_part_way(from, goal, over - (end - w->clock) + 1, over);
+            }
+            v = reached;
+        }
+        v = int64_clamp(c->does & DOES_ACCEL ? v + accel : v, -most, most);
+        if (c->fine)
+            b->pace[i] = v;
+        b->speed[i] = c->fine ? pace_fx(v) : (fx)v;
+    }
+}
+
+/* `fly` for all of them. */
+static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
+{
+    int64_t from[SLOTS_BLOCK], to[SLOTS_BLOCK], dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
+
+    for (int k = 0; k < s->n; k++) {
+        from[k] = b->way[nth(s, k)];
+        to[k] = from[k] + b->pace[nth(s, k)];
+    }
+    trig_strides(from, to, dir, dx, dy, s->n);
+    for (int k = 0; k < s->n; k++)
+        fly_by(b, nth(s, k), to[k], dx[k], dy[k]);
+}
+
+static fx fastest_block(const fx *restrict vx, const fx *restrict vy)
+{
+    fx most = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
+        most = ax > most ? ax : most;
+        most = ay > most ? ay : most;
+    }
+    return most;
+}
+
+/* bullets_steer for all of them. None stands, for whose program runs does not. */
+static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
+{
+    fx speed[SLOTS_BLOCK], to_x[SLOTS_BLOCK], to_y[SLOTS_BLOCK], most = b->fastest;
+    fx *vx = s->row ? b->vx + s->first : to_x, *vy = s->row ? b->vy + s->first : to_y;
+
+    for (int k = 0; !s->row && k < s->n; k++)
+        speed[k] = b->speed[s->slot[k]];
+    trig_polars(s->row ? b->speed + s->first : speed, dir, vx, vy, s->n);
+    for (int k = 0; !s->row && k < s->n; k++) {
+        b->vx[s->slot[k]] = vx[k];
+        b->vy[s->slot[k]] = vy[k];
+    }
+    if (s->n == SLOTS_BLOCK)
+        most = fx_max(most, fastest_block(vx, vy));
+    else
+        for (int k = 0; k < s->n; k++)
+            most = fx_max(most, fx_max(fx_abs(vx[k]), fx_abs(vy[k])));
+    b->fastest = most;
+}
+
+/* A frame of some that take a course. */
+static void keep_course(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
+{
+    ang gathered[SLOTS_BLOCK], *dir = s->row ? b->dir + s->first : gathered;
+
+    for (int k = 0; !s->row && k < s->n; k++)
+        dir[k] = b->dir[s->slot[k]];
+    if (c->timed)
+        b->ran += (uint64_t)s->n;
+    if (c->does & DOES_STEER) {
+        turn_some(b, w, c, s, dir);
+        for (int k = 0; !s->row && k < s->n; k++)
+            b->dir[s->slot[k]] = dir[k];
+    }
+    if (c->does & (DOES_SPEED | DOES_ACCEL))
+        speed_some(b, w, c, s);
+    if (c->fine)
+        fly_some(b, s, dir);
+    else if (c->steers || c->does & (DOES_SPEED | DOES_ACCEL))
+        steer_some(b, s, dir);
+}
+
+/* The same of one that is alone in it, but for its velocity, which it gets later with others. */
+static void keep_alone(struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i,
+                       struct some *later)
+{
+    const uint32_t n = w->steps->over[c->st];
+
     b->ran++;
-    does = c->does;
-    if (mute & OVERRIDE_DIR)
-        does &= ~(unsigned)DOES_STEER;
-    if (mute & OVERRIDE_SPEED)
-        does &= ~(unsigned)(DOES_SPEED | DOES_ACCEL);
-    if (does & DOES_STEER)
-        b->dir[i] = course_dir(b, w, c, i);
-    if (does & (DOES_SPEED | DOES_ACCEL))
-        b->speed[i] = course_speed(b, c, i, left);
-    else if (!(c->does & DOES_STEER))
-        return true;
-    c->slot[c->n] = i;
-    c->pace[c->n] = b->speed[i];
-    c->way[c->n++] = b->dir[i];
-    return true;
+    if (turn_and_speed(b, w, i, c->mute, c->st, n - (b->end[i] - w->clock) + 1, n))
+        later->slot[later->n++] = i;
+}
+
+static void steer_later(struct bullets *b, struct some *later)
+{
+    ang dir[SLOTS_BLOCK];
+
+    for (int k = 0; k < later->n; k++)
+        dir[k] = b->dir[later->slot[k]];
+    steer_some(b, later, dir);
 }
 
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
+    const uint32_t first = block * SLOTS_BLOCK;
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
-    struct course c;
+    struct course c = { .motion = UINT32_MAX }; /* nobody's */
+    struct some some, later;
+    int few = 1 + bits_count(b->busy[block]) / WORTH;
 
-    c.motion = c.pc = c.does = 0;
-    c.n = 0;
-    for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
-        uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+    later.n = 0;
+    later.row = false;
+    for (uint64_t m = b->busy[block] | woken; m;) {
+        const uint32_t i = first + bits_lowest(m);
+        const uint64_t who = woken & bit(i) ? 0 : alike(b, w, &c, i, m & ~woken, &few);
         enum program_state state = PROGRAM_WAITS;
-        if (!(woken & bit(i)) && keep_course(b, w, &c, i)) {
-            busy |= bit(i);
+        if (who) {
+            if (who == bit(i) && !c.fine)
+                keep_alone(b, w, &c, i, &later);
+            else {
+                take_some(&some, first, who);
+                keep_course(b, w, &c, &some);
+            }
+            busy |= who;
+            m &= ~who;
             continue;
         }
-        if (c.n) /* those that run a step of their own may look at others */
-            set_course(b, &c);
         if (!(woken & bit(i)) || is_over(b, w, i))
             state = go_on(b, w, i);
         busy |= state == PROGRAM_RUNS ? bit(i) : 0;
         idle |= state == PROGRAM_WAITS ? bit(i) : 0;
+        m &= m - 1;
     }
-    if (c.n)
-        set_course(b, &c);
+    if (later.n)
+        steer_later(b, &later);
     b->busy[block] = busy;
     b->idle[block] = idle;
 }
@@ -1417,18 +1693,6 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
 
 /* The bound on speeds follows slowly: it is found anew every FASTEST_AGE frames. */
 enum { FASTEST_AGE = 64 };
-
-static fx fastest_block(const fx *restrict vx, const fx *restrict vy)
-{
-    fx most = 0;
-
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
-        most = ax > most ? ax : most;
-        most = ay > most ? ay : most;
-    }
-    return most;
-}
 
 static fx fastest_of(const struct bullets *b)
 {

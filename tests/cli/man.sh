@@ -29,7 +29,7 @@ explains() { # PAGE: what stands behind an option, a key, a setting, an exit cod
     for words in '--seed N seed of the random streams, 0 to 2^64 - 1' \
         'with --stage: nothing hits the player [play, render, hash]' \
         'p1.fire z pad.south fire; yes in menus' 'p2.down s kp5 kp2 pad.down pad.ldown the second player' \
-        'volume 100 (0 to 100) percent' '3 the host failed'; do
+        'volume 100 (0 to 100) of everything, percent' '3 the host failed'; do
         case $text in *"$words"*) ;; *) echo "there is no $words"; return 1 ;; esac
     done
 }

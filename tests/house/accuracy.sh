@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine
 # is computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
-. "$(dirname "$0")/../tap.sh"
+measured=accuracy
+. "$(dirname "$0")/../measured.sh"
 lab=$OUT/lab
 
 # A page with its times taken out.
@@ -11,7 +12,7 @@ same_plot() { diff -q "$1" "$scratch/new/accuracy/$(basename "$1")"; }
 
 mkdir "$scratch/new"
 check "the figures bear out what the engine does" "$lab" --exact --out "$scratch/new"
-check "docs/accuracy.md has the figures the lab finds" same_page docs/accuracy.md
+check "docs/accuracy.md has the figures the lab finds" same_page "$page"
 
 # Without times the lab draws only what is exact; the rest of what the page shows has to be there.
 plots() {
@@ -22,28 +23,15 @@ plots() {
     return $ok
 }
 check "the plots of exact figures are those the lab draws" plots
-shown() { grep -o '](accuracy/[a-z0-9_-]*\.svg)' docs/accuracy.md | sed 's/.*\///; s/)//' | sort; }
-kept() { basename -a docs/accuracy/* | sort; }
-all_shown() { diff <(shown) <(kept) && [ "$(kept | wc -l)" -ge 5 ]; }
-check "every plot is shown, and every plot shown is there" all_shown
-well_formed() { python3 -c 'import sys, xml.dom.minidom as x; [x.parse(f) for f in sys.argv[1:]]' docs/accuracy/*.svg; }
-check "plots are well-formed" well_formed
+plots_hold 19 7 circle
 
 # Another figure, another plot, another time.
-planted() { # NAME WORDS SED
-    sed "$3" docs/accuracy.md >"$scratch/planted.md"
-    if cmp -s docs/accuracy.md "$scratch/planted.md"; then
-        not_ok "planted: $1" "nothing was planted"
-        return
-    fi
-    refuse "planted: $1" "$2" same_page "$scratch/planted.md"
-}
-planted "another drift" "0.37 px" '/^| \*\*▶ Q15.16/s/0\.38 px/0.37 px/'
-planted "another share" "61.4 %" 's/61\.3 %/61.4 %/'
-planted "another edge" "0x20000002" "/^D: /s/0x20000001/0x20000002/"
-planted "another default" "▶ Q11.20" '/^| Q11.20/s/Q11.20/▶ Q11.20/'
-sed -E 's/≈[0-9.,]+/≈1.23/' docs/accuracy.md >"$scratch/planted.md"
-timed() { ! cmp -s docs/accuracy.md "$scratch/planted.md" && same_page "$scratch/planted.md"; }
+planted "another drift" "0.37 px" '/^| \*\*▶ Q15.16/s/0\.38 px/0.37 px/' same_page
+planted "another share" "61.4 %" 's/61\.3 %/61.4 %/' same_page
+planted "another edge" "0x20000002" "/^D: /s/0x20000001/0x20000002/" same_page
+planted "another default" "▶ Q11.20" '/^| Q11.20/s/Q11.20/▶ Q11.20/' same_page
+sed -E 's/≈[0-9.,]+/≈1.23/' "$page" >"$scratch/planted.md"
+timed() { ! cmp -s "$page" "$scratch/planted.md" && same_page "$scratch/planted.md"; }
 check "other times are no difference" timed
 sed '0,/cx="\([0-9]*\)\.[0-9]"/s//cx="\1.77"/' docs/accuracy/drift.svg >"$scratch/drift.svg"
 refuse "planted: another plot" "differ" same_plot "$scratch/drift.svg"

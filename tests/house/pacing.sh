@@ -41,7 +41,8 @@ refuse "planted: a window that is missing" "8 windows" whole "$scratch/a.md"
 
 # Where every refresh has a tick, the screen says how fast the game is.
 mkdir -p "$scratch/copy"
-sed 's|p->asleep = p->at / TICK < (int64_t)p->ticks + 1;|p->asleep = false;|' src/cab/host/pace.c >"$scratch/copy/pace.c"
+sed 's|p->asleep = p->at / TICK < (int64_t)p->ticks + 1;|p->asleep = false;|' src/cab/host/pace.c \
+    >"$scratch/copy/pace.c"
 another() {
     ! cmp -s src/cab/host/pace.c "$scratch/copy/pace.c" || return 2
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE -iquote src/cab/host \
@@ -51,7 +52,8 @@ another() {
         $(find src -name '*.c' ! -name pace.c ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
         "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/stdio.o \
         $(pkg-config --libs lua5.4) -lm -pthread || return 2
-    mkdir -p "$scratch/other" && "$scratch/pacing" --exact --out "$scratch/other" screens && even "$scratch/other/pacing.md"
+    mkdir -p "$scratch/other" && "$scratch/pacing" --exact --out "$scratch/other" screens &&
+        even "$scratch/other/pacing.md"
 }
 sed -i 's,"../../base/int.h","'"$PWD"'/src/base/int.h",' "$scratch/copy/pace.c"
 refuse "planted: a tick at every refresh" "uneven" another

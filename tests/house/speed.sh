@@ -2,7 +2,8 @@
 # speed.sh - docs/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No figure is
 # looked at, for each machine has its own. What the bench checks beside its times holds, and it finds an engine that is
 # wrong.
-. "$(dirname "$0")/../tap.sh"
+measured=speed
+. "$(dirname "$0")/../measured.sh"
 bench=$OUT/bench
 
 cat >"$scratch/sections" <<'END'
@@ -34,28 +35,11 @@ whole() { # PAGE
         [ "$(grep -c "^| $n |" "$1")" -ge 6 ] || { echo "the crowd of $n is not in every table"; return 1; }
     done
 }
-check "docs/speed.md has all sections, targets and crowds" whole docs/speed.md
-sed '/^## Pictures/d' docs/speed.md >"$scratch/a.md"
-refuse "planted: a section that is missing" "< Pictures" whole "$scratch/a.md"
-sed '/| met |$/{x;s/^/x/;/^x$/{x;d};x}' docs/speed.md >"$scratch/a.md"
-refuse "planted: a target that is missing" "26 targets" whole "$scratch/a.md"
-sed '0,/^| 65,536 |/{/^| 65,536 |/d}' docs/speed.md >"$scratch/a.md"
-refuse "planted: a row that is missing" "the crowd of 65,536" whole "$scratch/a.md"
-
-shown() { grep -o '](speed/[a-z0-9_-]*\.svg)' "$1" | sed 's/.*\///; s/)//' | sort; }
-all_shown() { diff <(shown "$1") <(basename -a docs/speed/* | sort) && [ "$(shown "$1" | wc -l)" = 4 ]; }
-check "every plot is shown, and every plot shown is there" all_shown docs/speed.md
-sed '/speed\/run.svg/d' docs/speed.md >"$scratch/a.md"
-refuse "planted: a plot that is not shown" "> run.svg" all_shown "$scratch/a.md"
-well_formed() {
-    python3 -c '
-import sys, xml.dom.minidom as x
-for f in sys.argv[1:]:
-    assert len(x.parse(f).getElementsByTagName("polyline")) >= 2, f + ": too few lines"' "$@"
-}
-check "plots are well-formed and hold their lines" well_formed docs/speed/*.svg
-sed 's/<polyline.*//' docs/speed/crowd.svg >"$scratch/crowd.svg"
-refuse "planted: a plot without its lines" "too few lines" well_formed "$scratch/crowd.svg"
+check "docs/speed.md has all sections, targets and crowds" whole "$page"
+planted "a section that is missing" "< Pictures" '/^## Pictures/d' whole
+planted "a target that is missing" "26 targets" '/| met |$/{x;s/^/x/;/^x$/{x;d};x}' whole
+planted "a row that is missing" "the crowd of 65,536" '0,/^| 65,536 |/{/^| 65,536 |/d}' whole
+plots_hold 4 2 polyline
 
 # What holds whatever the clock says: a section ends with exit code 1 when the engine does not do what it must.
 check "shots hit the nearest enemy, every sprite is drawn, and steps back find the frames that were" \

@@ -59,7 +59,7 @@ wrong 'a script that is not there' 'rm g/main.lua' 'rom.lua: entry: there is no 
 waits "echo \"print 'here' local function f() nothing() end f()\" >g/main.lua" right --record one.demo
 same 'a fault at power-on: it ends well' 0 $code
 check '... with place and traceback' grep -q "^curtain: g: main.lua:1: undeclared global \"nothing\"$" err
-check '...' grep -q "^	main.lua:1: in .*'f'$" err
+check '...' grep -q $'^\tmain.lua:1: in .*\'f\'$' err
 check '... and what the script printed' grep -qx here err
 check '... then the game runs' ran
 check '... and its recording is whole, and of a run nobody touched' eval \

@@ -30,8 +30,8 @@ compose() { # WxH: want.rgb is what the cabinet shows there, after keys as in `p
     convert picture.ppm -scale "${scale}00%" -background black -gravity center -extent "$1" -depth 8 rgb:want.rgb
 }
 is_shown() {
-    found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 rgb:shot.rgb 2>/dev/null &&
-        cmp shot.rgb want.rgb
+    found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null &&
+        convert xwd:shot.xwd -depth 8 rgb:shot.rgb 2>/dev/null && cmp shot.rgb want.rgb
 }
 shows() { # WxH
     soon size_is "$1" && compose "$1" && soon is_shown

@@ -60,11 +60,11 @@ same 'none is in the current folder' '' "$(ls ./*.png 2>/dev/null)"
 { keys 30; keys 1 $F12; keys 30; } | KEYS_WHOLE=1 plays
 keys 61 | KEYS_WHOLE=1 ./player play g --seed 5 >other 2>none
 same 'the picture says where for a while' 0 "$(comm -12 <(part out 33 60 | sort) <(part other 33 60 | sort) | wc -l)"
-mkdir home && (
+mkdir at && (
     unset XDG_PICTURES_DIR XDG_CONFIG_HOME
-    { keys 30; keys 1 $F12; } | HOME=$scratch/home plays
+    { keys 30; keys 1 $F12; } | HOME=$scratch/at plays
 )
-same 'without a word of the desktop: ~/Pictures' "wrote $scratch/home/Pictures/Curtain/probe-1.png" "$(cat err)"
+same 'without a word of the desktop: ~/Pictures' "wrote $scratch/at/Pictures/Curtain/probe-1.png" "$(cat err)"
 rm -rf "$XDG_PICTURES_DIR" && echo file >"$XDG_PICTURES_DIR"
 { keys 30; keys 1 $F12; keys 30; } | plays
 same 'where it cannot be: said' "curtain: $XDG_PICTURES_DIR/Curtain/probe-1.png: cannot be written (Not a directory)" \

@@ -124,7 +124,7 @@ printf 'practice 1\n9 7 normal queen/weak\n' >"$file"
 { keys 20; weak; keys 100; } | plays out
 left='practice is not counted, and the file is left as it is'
 same 'a damaged file is reported' \
-    "curtain: $scratch/data/curtain/probe.practice: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; $left" "$(cat err)"
+    "curtain: $scratch/$file: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; $left" "$(cat err)"
 same 'and left alone' $'practice 1\n9 7 normal queen/weak' "$(cat "$file")"
 
 # ---- scores ----

@@ -97,6 +97,31 @@ same '... once' '' "$(cat err)"
 killed SEGV --record own.demo
 check 'with a recording of its own, too' eval '"$curtain" verify g "$(reported)"'
 
+# In the middle of a tick: its pads are the last of the demo, which has no end mark.
+cp -R g loops
+sed -i 's/then nothing()/then while true do end/' loops/main.lua
+used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$player/stat" 2>/dev/null || echo 999999999; }
+rm -f in && mkfifo in
+./player play loops --seed 7 <in >out 2>err &
+player=$!
+exec 7>in
+played | head -n 100 >&7
+for _ in $(seq 20000); do [ "$(wc -l <out)" -ge 100 ] && break; sleep 0.025; done
+before=$(used)
+keys 1 $B >&7
+until [ $(($(used) - before)) -gt 12 ]; do sleep 0.02; done
+kill -SEGV $player
+exec 7>&-
+wait $player 2>/dev/null
+check 'in a tick: it says so' grep -qx 'what      a crash: SIGSEGV, in the tick after frame 100' "$(reported)"
+"$curtain" verify loops "$(reported)" >said 2>&1
+same '... its demo is cut short' 2 $?
+check '...' grep -q 'cut short' said
+"$OUT/curtain-short" hash loops --demo "$(reported)" >said 2>why
+same '... and leads into that tick' 2 $?
+check '... again' grep -q 'main.lua:4: endless loop' why
+same '... with all frames before it' 100 "$(tail -n 1 said | cut -d" " -f1)"
+
 # In the middle of a run that was gone back in, the report ends where the player was.
 rm -f in && mkfifo in
 ./player play g --seed 7 <in >out 2>err &

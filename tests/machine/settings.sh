@@ -17,8 +17,8 @@ task.go(function()
 end)
 LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua
-convert -size 400x440 'gradient:#802020-#204080' -alpha set \( -size 240x320 xc:white \) -geometry +80+60 -compose DstOut -composite \
-    g/art/border.png || exit 2
+convert -size 400x440 'gradient:#802020-#204080' -alpha set \( -size 240x320 xc:white \) -geometry +80+60 \
+    -compose DstOut -composite g/art/border.png || exit 2
 sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
 H=11 G=10
@@ -151,6 +151,13 @@ convert picture.ppm -depth 8 rgb:b
 check 'and the picture in it' cmp a b
 
 # ---- what is wrong ----
+
+"$curtain" check g >found
+check 'the border is a picture that is used' refuted grep border found
+sed -i '/border =/d' g/rom.lua
+"$curtain" check g >found
+check 'and is not when nobody names it' grep -q '^art/border.png: rom.lua does not name it' found
+sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
 cp -R g wrong
 bad() { # FILE: packs with that as its border

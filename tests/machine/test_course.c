@@ -97,8 +97,29 @@ static void disturb(struct bullets *a, struct bullets *b)
     }
 }
 
+/* Beside the players: none, some, or more than a course looks at at once; some in the place of a bullet. */
+enum { CROWD = 2 * SLOTS_BLOCK };
+static fx crowd_x[CROWD], crowd_y[CROWD];
+static uint64_t crowd_used[CROWD / SLOTS_BLOCK];
+static struct slots crowd;
+
+static void gather_crowd(const struct bullets *b)
+{
+    crowd = (struct slots){ .used = crowd_used, .top = CROWD, .cap = CROWD };
+    memset(crowd_used, 0, sizeof crowd_used);
+    for (int64_t n = below(8); n > 0; n--) {
+        const uint32_t i = (uint32_t)below(CROWD), at = (uint32_t)below(b->s.top + 1);
+        const bool there = at < b->s.top && below(2);
+        crowd.live += !(crowd_used[i / SLOTS_BLOCK] >> i % SLOTS_BLOCK & 1);
+        crowd_used[i / SLOTS_BLOCK] |= 1ull << i % SLOTS_BLOCK;
+        crowd_x[i] = there ? b->x[at] : (fx)(below(400) << 16);
+        crowd_y[i] = there ? b->y[at] : (fx)(below(400) << 16);
+    }
+}
+
 static void targets(void)
 {
+    gather_crowd(&at_once.b->bullets);
     for (int p = 0; p < PADS; p++) {
         const fx x = (fx)(below(400) << 16), y = (fx)(below(400) << 16);
         at_once.b->player.in[p] = singly.b->player.in[p] = (uint8_t)(below(4) != 0);
@@ -115,6 +136,8 @@ static void move(uint32_t clock)
     struct bullets *s = &singly.b->bullets;
 
     a.clock = b.clock = clock;
+    if (clock % 3 == 0)
+        a.targets = b.targets = (struct targets){ &crowd, crowd_x, crowd_y, NULL };
     bullets_move(&at_once.b->bullets, &a, &world, NULL, false);
     bullets_begin(s);
     EACH_LIVE (i, &s->s)

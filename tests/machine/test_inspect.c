@@ -484,6 +484,51 @@ static void silence(void **state)
     rig_game_free(&game);
 }
 
+/* In which frames fire is the ship's: not before there is one, nor while a talk or a pause has the buttons. */
+static void who_plays(void **state)
+{
+    static const char script[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+                                 "local sys = string.sys\n"
+                                 "task.go(function()\n"
+                                 "  wait(2) sys.join(1, 'ship') print 'in'\n"
+                                 "  wait(2) sys.hold_players(1) print 'held'\n"
+                                 "  wait(2) sys.hold_players(0) print 'free'\n"
+                                 "  wait(2) sys.hold_players(2) print 'stands'\n"
+                                 "  wait(2) sys.hold_players(0) print 'free'\n"
+                                 "  wait(2) board.stop(2) print 'stopped'\n"
+                                 "  wait(2) local menu = sys.scope()\n"
+                                 "  task.own(menu, function() wait(3) sys.freeze() print 'back' end)\n"
+                                 "  sys.freeze(menu) print 'frozen'\n"
+                                 "  wait(forever)\n"
+                                 "end)";
+    static const struct {
+        const char *said;
+        struct inspect_ship_has has;
+    } steps[] = { { "", { false, false } },        { "in\n", { true, true } },       { "held\n", { true, false } },
+                  { "free\n", { true, true } },    { "stands\n", { false, false } }, { "free\n", { true, true } },
+                  { "stopped\n", { true, true } }, { "frozen\n", { false, false } }, { "back\n", { true, true } } };
+    enum { STEPS = sizeof steps / sizeof *steps };
+    struct rig_game game;
+    struct rig r;
+    size_t step = 0;
+
+    (void)state;
+    rig_with_sys(&game, NULL, script);
+    rig_power(&r, &game, NULL);
+    for (int frame = 0; frame < 40; frame++) {
+        const struct inspect_ship_has one = inspect_plays(r.b, 0), two = inspect_plays(r.b, 1);
+        assert_true(one.steers == steps[step].has.steers && one.fires == steps[step].has.fires);
+        assert_false(two.steers || two.fires);
+        rig_run(&r, 1);
+        const struct board_out *out = board_last(r.b);
+        if (step + 1 < STEPS && out->log_size && strncmp(out->log, steps[step + 1].said, out->log_size) == 0)
+            step++;
+    }
+    assert_int_equal(step, STEPS - 1);
+    rig_free(&r);
+    rig_game_free(&game);
+}
+
 int main(void)
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
@@ -501,6 +546,7 @@ int main(void)
         cmocka_unit_test(capsules_lie_as_they_fly),
         cmocka_unit_test(what_sounds),
         cmocka_unit_test(silence),
+        cmocka_unit_test(who_plays),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

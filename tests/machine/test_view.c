@@ -304,6 +304,43 @@ static void test_none(void **state)
     rig_game_free(&g);
 }
 
+/* A ROM that was packed before there were shades is dimmed by tables made of its palette: as if it had them. */
+static void test_older(void **state)
+{
+    static struct picture has, had;
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "one:deep" } };
+    struct lump lumps[RIG_LUMPS];
+    struct rig_game g, old;
+    struct rig r, r_old;
+    int n = 0;
+
+    (void)state;
+    rig_folder(&g, "glasstide");
+    assert_true(g.image.rom.count <= RIG_LUMPS);
+    for (int i = 0; i < (int)g.image.rom.count; i++) {
+        rom_lump(&g.image.rom, i, &lumps[n]);
+        n += strcmp(lumps[n].name, "shades") != 0;
+    }
+    rig_write(&old, lumps, n);
+    assert_true(rom_game_hash(&old.image.rom) == rom_game_hash(&g.image.rom));
+    rig_power(&r, &g, &start);
+    rig_power(&r_old, &old, &start);
+    rig_run(&r, 200);
+    rig_run(&r_old, 200);
+    for (int i = 0; i < RIG_VIEWS; i++) {
+        const struct view view = rig_view(i, shade_for(&kept, &g.cart)),
+                          older = rig_view(i, shade_for(&kept, &old.cart));
+        assert_true(!view.shades && older.shades);
+        draw(&r, &view, VIEW_AS_EVER, &has);
+        draw(&r_old, &older, VIEW_AS_EVER, &had);
+        same("an older ROM", &r, &has, &had);
+    }
+    rig_free(&r);
+    rig_free(&r_old);
+    rig_game_free(&g);
+    rig_game_free(&old);
+}
+
 /* A soft flash is a quarter of its share in each frame, of all colours. */
 static void test_flash(void **state)
 {
@@ -335,7 +372,8 @@ static void test_flash(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_games), cmocka_unit_test(test_matters),
-                                        cmocka_unit_test(test_none), cmocka_unit_test(test_flash) };
+                                        cmocka_unit_test(test_none), cmocka_unit_test(test_older),
+                                        cmocka_unit_test(test_flash) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,8 +21,33 @@ boss.def("queen", { title = "Queen of Glass", kind = "e", x = 32, y = 20, phases
   { id = "weak", hp = 5, time = 600, run = function(e) wait(forever) end },
   { id = "strong", spell = "Sign of Sand: a long name that is cut", hp = 5, time = 60, run = function(e) wait(forever) end } } })
 stage.def("one", function() wait(50) stage.mark "late" wait(40) end)
-boot.run { stages = { "one" }, players = { "ship" } }
+local function title() -- that stands still
+  wait_until(function() return pad.take("start", 0, 1) end)
+  return "start", 1
+end
+boot.run { stages = { "one" }, players = { "ship" }, screens = { title = title } }
 LUA
+
+# A run that was left: begun from the title, and 200 frames of fire. Its date is always the same.
+cat >date.c <<'C'
+#include <time.h>
+time_t time(time_t *t)
+{
+    if (t)
+        *t = 1800000000;
+    return 1800000000;
+}
+C
+cc -shared -fPIC date.c -o date.so || exit 2
+${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
+    $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
+    $(pkg-config --libs lua5.4) -lm -pthread || exit 2
+keys() { yes "${*:2}" | head -n "$1"; } # N [USAGE...]: so many polls with these held
+leaves_run() { # in the data folder
+    local enter=40 z=29
+    { keys 30; keys 1 $enter; keys 60; keys 200 $z; } |
+        TZ=UTC LD_PRELOAD=$scratch/date.so XDG_DATA_HOME=$scratch/data ./player play pieces --seed 5 >/dev/null 2>&1
+}
 
 shot() {
     xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 rgb:shot.rgb 2>/dev/null
@@ -71,7 +96,8 @@ opens() { # GAME: at this size and turn
     mkdir -p data/curtain
     printf 'scale = 1\naway = go-on\n%s' "${turned:+turn = left}" >data/curtain/curtain.conf
     pads_none
-    XDG_DATA_HOME=$scratch/data start Probe "${padded[@]}" "$OUT/curtain" play "$1" --seed 1 || return 1
+    [ "$1" = still ] || leaves_run
+    TZ=UTC XDG_DATA_HOME=$scratch/data start Probe "${padded[@]}" "$OUT/curtain" play "$1" --seed 1 || return 1
     [ "$by" = keys ] || pad plug 1 xbox
 }
 
@@ -83,7 +109,7 @@ for size in ${SIZES:-240x320 320x240 384x448}; do
                 does menu
                 looks menu
                 does down yes
-                looks replays
+                looks no-replays
                 does no down yes
                 looks settings
                 does down down down down down right
@@ -95,7 +121,12 @@ for size in ${SIZES:-240x320 320x240 384x448}; do
                 leave
             fi
             if opens pieces; then
-                does menu down down down down down yes
+                looks resume
+                does down yes menu down yes
+                looks replays
+                does yes
+                looks replay
+                does no no down down down down yes
                 looks practice
                 does down right
                 looks practice-changed

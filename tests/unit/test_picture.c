@@ -152,6 +152,27 @@ static void test_sizes(void **state)
         }
 }
 
+/* Three pixels of four: the second one is a third of the first and two of the second, and so on. */
+static void test_shares(void **state)
+{
+    static const uint16_t from[] = { 0, 0, 1, 2 }, share[] = { 0, 170, 85, 0 };
+    static const uint32_t row[] = { 0x000000, 0xFF8000, 0x0080FF };
+    uint32_t out[4];
+    struct scale_axis a;
+
+    (void)state;
+    assert_true(scale_open(&a, 3, 4));
+    assert_memory_equal(a.from, from, sizeof from);
+    assert_memory_equal(a.share, share, sizeof share);
+    scale_row(&a, row, out, 0, 4);
+    assert_true(out[0] == row[0] && out[3] == row[2]);
+    assert_int_equal(out[1], 0xA95500);
+    assert_int_equal(out[2], 0xAA8054);
+    scale_mix(out, row, row + 1, 170, 1);
+    assert_int_equal(out[0], 0xA95500);
+    scale_close(&a);
+}
+
 /* Squares stay squares: of a pixel's columns at most one at either end is mixed. */
 static void test_edges(void **state)
 {
@@ -370,13 +391,21 @@ static void test_large(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_to_and_fro), cmocka_unit_test(test_which_way),
-        cmocka_unit_test(test_points),     cmocka_unit_test(test_places),
-        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_edges),
-        cmocka_unit_test(test_lines),      cmocka_unit_test(test_tube_bytes),
-        cmocka_unit_test(test_border),     cmocka_unit_test(test_border_as_it_is),
-        cmocka_unit_test(test_whole),      cmocka_unit_test(test_all),
-        cmocka_unit_test(test_side),       cmocka_unit_test(test_large),
+        cmocka_unit_test(test_to_and_fro),
+        cmocka_unit_test(test_which_way),
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_edges),
+        cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_tube_bytes),
+        cmocka_unit_test(test_border),
+        cmocka_unit_test(test_border_as_it_is),
+        cmocka_unit_test(test_whole),
+        cmocka_unit_test(test_all),
+        cmocka_unit_test(test_side),
+        cmocka_unit_test(test_large),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

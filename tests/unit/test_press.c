@@ -10,10 +10,12 @@
 
 static const struct press_modes off, autofire = { .autofire = true }, toggle = { .toggle_focus = true },
                                      one_hand = { .one_hand = true };
+static const struct press_ship flies = { true, true };
 static struct press p;
 
 /* What is held, and what comes out: a letter a tick, F fire, f focus, L left, . nothing, * fire and left, + fire and
- * focus; a blank before a tick: the player does not play. */
+ * focus; a blank before a tick: the buttons are a
+ * menu's; _: those that fire are a talk's. */
 static uint16_t pads_of(char c)
 {
     switch (c) {
@@ -46,9 +48,9 @@ static void ticks(const struct press_modes *modes, const char *held, const char 
     size_t n = 0;
 
     for (; *held; held++) {
-        bool plays = *held != ' ';
-        held += !plays;
-        got[n++] = letter_of(press_tick(&p, modes, plays, pads_of(*held)));
+        const struct press_ship ship = { *held != ' ', *held != ' ' && *held != '_' };
+        held += !ship.fires;
+        got[n++] = letter_of(press_tick(&p, modes, ship, pads_of(*held)));
     }
     assert_string_equal(got, want);
 }
@@ -56,7 +58,7 @@ static void ticks(const struct press_modes *modes, const char *held, const char 
 static void power(void)
 {
     press_resume(&p, 0);
-    press_tick(&p, &off, true, 0);
+    press_tick(&p, &off, flies, 0);
 }
 
 /* With everything off the pads are what is held, whatever went before. */
@@ -72,7 +74,7 @@ static void off_is_off(void **state)
         uint16_t held = (uint16_t)(n & PAD_ALL);
         if (n >> 20 & 1)
             press_resume(&p, (uint16_t)(n >> 32 & PAD_ALL));
-        assert_int_equal(press_tick(&p, &off, n >> 21 & 1, held), held);
+        assert_int_equal(press_tick(&p, &off, (struct press_ship){ n >> 21 & 1, n >> 22 & 1 }, held), held);
     }
 }
 
@@ -87,12 +89,12 @@ static void no_other_button_changes(void **state)
     for (int i = 0; i < 20000; i++) {
         uint64_t n = rng_next(&r);
         uint16_t held = (uint16_t)(n & PAD_ALL);
-        bool plays = n >> 20 & 3;
+        const struct press_ship ship = { n >> 25 & 3, n >> 20 & 3 };
         struct press_modes modes = { n >> 22 & 1, n >> 23 & 1, n >> 24 & 1 };
-        uint16_t may =
-            (uint16_t)((modes.autofire || modes.one_hand ? PAD_FIRE : 0) | (modes.toggle_focus ? PAD_FOCUS : 0));
-        uint16_t got = press_tick(&p, &modes, plays, held);
-        assert_int_equal((got ^ held) & ~(plays ? may : 0), 0);
+        unsigned may = (ship.fires && (modes.autofire || modes.one_hand) ? PAD_FIRE : 0u) |
+                       (ship.steers && modes.toggle_focus ? PAD_FOCUS : 0u);
+        uint16_t got = press_tick(&p, &modes, ship, held);
+        assert_int_equal((unsigned)(got ^ held) & ~may, 0);
     }
 }
 
@@ -115,6 +117,9 @@ static void focus_is_switched(void **state)
     ticks(&toggle, ".f..f..f.F.fff.", ".fff...ff+f....");
     /* A pause menu has focus as a button, and afterwards it is as it was: a press there is no switch. */
     ticks(&toggle, ".f. f . f . .", ".fff.f..");
+    ticks(&toggle, "..f.", "ff..");
+    /* In a talk the ship steers on. */
+    ticks(&toggle, ".f._._._f_._F..", ".ffff..F..");
 }
 
 static void focus_over_a_power_on(void **state)
@@ -157,6 +162,7 @@ static void fire_holds_itself(void **state)
     ticks(&one_hand, "..**LL..", "FFL***FF");
     /* In a menu nothing is held; the first move after it holds again. */
     ticks(&one_hand, ". L . L..L", "FL.L..*");
+    ticks(&one_hand, "._L_._F_._L.L", "FL.F.L.*");
 }
 
 static void one_hand_in_bursts(void **state)
@@ -177,7 +183,7 @@ static void several_ticks_a_poll(void **state)
     (void)state;
     power();
     for (int i = 0; i < 6; i++)
-        got[i] = press_tick(&p, &all, true, PAD_FOCUS | PAD_FIRE);
+        got[i] = press_tick(&p, &all, flies, PAD_FOCUS | PAD_FIRE);
     for (int i = 0; i < 6; i++)
         assert_int_equal(got[i], i % 4 < 2 ? PAD_FOCUS | PAD_FIRE : PAD_FOCUS);
 }

@@ -253,7 +253,7 @@ static void test_of_demo(void **state)
 
 static void test_thumb(void **state)
 {
-    static uint8_t pix[480 * 448];
+    static uint8_t memory[1 << 20];
     static const int sizes[][4] = { { 240, 320, 72, 96 }, { 320, 240, 96, 72 }, { 384, 448, 82, 96 },
                                     { 64, 40, 64, 40 },   { 480, 1, 96, 1 },    { 1, 400, 1, 96 } };
     uint32_t rgb[256] = { 0, 0xffffff, 0xff0000, 0x0000ff };
@@ -262,9 +262,11 @@ static void test_thumb(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct fb fb;
-        fb_init(&fb, pix, sizes[i][0], sizes[i][1]);
+        assert_true(fb_size(sizes[i][0], sizes[i][1]) <= sizeof memory);
+        fb_init(&fb, memory, sizes[i][0], sizes[i][1]);
         for (int colour = 0; colour < 4; colour++) {
-            memset(pix, colour, sizeof pix);
+            for (int y = 0; y < fb.h; y++)
+                memset(fb.pix + y * fb.pitch, colour, (size_t)fb.w);
             thumb_make(&t, &fb, rgb);
             assert_int_equal(t.w, sizes[i][2]);
             assert_int_equal(t.h, sizes[i][3]);
@@ -273,7 +275,7 @@ static void test_thumb(void **state)
         }
     }
     struct fb half;
-    fb_init(&half, pix, 192, 192);
+    fb_init(&half, memory, 192, 192);
     for (int i = 0; i < 192 * 192; i++)
         half.pix[i / 192 * half.pitch + i % 192] = (uint8_t)(i % 2); /* grey of black and white */
     thumb_make(&t, &half, rgb);

@@ -288,6 +288,86 @@ static void strides(void **state)
     }
 }
 
+enum { MANY = 97, TURNS = 30000 };
+
+/* Any of 32 bits, or what is extreme, or what a game has. */
+static fx any_fx(struct rng *r)
+{
+    static const fx V[] = { 0, 1, -1, 2, FX_ONE, -FX_ONE, FX_MAX, FX_MIN, FX_MIN + 1, FX_MAX - 1, 0x40000000 };
+    const uint64_t v = rng_next(r);
+
+    switch (v % 8) {
+    case 0:
+        return V[(v >> 8) % (sizeof V / sizeof V[0])];
+    case 1:
+        return (fx)(v >> 32);
+    case 2:
+        return (fx)((int64_t)v >> 32 >> (v >> 8) % 32);
+    default:
+        return (fx)((int64_t)v >> 39); /* within 256 px */
+    }
+}
+
+static ang any_ang(struct rng *r)
+{
+    const uint64_t v = rng_next(r);
+
+    return v % 8 ? (ang)(v >> 32) : ((ang)(v >> 8) << 29) + (ang)(v >> 11) % 3 - 1;
+}
+
+/* Up to 2^lot, and often just that. */
+static int64_t any_length(struct rng *r, int lot)
+{
+    const int64_t most = (int64_t)1 << lot, v = (int64_t)rng_next(r);
+
+    return v % 16 == 0 ? (v & 16 ? most : -most) : (int64_t)rng_below(r, (uint64_t)most * 2 + 1) - most;
+}
+
+/* What columns hold comes to the same as one by one, at all lengths, and nothing is written beyond. */
+static void columns(void **state)
+{
+    static fx x[MANY], y[MANY], vx[MANY + 1], vy[MANY + 1];
+    static ang a[MANY], out[MANY + 1];
+    static int64_t from[MANY], to[MANY], dx[MANY + 1], dy[MANY + 1];
+    struct rng r;
+    long compared = 0;
+
+    (void)state;
+    rng_seed(&r, 13);
+    for (int turn = 0; turn < TURNS; turn++) {
+        const int n = turn % (MANY + 1), lot = turn % 49;
+        for (int i = 0; i < n; i++) {
+            x[i] = turn % 16 ? (fx)((int64_t)rng_next(&r) >> 39) : any_fx(&r);
+            y[i] = turn % 16 == 1 ? x[i] + i % 3 - 1 : any_fx(&r);
+            a[i] = any_ang(&r);
+            from[i] = any_length(&r, lot);
+            to[i] = any_length(&r, lot);
+        }
+        out[n] = 77;
+        vx[n] = vy[n] = 78;
+        dx[n] = dy[n] = 79;
+        trig_atan2s(y, x, out, n);
+        trig_polars(y, a, vx, vy, n);
+        trig_strides(from, to, a, dx, dy, n);
+        for (int i = 0; i < n; i++, compared++) {
+            fx one_x, one_y;
+            int64_t step_x, step_y;
+            trig_polar(y[i], a[i], &one_x, &one_y);
+            trig_stride(from[i], to[i], a[i], &step_x, &step_y);
+            if (out[i] != trig_atan2(y[i], x[i]))
+                fail_msg("trig_atan2s(%d, %d), %d of %d", y[i], x[i], i, n);
+            if (vx[i] != one_x || vy[i] != one_y)
+                fail_msg("trig_polars(%d, %08x), %d of %d", y[i], (unsigned)a[i], i, n);
+            if (dx[i] != step_x || dy[i] != step_y)
+                fail_msg("trig_strides(%lld, %lld, %08x), %d of %d", (long long)from[i], (long long)to[i],
+                         (unsigned)a[i], i, n);
+        }
+        assert_true(out[n] == 77 && vx[n] == 78 && vy[n] == 78 && dx[n] == 79 && dy[n] == 79);
+    }
+    print_message("# %ld of each\n", compared);
+    assert_true(compared > 1000000);
+}
+
 /* |u| / 2^16 nearest to |x| / sqrt(x^2 + y^2), and of the same sign. */
 static bool unit_is(fx u, fx x, fx y)
 {
@@ -469,7 +549,7 @@ int main(void)
         cmocka_unit_test(unit_vectors),  cmocka_unit_test(hardest_units),
         cmocka_unit_test(differences),   cmocka_unit_test(degrees),
         cmocka_unit_test(degrees_edges), cmocka_unit_test(degrees_back),
-        cmocka_unit_test(strides),
+        cmocka_unit_test(strides),       cmocka_unit_test(columns),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,7 +9,9 @@
 #define trig_cos               twin_cos
 #define trig_atan2             twin_atan2
 #define trig_polar             twin_polar
+#define trig_atan2s            twin_atan2s
 #define trig_polars            twin_polars
+#define trig_strides           twin_strides
 #define trig_normalise         twin_normalise
 #define trig_stride            twin_stride
 #define trig_from_degrees      twin_from_degrees

@@ -1,10 +1,11 @@
 /*
- * latency.c - how long it takes from a switch to the picture that shows it: the whole cabinet, on a port whose clock and
- * screen are simulated. The game shows another picture while fire is held: in the tick that sees it, or in the next one.
+ * latency.c - how long it takes from a switch to the picture that shows it: the whole cabinet, on a port whose clock
+ * and screen are simulated. The game shows another picture while fire is held: in the tick that sees it, or in the next
+ * one.
  *
  * A switch is pressed at any moment, and held until the picture has changed; the moment counts at which the screen
- * begins to show it. What the screen itself takes to draw a picture, and the controller to report a switch, comes on top
- * of that on any machine.
+ * begins to show it. What the screen itself takes to draw a picture, and the controller to report a switch, comes on
+ * top of that on any machine.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>

@@ -24,7 +24,7 @@
 #include "../../../platform/platform.h"
 #include "../../base/pads.h"
 #include "../pads/seats.h"
-#include "../pads/switches.h"
+#include "../pads/switch.h"
 
 /* The cabinet's actions, after the players' PADS * PAD_BUTTONS. */
 enum cab_key {
@@ -69,7 +69,7 @@ struct keys_device {
 };
 
 struct keys {
-    uint16_t code[KEYS_ACTIONS][KEYS_EACH];      /* as in switches.h; 0: none */
+    uint16_t code[KEYS_ACTIONS][KEYS_EACH];      /* as in switch.h; 0: none */
     uint16_t hand[PADS][PAD_BUTTONS][KEYS_HAND]; /* the layout of a player with one hand; 0: none */
     uint8_t eaten[PLAT_KEYS / 8];                /* keys a chord has used, until they are released */
     uint16_t by_key[PADS], by_switch[PADS];      /* of the last read: held by keys, by a controller */

@@ -6,12 +6,12 @@
  *
  * Free: a frame is due every sixtieth of a second, counted from a base, so that nothing is lost to rounding.
  *
- * Locked: showing a picture returns when the screen has taken it, at a refresh. A frame is then due at the first refresh
- * at which a tick is: at 59.94 Hz one refresh of a thousand has two ticks, at 75 Hz one of five has none and shows no
- * new picture. Refreshes are counted on a clock of their own that goes by the screen's rate and passes over the jitter
- * with which they are heard of; it is set right when it is off by more than that, and its rate with it. So which refresh
- * has how many ticks follows from the two rates alone. A screen that does not wait is waited for here; refreshes that
- * were missed are counted as passed. It is never more than a tick away from the clock on average.
+ * Locked: showing a picture returns when the screen has taken it, at a refresh. A frame is then due at the first
+ * refresh at which a tick is: at 59.94 Hz one refresh of a thousand has two ticks, at 75 Hz one of five has none and
+ * shows no new picture. Refreshes are counted on a clock of their own that goes by the screen's rate and passes over
+ * the jitter with which they are heard of; it is set right when it is off by more than that, and its rate with it. So
+ * which refresh has how many ticks follows from the two rates alone. A screen that does not wait is waited for here;
+ * refreshes that were missed are counted as passed. It is never more than a tick away from the clock on average.
  *
  * A picture that is ready long before the refresh it is for would only show switches that are older. So a frame begins
  * so late that what frames take, and some thousandths of a second, are left; after a refresh that was missed, for some

@@ -39,18 +39,18 @@ static unsigned in_bursts(struct press *p, unsigned held)
     return on ? held : held & ~(unsigned)PAD_FIRE;
 }
 
-uint16_t press_tick(struct press *p, const struct press_modes *modes, bool plays, uint16_t held)
+uint16_t press_tick(struct press *p, const struct press_modes *modes, struct press_ship ship, uint16_t held)
 {
     unsigned out = held, fresh = held & ~(unsigned)p->held;
 
     p->held = held;
-    if (!plays) {
+    if (modes->toggle_focus && ship.steers)
+        out = toggled(p, out, fresh);
+    if (!ship.fires) {
         p->fires = false;
         p->fire_ticks = 0;
-        return held;
+        return (uint16_t)out;
     }
-    if (modes->toggle_focus)
-        out = toggled(p, out, fresh);
     if (modes->one_hand)
         out = with_one_hand(p, out, fresh);
     if (modes->autofire)

@@ -2,9 +2,8 @@
  * press.h - how a player presses: from the buttons that are held to those that a tick gets.
  * floor: cab
  *
- * What comes out is what is recorded, so a demo needs none of this. All is counted in ticks. Only where the player
- * plays (a ship is there that may fire, and no menu stands) a mode acts: everywhere else a button is a button, so that
- * a menu is not answered by itself.
+ * What comes out is what is recorded, so a demo needs none of this. All is counted in ticks. A mode acts only on what is
+ * the ship's at that tick: everywhere else a button is a button, so that no menu and no talk is answered by itself.
  *
  * * autofire: fire that is held is pressed for PRESS_ON ticks and released for PRESS_OFF, fifteen times a second.
  * * toggle_focus: each press of focus switches it, and it stays. A power-on switches it off; so the pads say where time
@@ -38,7 +37,12 @@ struct press {
  * held over it is no new press. */
 void press_resume(struct press *p, uint16_t pads);
 
+/* What is the ship's, and not a menu's or a talk's. */
+struct press_ship {
+    bool steers, fires;
+};
+
 /* The pads of the next tick, from the buttons that are held. */
-uint16_t press_tick(struct press *p, const struct press_modes *modes, bool plays, uint16_t held);
+uint16_t press_tick(struct press *p, const struct press_modes *modes, struct press_ship ship, uint16_t held);
 
 #endif

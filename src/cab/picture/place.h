@@ -18,7 +18,8 @@ struct place_want {
     bool beside; /* something may stand beside the picture */
 };
 
-/* Areas are in window pixels, as they are seen there: turned. An area may reach beyond the window, with whole numbers. */
+/* Areas are in window pixels, as they are seen there: turned. An area may reach beyond the window, with whole numbers.
+ * */
 struct placed {
     struct area picture;
     struct area side;   /* to the right of the picture, for who looks at it; w 0: there is no room for it */

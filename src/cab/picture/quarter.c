@@ -1,6 +1,6 @@
 /*
- * quarter.c - see quarter.h. A picture is turned row by row of what it was: a step to the right there is a step of one kind
- * in the turned one.
+ * quarter.c - see quarter.h. A picture is turned row by row of what it was: a step to the right there is a step of one
+ * kind in the turned one.
  */
 #include "quarter.h"
 

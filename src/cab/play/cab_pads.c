@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include "../../board/inspect.h"
-#include "../pads/switches.h"
+#include "../pads/switch.h"
 #include "cab_parts.h"
 
 void cab_pads_open(void)
@@ -54,8 +54,10 @@ void cab_pads_tick(uint16_t pads[PADS])
     if (frame != cab.pressed_to)
         resume(frame);
     cab.pressed_to = frame + 1;
-    for (int p = 0; p < PADS; p++)
-        pads[p] = press_tick(&cab.press[p], &cab.modes[p], inspect_plays(b, p), cab.pads[p]);
+    for (int p = 0; p < PADS; p++) {
+        const struct inspect_ship_has ship = inspect_plays(b, p);
+        pads[p] = press_tick(&cab.press[p], &cab.modes[p], (struct press_ship){ ship.steers, ship.fires }, cab.pads[p]);
+    }
 }
 
 /* ---- controllers ---- */

@@ -392,8 +392,8 @@ int cab_sound_rate(void);
 bool cab_open_window(void);
 void cab_window_close(void);
 
-/* To be called before a picture of w x h is shown: looks how large the window is. Afterwards cab_window_side is what can
- * be drawn on beside the picture, in its colours; NULL: there is no room, or it is not wanted. */
+/* To be called before a picture of w x h is shown: looks how large the window is. Afterwards cab_window_side is what
+ * can be drawn on beside the picture, in its colours; NULL: there is no room, or it is not wanted. */
 void cab_window_begin(int w, int h);
 struct fb *cab_window_side(void);
 

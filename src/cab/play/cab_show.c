@@ -1,5 +1,6 @@
 /*
- * cab_show.c - the board's picture, and over a copy of it, or beside it, the message, time bar, panels, console or menu.
+ * cab_show.c - the board's picture, and over a copy of it, or beside it, the message, time bar, panels, console or
+ * menu.
  *
  * What is over the picture stands at its bottom, for scores stand at the top of most games.
  */

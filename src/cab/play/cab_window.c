@@ -1,6 +1,6 @@
 /*
- * cab_window.c - the window: how the settings would have it, and what is shown in it, plain by the port or composed here
- * pixel by pixel (picture/).
+ * cab_window.c - the window: how the settings would have it, and what is shown in it, plain by the port or composed
+ * here pixel by pixel (picture/).
  *
  * A picture goes to plat_show as long as that can show it: it costs least, and every port has it. A turned one goes
  * there turned. All else is composed for the window as it is at that moment, if the port says how large that is.

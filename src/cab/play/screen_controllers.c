@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../pads/switches.h"
+#include "../pads/switch.h"
 #include "cab_parts.h"
 
 static uint32_t pressed[PLAT_CONTROLLERS]; /* at the last poll, also what no player gets */

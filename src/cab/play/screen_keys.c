@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../pads/switches.h"
+#include "../pads/switch.h"
 #include "cab_parts.h"
 
 enum { GROUPS = PADS + 1, STANDARD = KEYS_ACTIONS + GROUPS, ROWS };

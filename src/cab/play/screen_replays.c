@@ -320,10 +320,11 @@ static void draw_words(const struct card *c, const struct canvas *canvas, struct
     if (c->difficulty[0])
         snprintf(lines[n++], sizeof lines[0], "%s", c->difficulty);
     for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
-        snprintf(lines[n++], sizeof lines[0], "%" PRId64, c->points[p]);
+        snprintf(lines[n++], sizeof lines[0], "%" PRId64 " points", c->points[p]);
     snprintf(lines[n++], sizeof lines[0], "%d stage%s", c->stages, c->stages == 1 ? "" : "s");
-    for (int i = 0; i < n && (i + 1) * (CANVAS_CELL_H + 2) < to.h; i++)
-        canvas_text(canvas, to.x, to.y + 2 + i * (CANVAS_CELL_H + 2), i ? CANVAS_WHITE : CANVAS_YELLOW, lines[i]);
+    for (int i = 0; i < n && (i + 1) * CANVAS_LINE_H <= to.h; i++)
+        canvas_say_within(canvas, to.x, to.y + CANVAS_SAY_UP + i * CANVAS_LINE_H, i ? CANVAS_WHITE : CANVAS_YELLOW,
+                          lines[i], to.w);
 }
 
 static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)

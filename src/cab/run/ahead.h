@@ -4,8 +4,8 @@
  * floor: cab
  *
  * What is shown is a frame younger then, so a switch is seen a frame earlier. Where the player presses something else
- * in the next frame, that frame differs from the one that was shown. Nothing but the picture is of it: sound, recording,
- * scores, log and requests are the present's.
+ * in the next frame, that frame differs from the one that was shown. Nothing but the picture is of it: sound,
+ * recording, scores, log and requests are the present's.
  */
 #ifndef CAB_AHEAD_H
 #define CAB_AHEAD_H

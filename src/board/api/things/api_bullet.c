@@ -826,14 +826,14 @@ static void shift(const struct board *b, struct bullets *s, uint32_t i, const st
     let_go(b, s, i);
 }
 
-static void act(struct board *b, bool shot, uint32_t i, enum verb verb, const struct api_value *v)
+static void act(struct board *b, bool shot, const struct targets *targets, uint32_t i, enum verb verb,
+                const struct api_value *v)
 {
     struct bullets *s = shot ? &b->shots : &b->bullets;
-    struct motion_world w = board_world(b, shot);
 
     switch (verb) {
     case V_AIM:
-        s->dir[i] = targets_aim(&w.targets, s->x[i], s->y[i], shot ? 0xc0000000u : 0x40000000u) + v[ARG_BY].a;
+        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], shot ? 0xc0000000u : 0x40000000u) + v[ARG_BY].a;
         break;
     case V_TURN:
         s->dir[i] += v[ARG_BY].a;
@@ -854,10 +854,11 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     int64_t h = v[ARG_SELF].i;
     bool shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
     struct bullets *s = shot ? &b->shots : &b->bullets;
+    const struct targets targets = board_world(b, shot).targets;
 
     if (!handle_kind_group(handle_kind(h))) {
         if (board_alive(b, h))
-            act(b, shot, handle_slot(h), verb, v);
+            act(b, shot, &targets, handle_slot(h), verb, v);
         else if (verb == V_REMOVE && board_there(b, h)) /* held: what else it touched is spared */
             bullets_release(s, handle_slot(h));
         return 0;
@@ -865,7 +866,7 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     vm_charge(L, s->s.live);
     EACH_LIVE (i, &s->s)
         if (api_has_tag(s->tag, i, handle_slot(h)))
-            act(b, shot, i, verb, v);
+            act(b, shot, &targets, i, verb, v);
     if (verb == V_REMOVE)
         EACH_HELD (i, &s->s)
             if (api_has_tag(s->tag, i, handle_slot(h)))

@@ -1,0 +1,207 @@
+/*
+ * switch.c - see switch.h.
+ */
+#include "switch.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Keys by HID usage, from 4 on; letters, digits and F keys are worked out. */
+static const struct key {
+    uint8_t usage;
+    const char *name;
+} keys[] = {
+    { 40, "enter" },     { 41, "escape" },   { 42, "backspace" },   { 43, "tab" },        { 44, "space" },
+    { 45, "minus" },     { 46, "equals" },   { 47, "lbracket" },    { 48, "rbracket" },   { 49, "backslash" },
+    { 51, "semicolon" }, { 52, "quote" },    { 53, "backquote" },   { 54, "comma" },      { 55, "period" },
+    { 56, "slash" },     { 57, "capslock" }, { 70, "printscreen" }, { 71, "scrolllock" }, { 72, "pause" },
+    { 73, "insert" },    { 74, "home" },     { 75, "pageup" },      { 76, "delete" },     { 77, "end" },
+    { 78, "pagedown" },  { 79, "right" },    { 80, "left" },        { 81, "down" },       { 82, "up" },
+    { 83, "numlock" },   { 84, "kp/" },      { 85, "kp*" },         { 86, "kp-" },        { 87, "kp+" },
+    { 88, "kpenter" },   { 98, "kp0" },      { 99, "kp." },         { 224, "lctrl" },     { 225, "lshift" },
+    { 226, "lalt" },     { 227, "lgui" },    { 228, "rctrl" },      { 229, "rshift" },    { 230, "ralt" },
+    { 231, "rgui" },
+};
+
+/* Switches of a controller. */
+static const char *const switches[PLAT_SWITCHES] = {
+    "up",     "down",  "left", "right", "south", "east",  "west",  "north",  "l1",  "r1",    "l2",    "r2",     "start",
+    "select", "guide", "l3",   "r3",    "lup",   "ldown", "lleft", "lright", "rup", "rdown", "rleft", "rright",
+};
+
+enum { COUNT_KEYS = sizeof keys / sizeof *keys };
+
+/* ---- names to codes; 0: no such switch ---- */
+
+static unsigned number_after(const char *s, const char *prefix, unsigned lo, unsigned hi)
+{
+    size_t n = strlen(prefix);
+    if (strncmp(s, prefix, n) != 0 || s[n] < '0' || s[n] > '9')
+        return 0;
+    char *end;
+    unsigned long v = strtoul(s + n, &end, 10);
+    return *end || v < lo || v > hi ? 0 : (unsigned)v;
+}
+
+static unsigned key_code(const char *s)
+{
+    if (s[0] >= 'a' && s[0] <= 'z' && !s[1])
+        return 4u + (unsigned)(s[0] - 'a');
+    if (s[0] >= '1' && s[0] <= '9' && !s[1])
+        return 30u + (unsigned)(s[0] - '1');
+    if (strcmp(s, "0") == 0)
+        return 39;
+    unsigned n;
+    if ((n = number_after(s, "f", 1, 12)) != 0)
+        return 57 + n;
+    if ((n = number_after(s, "kp", 1, 9)) != 0)
+        return 88 + n;
+    for (int i = 0; i < COUNT_KEYS; i++)
+        if (strcmp(s, keys[i].name) == 0)
+            return keys[i].usage;
+    return number_after(s, "key", 4, 255);
+}
+
+static unsigned controller_code(const char *s)
+{
+    unsigned which = s[3] >= '1' && s[3] < '1' + PLAT_CONTROLLERS ? (unsigned)(s[3] - '0') : 0;
+    s += which ? 4 : 3;
+    if (*s++ != '.')
+        return 0;
+    for (unsigned i = 0; i < PLAT_SWITCHES; i++)
+        if (strcmp(s, switches[i]) == 0)
+            return SWITCH_CONTROLLER | which << 5 | i;
+    return 0;
+}
+
+static unsigned chord_code(const char *s, unsigned with)
+{
+    unsigned code = key_code(strchr(s, '+') + 1);
+    return code ? code | with : 0;
+}
+
+uint16_t switch_code(const char *s)
+{
+    if (strncmp(s, "pad", 3) == 0)
+        return (uint16_t)controller_code(s);
+    if (strncmp(s, "alt+", 4) == 0)
+        return (uint16_t)chord_code(s, SWITCH_ALT);
+    if (strncmp(s, "ctrl+", 5) == 0)
+        return (uint16_t)chord_code(s, SWITCH_CTRL);
+    return (uint16_t)key_code(s);
+}
+
+/* A key, or a controller's switch. */
+static void plain_name(unsigned code, char *out, size_t size)
+{
+    unsigned which = switch_which(code);
+
+    for (int i = 0; i < COUNT_KEYS; i++) {
+        if (code == keys[i].usage) {
+            snprintf(out, size, "%s", keys[i].name);
+            return;
+        }
+    }
+    if (code & SWITCH_CONTROLLER)
+        snprintf(out, size, which ? "pad%u.%s" : "pad%.0u.%s", which, switches[code & 31]);
+    else if (code < 30)
+        snprintf(out, size, "%c", 'a' + (int)code - 4);
+    else if (code < 40)
+        snprintf(out, size, "%u", (code - 29) % 10);
+    else if (code >= 58 && code <= 69)
+        snprintf(out, size, "f%u", code - 57);
+    else if (code >= 89 && code <= 97)
+        snprintf(out, size, "kp%u", code - 88);
+    else
+        snprintf(out, size, "key%u", code);
+}
+
+void switch_name(unsigned code, char *out, size_t size)
+{
+    const char *with = code & SWITCH_ALT ? "alt+" : code & SWITCH_CTRL ? "ctrl+" : "";
+
+    snprintf(out, size, "%s", code ? with : "none");
+    if (code && size > strlen(with))
+        plain_name(code & ~(unsigned)(SWITCH_ALT | SWITCH_CTRL), out + strlen(with), size - strlen(with));
+}
+
+/* ---- what is printed on a controller ---- */
+
+/* The directions are called alike everywhere. */
+static const char *const common[PLAT_SWITCHES] = {
+    [PLAT_DPAD_UP] = "D-pad up",
+    [PLAT_DPAD_DOWN] = "D-pad down",
+    [PLAT_DPAD_LEFT] = "D-pad left",
+    [PLAT_DPAD_RIGHT] = "D-pad right",
+    [PLAT_SOUTH] = "lower button",
+    [PLAT_EAST] = "right button",
+    [PLAT_WEST] = "left button",
+    [PLAT_NORTH] = "upper button",
+    [PLAT_SHOULDER_LEFT] = "L1",
+    [PLAT_SHOULDER_RIGHT] = "R1",
+    [PLAT_TRIGGER_LEFT] = "L2",
+    [PLAT_TRIGGER_RIGHT] = "R2",
+    [PLAT_START] = "Start",
+    [PLAT_SELECT] = "Select",
+    [PLAT_GUIDE] = "Guide",
+    [PLAT_STICK_LEFT] = "L3",
+    [PLAT_STICK_RIGHT] = "R3",
+    [PLAT_LEFT_UP] = "stick up",
+    [PLAT_LEFT_DOWN] = "stick down",
+    [PLAT_LEFT_LEFT] = "stick left",
+    [PLAT_LEFT_RIGHT] = "stick right",
+    [PLAT_RIGHT_UP] = "right stick up",
+    [PLAT_RIGHT_DOWN] = "right stick down",
+    [PLAT_RIGHT_LEFT] = "right stick left",
+    [PLAT_RIGHT_RIGHT] = "right stick right",
+};
+
+/* What differs: the buttons of a kind, NULL where it is as above. */
+enum { BUTTONS = PLAT_STICK_RIGHT + 1 };
+#define XBOX                                                                                                           \
+    [PLAT_SOUTH] = "A", [PLAT_EAST] = "B", [PLAT_WEST] = "X", [PLAT_NORTH] = "Y", [PLAT_SHOULDER_LEFT] = "LB",         \
+    [PLAT_SHOULDER_RIGHT] = "RB", [PLAT_TRIGGER_LEFT] = "LT", [PLAT_TRIGGER_RIGHT] = "RT", [PLAT_STICK_LEFT] = "LS",   \
+    [PLAT_STICK_RIGHT] = "RS"
+#define PLAYSTATION                                                                                                    \
+    [PLAT_SOUTH] = "cross", [PLAT_EAST] = "circle", [PLAT_WEST] = "square", [PLAT_NORTH] = "triangle",                 \
+    [PLAT_GUIDE] = "PS"
+static const char *const printed[PLAT_KINDS][BUTTONS] = {
+    [PLAT_XBOX] = { XBOX, [PLAT_START] = "Menu", [PLAT_SELECT] = "View", [PLAT_GUIDE] = "Xbox" },
+    [PLAT_XBOX_360] = { XBOX, [PLAT_SELECT] = "Back" },
+    [PLAT_PS3] = { PLAYSTATION },
+    [PLAT_PS4] = { PLAYSTATION, [PLAT_START] = "Options", [PLAT_SELECT] = "Share" },
+    [PLAT_PS5] = { PLAYSTATION, [PLAT_START] = "Options", [PLAT_SELECT] = "Create" },
+    [PLAT_NINTENDO] = { [PLAT_SOUTH] = "B",
+                        [PLAT_EAST] = "A",
+                        [PLAT_WEST] = "Y",
+                        [PLAT_NORTH] = "X",
+                        [PLAT_SHOULDER_LEFT] = "L",
+                        [PLAT_SHOULDER_RIGHT] = "R",
+                        [PLAT_TRIGGER_LEFT] = "ZL",
+                        [PLAT_TRIGGER_RIGHT] = "ZR",
+                        [PLAT_START] = "+",
+                        [PLAT_SELECT] = "-",
+                        [PLAT_GUIDE] = "HOME" },
+};
+
+void switch_label(unsigned code, enum plat_kind kind, char *out, size_t size)
+{
+    unsigned bit = switch_bit(code);
+
+    if (!(code & SWITCH_CONTROLLER) || bit >= PLAT_SWITCHES)
+        switch_name(code, out, size);
+    else
+        snprintf(out, size, "%s", bit < BUTTONS && printed[kind][bit] ? printed[kind][bit] : common[bit]);
+}
+
+const char *switch_kind_name(enum plat_kind kind)
+{
+    static const char *const names[PLAT_KINDS] = {
+        [PLAT_UNKNOWN] = "controller", [PLAT_XBOX] = "Xbox",         [PLAT_XBOX_360] = "Xbox 360",
+        [PLAT_PS3] = "PlayStation 3",  [PLAT_PS4] = "PlayStation 4", [PLAT_PS5] = "PlayStation 5",
+        [PLAT_NINTENDO] = "Nintendo",
+    };
+
+    return names[kind];
+}
