@@ -630,7 +630,7 @@ static void test_ask(void **state)
         rig_game_free(&g);
     }
     SAYS("board.ask('setings')", "main.lua:2: board.ask: what: expected settings, replays, practice or keys, got "
-                                 "\"setings\" (did you mean \"settings\"?)");
+                                 "\"setings\"");
 }
 
 /* ---- how many play ---- */
