@@ -73,7 +73,14 @@ leave() {
 }
 stop() { # [KEY]: which ends it; the cabinet's is ctrl+q
     local key=${1:-ctrl+q}
-    xdotool key "$key"
+    case $key in
+    ctrl+*) # seen by a poll each, however slow they are
+        xdotool keydown ctrl && rounds 3
+        xdotool keydown "${key#*+}" && sleep 0.3
+        xdotool keyup "${key#*+}" keyup ctrl
+        ;;
+    *) xdotool key "$key" ;;
+    esac
     check "ends on $key" soon gone
     gone || kill -KILL "$child"
     wait "$child"
