@@ -20,7 +20,11 @@ on.kill(function(e, p)
   local note = text.line { x = e.x, y = e.y, text = "x" .. p.chain, font = "slim",
                            align = "center", bank = 3 }
   task.go(function()
-    for _ = 1, 30 do note.y = note.y - 0.5 wait(1) end
+    for _ = 1, 30 do
+      if not note.alive then return end -- the page was turned
+      note.y = note.y - 0.5
+      wait(1)
+    end
     note:remove()
   end)
 end)
