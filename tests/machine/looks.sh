@@ -64,7 +64,7 @@ looks 'border = no\nscale = 3\ncrt = yes\n' 384x288
 looks 'scale = 2\nborder = yes\nturn = over\n' 256x192
 looks 'scale = 2\nscaling = smooth\ncrt = yes\nturn = left\nborder = yes\n' 192x256
 looks 'border = no\nscale = 2\npanels = beside\n' 256x192 10 g
-# The screen is 1100 x 1000: 8 x 128 is 1024 with a title and edges, 96 rows could be 9 times as many.
+# The screen is 1100 x 1000, a title and edges take up to 42 rows of it: 8 times 128 columns, 7 1/4 times 128 rows.
 looks 'border = no\n' 1024x768
-looks 'border = no\nturn = left\nscaling = smooth\n' 720x960
+looks 'border = no\nturn = left\nscaling = smooth\n' 696x928
 finish

@@ -64,6 +64,27 @@ run_ahead = 1; turn = left; scaling = smooth; crt = yes; panels = beside
 END
 unset KEYS_WINDOW
 
+# Pause, steps, slow motion, as fast as it goes, back in time, the console, the practice menu: all of it beside a look
+# ahead.
+COMMA=54 SLASH=56 BACKQUOTE=53 F2=59 ESCAPE=41 F12=69
+{
+    keys 60 $Z; keys 1 $P; keys 2; keys 1 $DOT; keys 2; keys 1 $DOT $Z; keys 2; keys 1 $P; keys 5 $Z
+    keys 12 $BACKSPACE; keys 9 $Z; keys 1 $B; keys 2; keys 1 $P; keys 6; keys 1 $COMMA; keys 9 $Z; keys 1 $COMMA; keys 4
+    keys 1 $COMMA; keys 3 $SLASH; keys 5 $Z; keys 1 $BACKQUOTE; keys 3; keys 1 $ESCAPE; keys 5; keys 1 $F2; keys 4
+    keys 1 $F2; keys 8 $Z; keys 1 $F12; keys 12
+} >script
+plays way '' <script
+cp probe-1.png way.png
+check 'the way through all of it' "$curtain" verify g way.demo
+for settings in 'run_ahead = 1' 'run_ahead = 1; turn = right; panels = beside'; do
+    rm -f probe-1.png
+    plays ahead "${settings//; /\\n}\n" <script
+    check "it is the same with $settings" cmp way.demo ahead.demo
+    check 'and so are scores' cmp way.nv ahead.nv
+    check 'and the screenshot' cmp way.png probe-1.png
+done
+press >script
+
 # A screen that is waited for: as many ticks in as much time, so as many frames of the same keys.
 for hz in 60 75 144; do
     export KEYS_VSYNC=$hz KEYS_WINDOW=240x320
