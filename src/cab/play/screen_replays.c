@@ -280,9 +280,12 @@ static void closed(void *of)
 
 static int height(void *of, int w, int h)
 {
+    const struct manifest *m = &cab_cart()->m;
+    const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
+
     (void)of;
     (void)w;
-    return h >= 2 * THUMB_SIDE ? THUMB_SIDE + 4 : h / 3;
+    return h - high >= 4 * CANVAS_LINE_H ? high : h / 3;
 }
 
 /* The screen covers the picture, so all entries of the palette are free but for the canvas's own. */
@@ -322,8 +325,8 @@ static void draw_words(const struct card *c, const struct canvas *canvas, struct
     for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
         snprintf(lines[n++], sizeof lines[0], "%" PRId64, c->points[p]);
     snprintf(lines[n++], sizeof lines[0], "%d stage%s", c->stages, c->stages == 1 ? "" : "s");
-    for (int i = 0; i < n && (i + 1) * (CANVAS_CELL_H + 2) < to.h; i++)
-        canvas_text(canvas, to.x, to.y + 2 + i * (CANVAS_CELL_H + 2), i ? CANVAS_WHITE : CANVAS_YELLOW, lines[i]);
+    for (int i = 0; i < n && (i + 1) * CANVAS_LINE_H <= to.h; i++)
+        canvas_say(canvas, to.x, to.y + CANVAS_SAY_UP + i * CANVAS_LINE_H, i ? CANVAS_WHITE : CANVAS_YELLOW, lines[i]);
 }
 
 static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)
