@@ -259,7 +259,7 @@ ubsan-short:
 
 # MemorySanitizer sees our code alone: what goes through Lua is looked at by valgrind.
 MSAN := CONFIG=msan CC=clang OPT="-O1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer"
-MSAN_GIVEN := $(patsubst %,build/msan/given/fuzz_%,args bdf bisect config demo game lang nvram png records rom sound symbols)
+MSAN_GIVEN := $(patsubst %,build/msan/given/fuzz_%,args bdf bisect card config demo game lang nvram png records rom sound symbols)
 MSAN_UNIT  := $(patsubst %,build/msan/unit/test_%,keys png records rom stdio)
 msan: given
 	@OUT=$(OUT) tests/machine/uninitialised.sh whole lua

@@ -3,7 +3,7 @@
 # the game was changed; its scores; what is not offered. The port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../scripted.sh"
 export KEYS_WHOLE=1 TZ=UTC
-ENTER=40 X=27 C=6 ESC=41 DOWN=81
+ENTER=40 C=6 ESC=41 DOWN=81 UP=82
 
 # Points for fire, an end by the special button; a save each second; a dot that shows frame and chance.
 game g <<'LUA'
@@ -83,6 +83,11 @@ again
 echo 'resume = no' >data/curtain/curtain.conf
 { begin; keys 300 $Z; } | plays out
 check 'resume = no keeps none, and asks nothing' test ! -e "$left"
+
+same '--resume goes on with a start that is given already' 'curtain: --resume does not go with --seed' \
+    "$(./player play g --resume --seed 5 2>&1 </dev/null)"
+same 'and is no --no-resume' 'curtain: --resume does not go with --no-resume' \
+    "$(./player play g --resume --no-resume 2>&1 </dev/null)"
 
 # ---- scores ----
 
@@ -169,7 +174,7 @@ check 'practice leaves none' test ! -e $left
 check 'nor the first seconds of a run' test ! -e $left
 { begin; keys 250 $Z; keys 300 $BACKSPACE; keys 60; } | plays out
 check 'nor one that was taken back to before it began' test ! -e $left
-{ begin; keys 250 $Z; keys 1 $ESC; keys 3; for _ in 1 2 3 4 5; do keys 1 $DOWN; keys 2; done; keys 1 $ENTER; keys 3
+{ begin; keys 250 $Z; keys 1 $ESC; keys 3; for _ in 1 2; do keys 1 $UP; keys 2; done; keys 1 $ENTER; keys 3 # the last but one
     keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
 check 'nor one that was ended in the menu' test ! -e $left
 same 'which is a replay' '0:05 ship normal 2520 left' "$(list | head -1)"

@@ -74,7 +74,7 @@ instrumented() {
         return
     fi
     for target in fuzz_args fuzz_bisect fuzz_config fuzz_demo fuzz_symbols fuzz_game fuzz_lang fuzz_bdf \
-        fuzz_nvram fuzz_png fuzz_records \
+        fuzz_nvram fuzz_png fuzz_records fuzz_card \
         fuzz_rom; do
         clean "$target: $(seeds "$target" | wc -l) files" given "$msan" "$target"
     done

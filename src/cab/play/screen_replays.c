@@ -280,9 +280,12 @@ static void closed(void *of)
 
 static int height(void *of, int w, int h)
 {
+    const struct manifest *m = &cab_cart()->m;
+    const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
+
     (void)of;
     (void)w;
-    return h >= 2 * THUMB_SIDE ? THUMB_SIDE + 4 : h / 3;
+    return h - high >= 4 * CANVAS_LINE_H ? high : h / 3;
 }
 
 /* The screen covers the picture, so all entries of the palette are free but for the canvas's own. */
