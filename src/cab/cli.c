@@ -24,7 +24,7 @@
 #include "host/report.h"
 #include "store/replays_print.h"
 #include "verify.h"
-#include "version.h"
+#include "host/version.h"
 
 #ifndef CURTAIN_CFLAGS
 #define CURTAIN_CFLAGS "unknown"

@@ -10,7 +10,7 @@
 #include "host/files.h"
 #include "game.h"
 #include "host/report.h"
-#include "host/tape.h"
+#include "speaker/tape.h"
 #include "run/guard.h"
 #include "pack/png.h"
 #include "pack/shade.h"

@@ -12,7 +12,7 @@
 #include "../board/board.h"
 #include "hear.h"
 #include "host/report.h"
-#include "host/tape.h"
+#include "speaker/tape.h"
 #include "notes.h"
 #include "pack/pack.h"
 #include "loudness.h"

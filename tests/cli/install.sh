@@ -32,7 +32,7 @@ check 'an installed example, copied, is fine' "$installed" check mygame
 check 'and packs' "$installed" pack mygame -o mygame.rom
 check 'and runs' "$installed" hash mygame.rom --frames 60
 cd "$repo" || exit 2
-release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/version.h)
+release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/host/version.h)
 named() { "$installed" version | grep -q "^curtain $release "; }
 check 'it says which release it is' named
 

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/play/records.h"
+#include "../../src/cab/store/records.h"
 
 static void need(bool good)
 {

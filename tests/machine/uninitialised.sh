@@ -83,7 +83,7 @@ instrumented() {
     done
     planted "planted: pixel data that is not copied is found" src/cab/pack/png.c 'memcpy(to, p + 8, get_be32(p));' '' \
         fuzz_png
-    planted "planted: a record that is not zeroed is found" src/cab/play/records.c 'struct record got = { 0 };' \
+    planted "planted: a record that is not zeroed is found" src/cab/store/records.c 'struct record got = { 0 };' \
         'struct record got;' fuzz_records
 }
 

@@ -16,7 +16,7 @@
 #include "../../src/base/pads.h"
 #include "../../src/cab/args.h"
 #include "../../src/cab/cli.h"
-#include "../../src/cab/version.h"
+#include "../../src/cab/host/version.h"
 #include "../temp.h"
 
 enum { MOST_WORDS = 32 };

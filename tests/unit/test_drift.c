@@ -8,8 +8,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/host/drift.h"
-#include "../../src/cab/host/resample.h"
+#include "../../src/cab/speaker/drift.h"
+#include "../../src/cab/speaker/resample.h"
 
 enum { BLOCK = 800, SECOND = 60 };
 

@@ -119,6 +119,9 @@ static void a_chord_eats_its_key(void **state)
     assert_int_equal(r.pads[0], 0);
     release(&in, 230); /* Alt let go first: Enter is still not Start */
     read_keys(&k, &in, &r);
+    assert_int_equal(r.pressed, 0);
+    assert_int_equal(r.pads[0], 0);
+    read_keys(&k, &in, &r);
     assert_int_equal(r.held, 0);
     assert_int_equal(r.pads[0], 0);
     release(&in, 40);
@@ -568,6 +571,28 @@ static void help_has_them_all(void **state)
     assert_int_equal(lines, KEYS_ACTIONS + settings + 1); /* and the language */
 }
 
+/* Ctrl is read at one poll, q and its release at the next, when both are up. */
+static void a_quick_chord(void **state)
+{
+    struct keys k;
+    struct keys_read r;
+    struct plat_input in = { 0 };
+
+    (void)state;
+    keys_defaults(&k);
+    press(&in, 224);
+    read_keys(&k, &in, &r);
+    release(&in, 224);
+    press(&in, 20);
+    read_keys(&k, &in, &r);
+    assert_true(r.pressed & (uint32_t)1 << CAB_QUIT);
+    release(&in, 20);
+    read_keys(&k, &in, &r);
+    press(&in, 20);
+    read_keys(&k, &in, &r);
+    assert_false(r.pressed & (uint32_t)1 << CAB_QUIT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -591,6 +616,7 @@ int main(void)
         cmocka_unit_test(a_hand_has_its_half),
         cmocka_unit_test(each_hand_reaches_everything),
         cmocka_unit_test(labels),
+        cmocka_unit_test(a_quick_chord),
     };
     return cmocka_run_group_tests(tests, 0, 0);
 }

@@ -313,18 +313,28 @@ bool keys_reserved(uint16_t code)
 
 /* ---- reading ---- */
 
-static bool modifier(const struct plat_input *in, unsigned code)
+/* A modifier counts for a poll longer than it is held: both keys of a quick chord may be up when the second is read. */
+static void note_modifiers(struct keys *k, const struct plat_input *in)
 {
-    if (code & SWITCH_ALT && !plat_key(in, KEY_LEFT_ALT) && !plat_key(in, KEY_RIGHT_ALT))
-        return false;
-    return !(code & SWITCH_CTRL) || plat_key(in, KEY_LEFT_CTRL) || plat_key(in, KEY_RIGHT_CTRL);
+    const bool alt = plat_key(in, KEY_LEFT_ALT) || plat_key(in, KEY_RIGHT_ALT);
+    const bool ctrl = plat_key(in, KEY_LEFT_CTRL) || plat_key(in, KEY_RIGHT_CTRL);
+
+    k->alt = alt || k->had_alt;
+    k->ctrl = ctrl || k->had_ctrl;
+    k->had_alt = alt;
+    k->had_ctrl = ctrl;
+}
+
+static bool modifier(const struct keys *k, unsigned code)
+{
+    return !(code & SWITCH_ALT && !k->alt) && !(code & SWITCH_CTRL && !k->ctrl);
 }
 
 static void eat(struct keys *k, const struct plat_input *in)
 {
     for (int i = 0; i < KEYS_ACTIONS * KEYS_EACH; i++) {
         unsigned code = k->code[i / KEYS_EACH][i % KEYS_EACH], usage = code & 255;
-        if (switch_is_chord(code) && modifier(in, code))
+        if (switch_is_chord(code) && modifier(k, code))
             k->eaten[usage >> 3] = (uint8_t)(k->eaten[usage >> 3] | 1u << (usage & 7));
     }
     for (int i = 0; i < PLAT_KEYS / 8; i++)
@@ -350,7 +360,7 @@ static bool key_held(const struct keys *k, const struct plat_input *in, unsigned
     unsigned usage = code & 255;
 
     if (switch_is_chord(code))
-        return plat_key(in, usage) && modifier(in, code);
+        return plat_key(in, usage) && modifier(k, code);
     return plat_key(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
 }
 
@@ -418,6 +428,7 @@ static uint16_t read_pad(struct keys *k, const struct plat_input *in, const stru
 void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out)
 {
     memset(out, 0, sizeof *out);
+    note_modifiers(k, in);
     eat(k, in);
     for (int p = 0; p < PADS; p++) {
         unsigned was = k->by_key[p] | k->by_switch[p];

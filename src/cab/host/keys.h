@@ -72,6 +72,7 @@ struct keys {
     uint16_t code[KEYS_ACTIONS][KEYS_EACH];      /* as in switch.h; 0: none */
     uint16_t hand[PADS][PAD_BUTTONS][KEYS_HAND]; /* the layout of a player with one hand; 0: none */
     uint8_t eaten[PLAT_KEYS / 8];                /* keys a chord has used, until they are released */
+    bool alt, ctrl, had_alt, had_ctrl;           /* held at this poll or the last one; at the last one */
     uint16_t by_key[PADS], by_switch[PADS];      /* of the last read: held by keys, by a controller */
     struct keys_device player[PADS], cabinet;    /* cabinet: whichever player pressed last */
     uint32_t held;

@@ -11,7 +11,7 @@
 #include "../run/guard.h"
 #include "canvas.h"
 #include "../host/keys.h"
-#include "../host/speaker.h"
+#include "../speaker/speaker.h"
 
 /* In the order of the cabinet keys from CAB_SHAPES on. */
 enum overlay_panel { OVERLAY_SHAPES, OVERLAY_GAUGES, OVERLAY_SPLIT, OVERLAY_TASKS, OVERLAY_MIXER, OVERLAYS };

@@ -25,7 +25,7 @@
 #include "practice.h"
 #include "../screens/screen.h"
 #include "session.h"
-#include "../host/speaker.h"
+#include "../speaker/speaker.h"
 #include "../store/replays.h"
 
 #ifdef __GNUC__

@@ -16,7 +16,7 @@
 #include "../demo/demo_dump.h"
 #include "../demo/demo_text.h"
 #include "../host/clean.h"
-#include "../version.h"
+#include "../host/version.h"
 
 #define REPORTS "user:reports"
 #define TOLD    REPORTS "/told" /* has the name of the last crash's report that a player was told of */

@@ -16,7 +16,7 @@
 #include "../../board/rom/cart.h"
 #include "../run/sections.h"
 #include "../screens/screen.h"
-#include "records.h"
+#include "../store/records.h"
 
 struct practice_menu {
     const struct cart *cart;

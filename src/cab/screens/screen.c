@@ -235,6 +235,14 @@ static uint32_t of_pads(const struct keys_read *k)
     return held;
 }
 
+/* Where a player has given yes and no to other buttons of a controller, south and east are these. */
+static uint32_t of_buttons(const struct plat_input *in, const struct keys_read *k)
+{
+    const uint32_t pads = of_pads(k), controllers = of_controllers(in);
+
+    return pads | (pads & (YES | NO) ? controllers & ~(uint32_t)(YES | NO) : controllers);
+}
+
 /* What was just pressed, and arrows that repeat because they are held since they were pressed here. */
 static uint32_t pressed(struct screens *s, uint32_t held)
 {
@@ -323,7 +331,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
     if (s->deep == 0)
         return false;
     struct screen_place *p = top_of(s);
-    const uint32_t held = of_keyboard(in) | of_controllers(in) | of_pads(k);
+    const uint32_t held = of_keyboard(in) | of_buttons(in, k);
 
     s->said_for -= s->said_for > 0;
     if (p->screen->listen && p->screen->listen(p->of, in)) {

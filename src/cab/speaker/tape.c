@@ -8,7 +8,7 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../board/board.h"
-#include "files.h"
+#include "../host/files.h"
 
 enum { WAVE_HEADER = 44, WAVE_RATE = 48000, BLOCK_BYTES = 4 * BOARD_SOUND, MOST = 1 << 30 };
 
