@@ -103,6 +103,7 @@ static enum result play_it(struct play *p)
     o.mute = a->mute;
     o.nearest = a->nearest;
     o.verbose = a->verbose;
+    o.version = CURTAIN_VERSION;
     o.user = p;
     o.open = is_games_folder(p->path) ? open_game : NULL;
     enum cab_opened opened = open_game(p, &o, err, sizeof err);
