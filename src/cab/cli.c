@@ -106,6 +106,7 @@ static enum result play_it(struct play *p)
     o.verbose = a->verbose;
     o.resume = a->resume;
     o.no_resume = a->no_resume;
+    o.version = CURTAIN_VERSION;
     o.user = p;
     o.open = is_games_folder(p->path) ? open_game : NULL;
     enum cab_opened opened = open_game(p, &o, err, sizeof err);

@@ -28,6 +28,7 @@ struct cab_options {
     const char *record;       /* NULL: no recording */
     int scale;                /* 0: as configured */
     bool fullscreen, mute;    /* true: on, even if configured off */
+    const char *version;      /* Curtain's release, for reports */
     bool verbose;             /* say at the end how the sound did */
     bool resume, no_resume;   /* go on with the run that was left, or begin at the title: without asking */
     bool nearest;             /* as pack: for a folder that is packed again when it changes */

@@ -16,7 +16,6 @@
 #include "../demo/demo_dump.h"
 #include "../demo/demo_text.h"
 #include "../host/clean.h"
-#include "../host/version.h"
 
 #define REPORTS "user:reports"
 #define TOLD    REPORTS "/told" /* has the name of the last crash's report that a player was told of */
@@ -112,7 +111,7 @@ static void add_versions(struct report *r, const char *when)
 {
     char text[256];
 
-    add(r, "curtain   %s, core version %d, Lua %s\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
+    add(r, "curtain   %s, core version %d, Lua %s\n", cab.options.version, CORE_VERSION, board_lua_release());
     plat_about(text, sizeof text);
     add(r, "port      %s\n", text);
     plat_system(text, sizeof text);
