@@ -174,7 +174,7 @@ look() {
     pad plug 3 nintendo
     pad tap 1 north
     pad tap 2 start
-    does menu down down down yes
+    does menu down down down down yes
     looks controllers
     does down right
     looks controllers-changed
@@ -183,7 +183,7 @@ look() {
     looks controllers-pressed
     leave
 }
-for size in 240x320 320x240 384x448; do
+for size in ${SIZES:-240x320 320x240 384x448}; do
     for turned in '' -turned; do
         for by in keys pad; do look; done
     done
