@@ -89,6 +89,13 @@ same '--resume goes on with a start that is given already' 'curtain: --resume do
 same 'and is no --no-resume' 'curtain: --resume does not go with --no-resume' \
     "$(./player play g --resume --no-resume 2>&1 </dev/null)"
 
+again
+{ keys 3; keys 1 $ESC; keys 3; begin; keys 230 $Z; keys 1 $ESC; keys 3 # the question is left, another run begins
+    keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 3; keys 1 $ENTER; keys 3; keys 1 $ENTER; keys 99 # a replay is watched
+    keys 1 $ESC; keys 3; keys 1 $DOWN; keys 2; keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 9 # back to the game
+    keys 1 $ENTER; keys 99; } | plays out # which asks
+check 'who left a run to watch a replay is asked when he comes back' grep -q 'goes on at frame 4[0-9]* with' err
+
 # ---- scores ----
 
 again

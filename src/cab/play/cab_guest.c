@@ -174,6 +174,7 @@ void cab_home(void)
     cab_log_lines(board_last(cab_live()));
     if (cab_fault())
         cab_report_fault();
+    cab_open_resume(); /* a run may have been left for this */
 }
 
 /* ---- to go on with ---- */

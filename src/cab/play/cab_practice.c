@@ -132,4 +132,6 @@ void cab_practice_screen(void)
     if (!start.practice.section[0] && !cab.options.seeded)
         start.seed = cab_seed_from_clock();
     power_anew(start);
+    if (!start.practice.section[0])
+        cab_open_resume();
 }

@@ -74,16 +74,18 @@ static void describe(const struct card *c)
 void cab_open_resume(void)
 {
     const struct cab_options *o = &cab.options;
+    const bool unasked = o->resume;
     struct card c;
 
+    cab.options.resume = false; /* this once */
     if (o->demo || o->record || o->no_resume || cab.start.practice.section[0] || cab_fault())
         return;
     if (!cab_was_left(&c)) {
-        if (o->resume)
+        if (unasked)
             cab_say("curtain: %s: --resume: no run was left", cab_game());
         return;
     }
-    if (o->resume) {
+    if (unasked) {
         cab_resume();
         return;
     }
