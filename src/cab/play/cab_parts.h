@@ -152,7 +152,7 @@ struct cab {
     bool awaits; /* paused until a button is pressed */
     struct screens screens;
     bool stands;          /* the board does in this frame, for a screen is open or was */
-    bool focus;           /* at the last poll */
+    bool here;            /* at the last poll the window had the keys, and was seen */
     uint16_t pads[PADS];  /* buttons held since the last tick, before press */
     uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
     struct seats seats;

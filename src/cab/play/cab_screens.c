@@ -53,12 +53,13 @@ void cab_asked(enum board_ask what)
         open_asked(what);
 }
 
-/* Who goes away does not want to play: a change from focus to none stops, and a host that never has focus runs. */
+/* Who goes away does not want to play: a change from focus to none stops, and so does a window that is made small; a host
+ * that never has focus runs. */
 static void heed_focus(const struct plat_input *in)
 {
-    const bool left = cab.focus && !in->focus;
+    const bool here = in->focus && !in->hidden, left = cab.here && !here;
 
-    cab.focus = in->focus;
+    cab.here = here;
     if (!left || !cab.config.away || cab.attracting || cab.console.open || cab.prompt.open)
         return;
     if (cab.session.demo)
