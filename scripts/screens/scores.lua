@@ -16,7 +16,7 @@ local function how_far(r, many, cells)
   end
   if r.continues > 0 then words[#words + 1] = text.lang("CONTINUES %d"):format(r.continues) end
   local s = table.concat(words, " ")
-  while sys.cells(s) > cells do
+  while #words > 0 and sys.cells(s) > cells do
     words[#words] = nil
     s = table.concat(words, " ")
   end
