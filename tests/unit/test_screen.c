@@ -560,6 +560,35 @@ static void a_mouse_that_lies_there(void **state)
     assert_int_equal(chosen(b), 1);
 }
 
+/* A value that is changed may give the window another size: then the mouse lies elsewhere, and nobody moved it. */
+static void a_window_that_moves_under_the_mouse(void **state)
+{
+    struct bed *b = *state;
+
+    open_list(b, "= =  ");
+    for (int way = 0; way < 2; way++) {
+        point(b, 3, 0, 0);
+        point(b, 0, 0, 0);
+        assert_int_equal(chosen(b), 0);
+        if (way == 0) {
+            struct plat_input in = holding(RIGHT);
+            in.mouse_x = b->s.list.x + 20;
+            in.mouse_y = b->s.list.y + screen_row_height() / 2;
+            poll(b, &in, 0);
+        } else {
+            point(b, 0, 1, 0);
+        }
+        assert_int_equal(b->l.value[0], way + 1);
+        point(b, 3, 0, 0);
+        assert_int_equal(chosen(b), 0);
+        for (int i = 0; i < 60; i++)
+            point(b, 3, 0, 0);
+        assert_int_equal(chosen(b), 0);
+        point(b, 1, 0, 0); /* a hand that moves it later does choose */
+        assert_int_equal(chosen(b), 1);
+    }
+}
+
 /* ---- questions, listening, sayings ---- */
 
 static int asked;
@@ -723,6 +752,7 @@ int main(void)
         TEST(the_list_follows),
         TEST(a_mouse),
         TEST(a_mouse_that_lies_there),
+        TEST(a_window_that_moves_under_the_mouse),
         TEST(a_question),
         TEST(who_listens_has_all_switches),
         TEST(what_is_said_goes_again),

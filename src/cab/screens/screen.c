@@ -22,6 +22,7 @@ enum {
 };
 
 enum { WAIT = 20, AGAIN = 3 /* frames until a held arrow repeats, and between repeats */, SAID = 240 };
+enum { SETTLE = 30 /* frames after a change in which the window may get another size and place under the mouse */ };
 enum { NO_MOUSE = 255 /* in place of its buttons: where it is and what it holds was not meant for this screen */ };
 
 /* ---- the stack ---- */
@@ -270,11 +271,12 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
     return at;
 }
 
-/* The row under the mouse is chosen when the mouse moves; its left button accepts that, its right one goes back. */
+/* The row under the mouse is chosen when the mouse moves, and not the window under it; its left button accepts that, its right one goes back. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
     const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
-    const bool moved = s->mouse != NO_MOUSE && (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
+    const bool moved =
+        s->mouse != NO_MOUSE && s->settle == 0 && (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
     const int at = in->mouse_x >= 0 ? row_under(s, p, in->mouse_x, in->mouse_y) : -1;
 
     s->mouse = in->mouse;
@@ -291,24 +293,29 @@ static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struc
 
 /* ---- a frame ---- */
 
-static void change(const struct screen_place *p, int by, bool ten)
+static void change(struct screens *s, const struct screen_place *p, int by)
+{
+    s->settle = SETTLE;
+    p->screen->change(p->of, p->row, by);
+}
+
+static bool changes(const struct screen_place *p)
 {
     struct screen_row row = { 0 };
 
     p->screen->row(p->of, p->row, &row);
-    if (row.changes && p->screen->change)
-        p->screen->change(p->of, p->row, ten ? 10 * by : by);
+    return row.changes && p->screen->change;
 }
 
-static void accept(const struct screen_place *p)
+static void accept(struct screens *s, const struct screen_place *p)
 {
     struct screen_row row = { 0 };
 
     p->screen->row(p->of, p->row, &row);
     if (row.faint || row.heading)
         return;
-    if (row.changes && p->screen->change)
-        p->screen->change(p->of, p->row, 1);
+    if (changes(p))
+        change(s, p, 1);
     else if (p->screen->accept)
         p->screen->accept(p->of, p->row);
 }
@@ -334,6 +341,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
     const uint32_t held = of_keyboard(in) | of_buttons(in, k);
 
     s->said_for -= s->said_for > 0;
+    s->settle -= s->settle > 0;
     if (p->screen->listen && p->screen->listen(p->of, in)) {
         s->held = UINT32_MAX;
         s->mouse = NO_MOUSE;
@@ -348,14 +356,14 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
             p->row = step(p, p->row, 1);
         if (fresh & (PAGE_UP | PAGE_DOWN))
             move_page(s, p, fresh & PAGE_UP ? -1 : 1);
-        if (fresh & (LEFT | RIGHT))
-            change(p, fresh & LEFT ? -1 : 1, held & TEN);
+        if (fresh & (LEFT | RIGHT) && changes(p))
+            change(s, p, (fresh & LEFT ? -1 : 1) * (held & TEN ? 10 : 1));
     }
     if (fresh & NO) /* who presses yes and no means no */
         screens_close(s);
     else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
         p->screen->remove(p->of, p->row);
     else if (fresh & YES && rows_of(p) > 0)
-        accept(p);
+        accept(s, p);
     return false;
 }

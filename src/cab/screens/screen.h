@@ -72,6 +72,7 @@ struct screens {
     int held_for;         /* frames that an arrow is held, the one of its press included; 0: it was not pressed here */
     uint8_t mouse;        /* its buttons at the last poll */
     int mouse_x, mouse_y; /* at the last poll */
+    int settle;           /* frames in which a mouse that moves chooses nothing: a value has changed the window */
     int shown;            /* rows of the last drawing, the first of them at y, each screen_row_height() high */
     struct screen_area list;
     char said[SCREEN_HELP];
