@@ -373,7 +373,7 @@ static void controller_switch(SDL_JoystickID id, int which, bool down)
     in.pad_seen[i] |= down ? bit : 0;
 }
 
-/* An #if for each release that knew more of them. Single Joy-Cons are held askew: what is printed there helps nobody. */
+/* An #if for each release that knew more of them. Single Joy-Cons are held askew: what is printed there helps none. */
 static enum plat_kind kind_of(SDL_GameController *c)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 12)
