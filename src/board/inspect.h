@@ -54,8 +54,8 @@ struct inspect_shape_of {
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context);
 
-/* Which of a player's buttons are its ship's: those that steer it, and those it fires with? Not those that a menu or a talk
- * has. player: from 0. */
+/* Which of a player's buttons are its ship's: those that steer it, and those it fires with? Not those that a menu or a
+ * talk has. player: from 0. */
 struct inspect_ship_has {
     bool steers, fires;
 };

@@ -21,7 +21,8 @@
  *
  * With --json a demo is one JSON object on a line, whatever becomes of it: verify_json.h.
  *
- * Else what cannot be replayed is one sentence on plat_log; with names from standard input `PATH: WHY` in the same stream.
+ * Else what cannot be replayed is one sentence on plat_log; with names from standard input `PATH: WHY` in the same
+ * stream.
  */
 #ifndef CAB_VERIFY_H
 #define CAB_VERIFY_H

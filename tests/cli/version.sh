@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# version.sh - `curtain version` names the release, which src/cab/host/version.h has and CHANGELOG.md begins with; the core
-# version, which src/board/board.h has; and the release of Lua.
+# version.sh - `curtain version` names the release, which src/cab/host/version.h has and CHANGELOG.md begins with; the
+# core version, which src/board/board.h has; and the release of Lua.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 

@@ -14,8 +14,8 @@
  *     say TEXT          writes "pads: TEXT" to standard error: what came before has been done
  *
  * A poll is all calls of SDL_PollEvent until it has no more, so plat_poll is one. Commands are done before the first
- * event of a poll is handed out, and are seen by that poll; but SDL lets go of guide after 250 ms at the soonest. A line
- * that is none ends the program with exit code 99 and a sentence. Where the window may lack the focus,
+ * event of a poll is handed out, and are seen by that poll; but SDL lets go of guide after 250 ms at the soonest. A
+ * line that is none ends the program with exit code 99 and a sentence. Where the window may lack the focus,
  * SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS=1 lets switches through. Of a program built with AddressSanitizer, its library
  * comes first in LD_PRELOAD.
  */

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # press.sh - how players press, in play: what a tick gets is what is recorded, in every mode, and the demo holds without
-# them. The port is a script's (port_keys.c): no window, no clock. The game prints, in each frame, what it sees of player
-# 1's (and then player 2's) buttons: F fire, B bomb, f focus, s special, L left, and . for none.
+# them. The port is a script's (port_keys.c): no window, no clock. The game prints, in each frame, what it sees of
+# player 1's (and then player 2's) buttons: F fire, B bomb, f focus, s special, L left, and . for none.
 . "$(dirname "$0")/../scripted.sh"
 
 game g <<'LUA'
@@ -76,7 +76,8 @@ pressing 'bursts through a pause' '. F F . . F F . .' $FIRST 'autofire = yes' \
     < <(keys 5; keys 3 $Z; keys 1 $Z $P; keys 7 $Z; keys 1 $Z $P; keys 2 $Z; keys 2)
 pressing 'a step at a time' '. F F . . F' $FIRST 'autofire = yes' \
     < <(keys 5; for _ in 1 2 3 4 5; do keys 1 $Z $DOT; keys 2 $Z; done)
-pressing 'in turbo: 32 ticks a poll' ".$(printf ' F F . .%.0s' 1 2 3 4 5 6 7 8)" $FIRST 'autofire = yes' < <(keys 5; keys 1 $Z $SLASH)
+pressing 'in turbo: 32 ticks a poll' ".$(printf ' F F . .%.0s' 1 2 3 4 5 6 7 8)" $FIRST 'autofire = yes' \
+    < <(keys 5; keys 1 $Z $SLASH)
 pressing 'focus through the menu' '. f f f f f f . . .' $FIRST 'focus = toggle' \
     < <(keys 5; keys 1 $SHIFT; keys 2; keys 1 $ESCAPE; keys 2; keys 2 $SHIFT; keys 2; keys 1 $ESCAPE; keys 3
         keys 1 $SHIFT; keys 2)

@@ -181,7 +181,8 @@ check 'practice leaves none' test ! -e $left
 check 'nor the first seconds of a run' test ! -e $left
 { begin; keys 250 $Z; keys 300 $BACKSPACE; keys 60; } | plays out
 check 'nor one that was taken back to before it began' test ! -e $left
-{ begin; keys 250 $Z; keys 1 $ESC; keys 3; for _ in 1 2; do keys 1 $UP; keys 2; done; keys 1 $ENTER; keys 3 # the last but one
+# The menu's last row but one.
+{ begin; keys 250 $Z; keys 1 $ESC; keys 3; for _ in 1 2; do keys 1 $UP; keys 2; done; keys 1 $ENTER; keys 3
     keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
 check 'nor one that was ended in the menu' test ! -e $left
 same 'which is a replay' '0:05 ship normal 2520 left' "$(list | head -1)"

@@ -163,8 +163,8 @@ does() {
     done
 }
 look() {
-    sed -i "s/screen = { w = [0-9]*, h = [0-9]*/screen = { w = ${size%x*}, h = ${size#*x}/; s/players = 1/players = 2/" \
-        g/rom.lua
+    sed -i "s/screen = { w = [0-9]*, h = [0-9]*/screen = { w = ${size%x*}, h = ${size#*x}/
+        s/players = 1/players = 2/" g/rom.lua
     mkdir -p data/curtain
     printf 'scale = 1\naway = go-on\n%s' "${turned:+turn = left}" >data/curtain/curtain.conf
     pads_none

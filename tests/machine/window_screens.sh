@@ -19,7 +19,8 @@ enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 player.def("ship", { sprite = "dot", hit = { circle = 2 }, registers = { power = 1 } })
 boss.def("queen", { title = "Queen of Glass", kind = "e", x = 32, y = 20, phases = {
   { id = "weak", hp = 5, time = 600, run = function(e) wait(forever) end },
-  { id = "strong", spell = "Sign of Sand: a long name that is cut", hp = 5, time = 60, run = function(e) wait(forever) end } } })
+  { id = "strong", spell = "Sign of Sand: a long name that is cut", hp = 5, time = 60,
+    run = function(e) wait(forever) end } } })
 stage.def("one", function() wait(50) stage.mark "late" wait(40) end)
 local function title() -- that stands still
   wait_until(function() return pad.take("start", 0, 1) end)

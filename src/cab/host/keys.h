@@ -96,9 +96,9 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
 /* Gives a player (from 0) the layout of a hand; HAND_BOTH: none. */
 void keys_hand(struct keys *k, int player, enum keys_hand hand);
 
-/* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is printed
- * on their controller ("cross") or spelled as a key ("enter"); or the first there is, spelled; or "none". For an action
- * of the cabinet, of what was used last by anybody. */
+/* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is
+ * printed on their controller ("cross") or spelled as a key ("enter"); or the first there is, spelled; or "none". For
+ * an action of the cabinet, of what was used last by anybody. */
 void keys_first(const struct keys *k, const char *action, char *out, size_t size);
 
 /* True when there is such an action. The functions above and below take one that is known. */
@@ -132,8 +132,8 @@ void keys_drop(struct keys *k, const char *action, uint16_t code);
  * pad.south to both players is no conflict, for each has a controller. */
 const char *keys_conflict(const struct keys *k, const char *action, uint16_t code);
 
-/* Escape and a controller's guide button open the cabinet's menu: a screen gives them to no other action, or there would
- * be no way back. */
+/* Escape and a controller's guide button open the cabinet's menu: a screen gives them to no other action, or there
+ * would be no way back. */
 bool keys_reserved(uint16_t code);
 
 /* seats: this poll's. */

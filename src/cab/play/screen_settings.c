@@ -1,6 +1,6 @@
 /*
- * screen_settings.c - the settings on the screen: the table of config.c, the language, and the way to the keys. A change
- * takes effect at once; the file is written when the screen is left.
+ * screen_settings.c - the settings on the screen: the table of config.c, the language, and the way to the keys. A
+ * change takes effect at once; the file is written when the screen is left.
  */
 #include <stdio.h>
 #include <string.h>
