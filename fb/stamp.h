@@ -40,13 +40,21 @@ static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, u
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
 }
 
-/* Draws an image at destinations in order up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same
- * picture as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
-size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n);
+/* Destinations of one picture in the order in which it is drawn, each too large by `less`: pictures whose corners are
+ * elsewhere then stand in one list. What they are with it is still below STAMP_OTHER. */
+struct stamp_list {
+    const uint32_t *dests;
+    size_t n;
+    uint32_t less;
+};
 
-/* The same with a picture for each, all of the image's size: that of dests[i] is at[i] bytes after the image's. */
+/* Draws an image at destinations up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same picture as
+ * so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
+size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, struct stamp_list list);
+
+/* The same with a picture for each, all of the image's size: that of destination i is at[i] bytes after the image's. */
 size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, enum blit_mix mix,
-                  const uint32_t *dests, size_t n);
+                  struct stamp_list list);
 
 /* Turned copies of a picture, which follow each other: destination i shows the one nearest to dir[which[i]]. */
 struct stamp_turns {
@@ -65,7 +73,7 @@ static inline uint32_t stamp_turn(ang dir, uint32_t rotations)
 
 /* The same with these copies, the first of which is the image. */
 size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
-                    const uint32_t *dests, size_t n);
+                    struct stamp_list list);
 
 /*
  * Front to back. A layer is a surface that begins all 0, with its clip the whole picture; no pixel that is drawn is 0.
@@ -89,7 +97,7 @@ void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h);
 
 /* Draws at destinations from the last to the first; there is no STAMP_OTHER among them. pixels: the picture's opaque
  * ones. */
-void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const uint32_t *dests, size_t n, size_t pixels);
+void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, struct stamp_list list, size_t pixels);
 
 /* Is all covered where a w x h picture would go? dest: without its bank. */
 static inline bool stamp_layer_hides(const struct stamp_layer *l, uint32_t dest, uint32_t w, uint32_t h)

@@ -30,6 +30,7 @@ static const struct column kind_columns[] = {
     GROUP_COLUMN(bullet_kinds, spark, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, pierce, GROUP_PIERCE),
     GROUP_COLUMN(bullet_kinds, every, GROUP_PIERCE),
+    DERIVED(bullet_kinds, live, "counts the live bullets of each kind"),
 };
 
 static const struct column columns[] = {
@@ -93,6 +94,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(bullets, standing, "how many bullets stand, by the column stands"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
+    DERIVED_REGISTER(bullets, of_kind, "where a column of their kinds is: follows from where RAM is"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -161,6 +163,21 @@ bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_
     return true;
 }
 
+/* One more live bullet of a kind (by: 1), or one less (-1). */
+static inline void count_kind(struct bullets *b, uint16_t kind, int by)
+{
+    if (b->of_kind)
+        b->of_kind[kind] += (uint32_t)by;
+}
+
+/* Gives live bullet i another row of the kinds. */
+static void change_kind(struct bullets *b, uint32_t i, unsigned kind)
+{
+    count_kind(b, b->kind[i], -1);
+    b->kind[i] = (uint16_t)kind;
+    count_kind(b, b->kind[i], 1);
+}
+
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock)
 {
     uint32_t top = b->s.top;
@@ -176,6 +193,7 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
     b->kind[i] = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
+    count_kind(b, b->kind[i], 1); /* it is fired */
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
@@ -214,8 +232,15 @@ static bool stands(const struct bullets *b, uint32_t i)
 void bullets_drop(struct bullets *b, uint32_t i)
 {
     b->standing -= stands(b, i);
+    count_kind(b, b->kind[i], -1);
     slots_drop(&b->s, i);
     park(b, i);
+}
+
+void bullets_hold(struct bullets *b, uint32_t i)
+{
+    count_kind(b, b->kind[i], -1);
+    slots_hold(&b->s, b->leaving, i);
 }
 
 void bullets_release(struct bullets *b, uint32_t i)
@@ -354,7 +379,7 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 {
     bool cloud = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
 
-    b->kind[i] = (uint16_t)(kind + (cloud ? ROW_CLOUD : ROW_KIND));
+    change_kind(b, i, kind + (cloud ? (unsigned)ROW_CLOUD : ROW_KIND));
     b->bank[i] = kinds->bank[kind];
     if (b->hp)
         b->hp[i] = kinds->hp[kind];
@@ -1092,7 +1117,7 @@ static bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
     if (b->flags[i] & BULLET_DELAYED) {
         b->flags[i] &= (uint8_t)~BULLET_DELAYED;
         if (w->kinds)
-            b->kind[i] = bullets_kind(b, w->kinds, i);
+            change_kind(b, i, bullets_kind(b, w->kinds, i));
         b->born[i] = w->clock;
         b->end[i] = 0;
         bullets_steer(b, i);
@@ -1409,7 +1434,7 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
             continue;
         b->moved++;
         if (hold & bit(i))
-            slots_hold(&b->s, b->leaving, i);
+            bullets_hold(b, i);
         else
             bullets_drop(b, i);
     }

@@ -16,9 +16,8 @@
 enum {
     BATCH = 64,       /* pictures that are drawn in one go */
     MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
-    TOP_OVERDRAW =
-        10,   /* the topmost kinds that would cover the field so many times are drawn without asking what is visible */
-    SPLIT = 4 /* counters a kind, so that bullets of one kind in a row do not wait for each other */
+    TOP_OVERDRAW = 10 /* the topmost kinds that would cover the field so many times are drawn without asking what is
+                       * visible */
 };
 
 /* How a kind is drawn this frame. */
@@ -36,21 +35,16 @@ struct style {
     uint32_t n;
     size_t pixels; /* that are opaque; of a layered kind */
     uint32_t list; /* index of its part of the list */
+    uint32_t less; /* as in struct stamp_list */
 };
 
-/* The part of it that is read for every bullet. */
-struct cursor {
-    uint32_t next; /* where in `list` the next one goes */
-    uint32_t from; /* from a bullet's pixel to the destination of its picture */
-};
 
 struct lists {
     struct style style[MAX_KINDS];
-    struct cursor cursor[MAX_KINDS];
+    uint32_t next[MAX_KINDS];    /* where in `list` the next one goes */
     uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed */
     uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
     bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
-    uint32_t count[SPLIT][MAX_KINDS];
     uint16_t order[MAX_KINDS]; /* kinds that have bullets, as they draw */
     uint32_t kinds;
     struct stamp stamp;
@@ -64,6 +58,7 @@ struct view {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
+    uint32_t from; /* from a bullet's pixel, as an offset, to what is listed */
     bool clips; /* what is listed by slot is clipped when it is drawn, so all of it may be listed; and those with
                          * pictures of their own may be listed as destinations */
 };
@@ -98,31 +93,6 @@ static struct lists *open_lists(const struct draw_target *c)
 }
 
 /* ---- the kinds that have bullets ---- */
-
-static void count_block(uint32_t count[SPLIT][MAX_KINDS], const uint16_t kind[SLOTS_BLOCK])
-{
-    for (uint32_t i = 0; i < SLOTS_BLOCK; i += SPLIT) {
-        count[0][kind[i]]++;
-        count[1][kind[i + 1]]++;
-        count[2][kind[i + 2]]++;
-        count[3][kind[i + 3]]++;
-    }
-}
-
-static void count_kinds(const struct bullets *s, uint32_t kinds, struct lists *l)
-{
-    for (uint32_t k = 0; k < SPLIT; k++)
-        memset(l->count[k], 0, kinds * sizeof l->count[k][0]);
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        const uint16_t *kind = s->kind + block * SLOTS_BLOCK;
-        uint64_t used = s->s.used[block];
-        if (used == ~(uint64_t)0)
-            count_block(l->count, kind);
-        else
-            for (; used; used &= used - 1)
-                l->count[0][kind[bits_lowest(used)]]++;
-    }
-}
 
 static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
@@ -167,9 +137,7 @@ static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k
     l->kinds = 0;
     for (uint32_t i = 0; i < k->s.live; i++) {
         struct style *style = &l->style[i];
-        style->n = 0;
-        for (uint32_t j = 0; j < SPLIT; j++)
-            style->n += l->count[j][i];
+        style->n = k->live[i];
         if (!style->n)
             continue;
         find_style(c, k, i, style);
@@ -209,53 +177,58 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
     return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
 }
 
-/* Opens the lists of order[from .. to - 1]. */
-static struct view open_view(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y, bool clips)
+/* Opens the lists of order[first .. to - 1]. */
+static struct view open_view(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y, bool clips)
 {
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
+    int from = INT32_MIN;
 
     memset(l->open, 0, sizeof l->open);
     l->some_by_slot = l->some_own = false;
-    for (uint32_t o = from; o < to; o++) {
-        const struct style *style = &l->style[l->order[o]];
+    for (uint32_t o = first; o < to; o++) {
+        struct style *style = &l->style[l->order[o]];
         struct stamp_corners c = stamp_corners(fb, style->pic->w, style->pic->h);
-        int dx = x - style->pic->ox - c.x0, dy = y - style->pic->oy - c.y0;
+        const int dx = x - style->pic->ox - c.x0, dy = y - style->pic->oy - c.y0, own = dy * fb->pitch + dx;
         l->open[l->order[o]] = 1;
         const bool by_slot = !style->alike && (!clips || !c.wide || !c.high);
         l->by_slot[l->order[o]] = by_slot;
         l->some_by_slot |= by_slot;
         l->some_own |= !style->alike;
-        l->cursor[l->order[o]] = (struct cursor){ style->list, (uint32_t)dy * (uint32_t)fb->pitch + (uint32_t)dx };
+        l->next[l->order[o]] = style->list;
+        style->less = (uint32_t)own;
         if (by_slot)
             continue;
+        from = own > from ? own : from;
         x0 = -dx > x0 ? -dx : x0;
         y0 = -dy > y0 ? -dy : y0;
         x1 = (int64_t)c.wide - dx < x1 ? (int64_t)c.wide - dx : x1;
         y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
     }
+    for (uint32_t o = first; o < to; o++)
+        l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
     if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
-        return (struct view){ fb, x, y, 1, 1, 0, 0, clips };
-    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, clips };
+        return (struct view){ fb, x, y, 1, 1, 0, 0, (uint32_t)from, clips };
+    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, (uint32_t)from, clips };
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
 {
-    return l->cursor[kind].next - l->style[kind].list;
+    return l->next[kind] - l->style[kind].list;
 }
 
-/* Each bullet's offset from the field's corner on the surface, and its bank. True: none needs clipping, whichever its
+/* What of each bullet is listed: its offset and its bank. True: none needs clipping, whichever its
  * kind. */
 static bool dest_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
                        const struct view *view)
 {
     const struct view t = *view;
-    const uint32_t pitch = (uint32_t)t.fb->pitch;
+    const uint32_t pitch = (uint32_t)t.fb->pitch, from = t.from;
     const int32_t x0 = t.x0, y0 = t.y0, x1 = t.x1, y1 = t.y1;
     int32_t others = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
         int32_t px = x[i] >> 16, py = y[i] >> 16;
-        at[i] = (uint32_t)py * pitch + (uint32_t)px + ((uint32_t)bank[i] << 28);
+        at[i] = (uint32_t)py * pitch + (uint32_t)px + from + ((uint32_t)bank[i] << 28);
         others |= (px - x0) | (x1 - px) | (py - y0) | (y1 - py);
     }
     return others >= 0;
@@ -268,23 +241,27 @@ static bool is_unclipped(const struct view *t, fx x, fx y)
     return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
 }
 
+static inline void list_one(struct lists *l, const struct bullets *s, uint32_t i, uint32_t dest)
+{
+    const uint32_t next = l->next[s->kind[i]]++;
+
+    l->slots[next] = i;
+    l->list[next] = dest;
+}
+
 /* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
  * slot if part of it is inside the clip. */
 static void list_other(struct lists *l, const struct bullets *s, const struct view *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
     struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
-    struct cursor *cursor = &l->cursor[s->kind[i]];
     int x, y;
 
     corner(t, l, s, i, &x, &y);
-    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high) {
-        l->slots[cursor->next] = i;
-        l->list[cursor->next++] = stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]);
-    } else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0) {
-        l->slots[cursor->next] = i;
-        l->list[cursor->next++] = STAMP_OTHER | i;
-    }
+    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
+        list_one(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
+    else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
+        list_one(l, s, i, STAMP_OTHER | i);
 }
 
 /* Lists those bullets of a block that m names, one by one. */
@@ -292,16 +269,13 @@ static void list_some(struct lists *l, const struct bullets *s, const struct vie
 {
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-        struct cursor *cursor = &l->cursor[s->kind[i]];
-        if (t->clips && l->by_slot[s->kind[i]]) {
-            l->slots[cursor->next] = i;
-            l->list[cursor->next++] = STAMP_OTHER | i;
-        } else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i])) {
-            l->slots[cursor->next] = i;
-            l->list[cursor->next++] = ((uint32_t)s->bank[i] << 28) +
-                                      (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
-                                      (uint32_t)fx_floor(s->x[i]) + cursor->from;
-        } else
+        if (t->clips && l->by_slot[s->kind[i]])
+            list_one(l, s, i, STAMP_OTHER | i);
+        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+            list_one(l, s, i,
+                     ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
+                         (uint32_t)fx_floor(s->x[i]) + t->from);
+        else
             list_other(l, s, t, i);
     }
 }
@@ -318,12 +292,6 @@ static bool is_run(const uint16_t *kinds)
     return a == b && a == kinds[0] * (uint64_t)0x0001000100010001;
 }
 
-static inline void list_run(uint32_t *restrict list, const uint32_t *restrict at, uint32_t from)
-{
-    for (int k = 0; k < RUN; k++)
-        list[k] = at[k] + from;
-}
-
 static inline void list_slots(uint32_t *restrict slots, uint32_t first)
 {
     for (uint32_t k = 0; k < RUN; k++)
@@ -337,19 +305,18 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
     uint32_t *list = l->list, *slots = l->slots;
 
     for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN) {
-        struct cursor *cursor = &l->cursor[kinds[k]];
         if (is_run(kinds + k)) {
-            list_run(list + cursor->next, at + k, cursor->from);
+            uint32_t *next = &l->next[kinds[k]];
+            memcpy(list + *next, at + k, RUN * sizeof *list);
             if (own)
-                list_slots(slots + cursor->next, first + k);
-            cursor->next += RUN;
+                list_slots(slots + *next, first + k);
+            *next += RUN;
             continue;
         }
 #pragma GCC unroll 8
         for (uint32_t i = 0; i < RUN; i++) {
-            cursor = &l->cursor[kinds[k + i]];
-            const uint32_t next = cursor->next++;
-            list[next] = at[k + i] + cursor->from;
+            const uint32_t next = l->next[kinds[k + i]]++;
+            list[next] = at[k + i];
             if (own)
                 slots[next] = first + k + i;
         }
@@ -393,6 +360,12 @@ static void list_open(struct lists *l, const struct bullets *s, const struct vie
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         list_some(l, s, t, block, open_ones(l, s, block));
+}
+
+/* From the k-th of a kind's list on, up to the n-th. */
+static struct stamp_list list_from(const struct lists *l, const struct style *style, uint32_t k, uint32_t n)
+{
+    return (struct stamp_list){ l->list + style->list + k, n - k, style->less };
 }
 
 /* ---- back to front ---- */
@@ -493,7 +466,7 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
 
     for (uint32_t k = 0; k < n; k++) {
         turns.which = slots + k;
-        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, list + k, n - k);
+        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, list_from(l, style, k, n));
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -516,7 +489,7 @@ static void draw_own(struct draw_target *c, const struct bullets *s, const struc
         most = n - k < BATCH ? n - k : BATCH;
         pick(c, s, &p, slots + k, most, at);
         for (uint32_t j = 0; j < most; j++) {
-            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, list + k + j, most - j);
+            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, list_from(l, style, k + j, k + most));
             if (j < most)
                 draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
         }
@@ -539,7 +512,7 @@ static void draw_alike(struct draw_target *c, const struct bullets *s, const str
     const uint32_t *list = l->list + style->list;
 
     for (uint32_t k = 0; k < n; k++) {
-        k += (uint32_t)stamp_over(c->fb, &image, style->mix, list + k, n - k);
+        k += (uint32_t)stamp_over(c->fb, &image, style->mix, list_from(l, style, k, n));
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -595,7 +568,7 @@ static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, c
     if (style->alike) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture of the band's size is never too much */
-        stamp_layer_draw(layer, &l->stamp, list, n, style->pixels);
+        stamp_layer_draw(layer, &l->stamp, list_from(l, style, 0, n), style->pixels);
         return;
     }
     while (n-- > 0) {
@@ -726,7 +699,6 @@ void video_bullets(struct draw_target *c, const struct bullets *s, const struct 
 
     if (!s->s.live)
         return;
-    count_kinds(s, k->s.live, l);
     find_kinds(c, k, l);
     c->drawn += s->s.live;
     if (c->overdraw != VIDEO_NO_LAYERS && is_layered(l, enough))
