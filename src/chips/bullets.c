@@ -976,9 +976,9 @@ static enum program_state run_turn(struct bullets *b, const struct motion_world 
 }
 
 /* Returns the frames that the step takes. */
-static uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
+static inline uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
+                                  unsigned does)
 {
-    const unsigned does = w->steps->does[st];
     uint32_t n = w->steps->over[st];
 
     b->from[i] = bullets_speed(b, i);
@@ -992,15 +992,15 @@ static uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint
     return n;
 }
 
-/* Any other step. */
-static enum program_state run_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
-                                   struct run *r)
+/* Any other step. `does` is what it does; where this is called, what it may do is a constant. */
+__attribute__((always_inline)) static inline enum program_state do_step(struct bullets *b, const struct motion_world *w,
+                                                                        uint32_t i, uint32_t st, unsigned does,
+                                                                        struct run *r)
 {
-    const unsigned does = w->steps->does[st];
     uint32_t n;
 
     if (!(r->mute & STEP_BEGUN))
-        n = begin_step(b, w, i, st);
+        n = begin_step(b, w, i, st, does);
     else
         n = does & DOES_LEAD ? frames_led(b, w->steps, i, st) : w->steps->over[st];
     if (does & DOES_DIE) {
@@ -1027,6 +1027,12 @@ static enum program_state run_step(struct bullets *b, const struct motion_world 
     return step_over(r);
 }
 
+__attribute__((noinline)) static enum program_state run_step(struct bullets *b, const struct motion_world *w,
+                                                             uint32_t i, uint32_t st, struct run *r)
+{
+    return do_step(b, w, i, st, w->steps->does[st], r);
+}
+
 /* A step with names, whose numbers are the bullet's. Called, for what prepares them would go before all other steps. */
 __attribute__((noinline)) static enum program_state run_named(struct bullets *b, const struct motion_world *w,
                                                               uint32_t i, uint32_t st, struct run *r)
@@ -1051,7 +1057,9 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         enum program_state state;
 
         b->ran++;
-        if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
+        if (!(does & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most */
+            state = do_step(b, w, i, st, does & (DOES_DRIVE | DOES_WAIT), &r);
+        else if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
             state = run_turn(b, w, i, st, &r);
         else if (does & DOES_NAMED)
             state = run_named(b, w, i, st, &r);
@@ -1068,16 +1076,35 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
 
 enum { AHEAD = 4 /* blocks */ };
 
-static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uint8_t now)
-{
-    uint8_t any = 0;
+/* A bit for each eight of a block's slots. */
+#define EIGHT(bit) bit, bit, bit, bit, bit, bit, bit, bit
+static const uint8_t EIGHT_BIT[SLOTS_BLOCK] = { EIGHT(1),  EIGHT(2),  EIGHT(4),  EIGHT(8),
+                                                EIGHT(16), EIGHT(32), EIGHT(64), EIGHT(128) };
 
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        uint8_t is = due[i] == now;
-        out[i] = is;
-        any |= is;
-    }
-    return any;
+/* The word as 8 x 8 bits, a byte a row: rows become columns. */
+static uint64_t transposed(uint64_t v)
+{
+    uint64_t t = (v ^ v >> 7) & 0x00aa00aa00aa00aa;
+
+    v ^= t ^ t << 7;
+    t = (v ^ v >> 14) & 0x0000cccc0000cccc;
+    v ^= t ^ t << 14;
+    t = (v ^ v >> 28) & 0x00000000f0f0f0f0;
+    return v ^ t ^ t << 28;
+}
+
+/* Those of a block that are due now. Of every eight slots the k-th has the k-th byte of a word, and each eight a bit of
+ * their own in it: mostly there is none. */
+static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
+{
+    uint8_t is[SLOTS_BLOCK];
+    uint64_t all = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        is[i] = (uint8_t)(-(due[i] == now) & EIGHT_BIT[i]);
+    for (int i = 0; i < SLOTS_BLOCK; i += 8)
+        all |= bytes_get64(is + i);
+    return all ? transposed(all) : 0;
 }
 
 /* Prefetches what a program reads or writes of a bullet. Where there are more bullets than the caches hold, this saves
@@ -1098,19 +1125,16 @@ static void prefetch(const struct bullets *b, uint32_t i)
 /* Those of a block that may have waited long enough. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
-    uint8_t out[SLOTS_BLOCK];
-    uint64_t found;
-
-    if (!b->idle[block] || !due_block(b->due + block * SLOTS_BLOCK, out, (uint8_t)clock))
+    if (!b->idle[block])
         return 0;
-    found = slots_gather(out) & b->idle[block];
+    const uint64_t found = due_block(b->due + block * SLOTS_BLOCK, (uint8_t)clock) & b->idle[block];
     for (uint64_t m = found; m; m &= m - 1)
         prefetch(b, block * SLOTS_BLOCK + bits_lowest(m));
     return found;
 }
 
 /* Is what bullet i waited for over? A delay: then it is what was fired, from this frame on. */
-static bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
+static inline bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     if (b->end[i] != w->clock)
         return false;
@@ -1310,28 +1334,46 @@ static struct range near_range(const struct bullets_query *q, fx fastest)
 
 #define OUTSIDE(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
 
-/* Moves one block; out[k] is 1 for those outside keep or inside near. Returns 0: there is none, else out is set; 2 or
- * more: some are outside keep. */
-static int32_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
-                          uint8_t *restrict out, const struct range *keep, const struct range *near)
+enum { HALF = SLOTS_BLOCK / 2 };
+
+/* The bit of each slot of half a block: a vectorised loop ORs the bits of those that it finds. */
+static const uint32_t HALF_BIT[HALF] = {
+    0x1,       0x2,       0x4,       0x8,       0x10,       0x20,       0x40,       0x80,
+    0x100,     0x200,     0x400,     0x800,     0x1000,     0x2000,     0x4000,     0x8000,
+    0x10000,   0x20000,   0x40000,   0x80000,   0x100000,   0x200000,   0x400000,   0x800000,
+    0x1000000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000, 0x80000000,
+};
+
+/* All bits: the bullet that goes on to (x, y) stays in keep, and comes near nobody. */
+static inline int32_t is_usual(int32_t far, int32_t x, int32_t y, const struct range *n)
+{
+    return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~far;
+}
+
+/* Moves a block, both halves in one go. Returns those that are outside keep or inside near; *lost: some are outside
+ * keep. */
+static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
+                                  const struct range *keep, const struct range *near, bool *restrict lost)
 {
     const struct range k = *keep, n = *near;
-    int32_t special[SLOTS_BLOCK], any = 0, lost = 0;
+    uint32_t low = 0, high = 0;
+    int32_t out = 0;
 
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t nx = x[i] + vx[i], ny = y[i] + vy[i];
-        int32_t far = OUTSIDE(nx, k.x, k.w) | OUTSIDE(ny, k.y, k.h);
-        int32_t away = OUTSIDE(nx, n.x, n.w) | OUTSIDE(ny, n.y, n.h);
-        x[i] = nx;
-        y[i] = ny;
-        special[i] = far | ~away;
-        any |= special[i];
-        lost |= far;
+    for (int i = 0; i < HALF; i++) {
+        const int j = i + HALF;
+        const int32_t ax = x[i] + vx[i], ay = y[i] + vy[i], bx = x[j] + vx[j], by = y[j] + vy[j];
+        const int32_t a_far = OUTSIDE(ax, k.x, k.w) | OUTSIDE(ay, k.y, k.h);
+        const int32_t b_far = OUTSIDE(bx, k.x, k.w) | OUTSIDE(by, k.y, k.h);
+        x[i] = ax;
+        y[i] = ay;
+        x[j] = bx;
+        y[j] = by;
+        low |= (uint32_t)is_usual(a_far, ax, ay, &n) & HALF_BIT[i];
+        high |= (uint32_t)is_usual(b_far, bx, by, &n) & HALF_BIT[i];
+        out |= a_far | b_far;
     }
-    if (any)
-        for (int i = 0; i < SLOTS_BLOCK; i++)
-            out[i] = (uint8_t)(special[i] & 1);
-    return (any & 1) | (lost & 2);
+    *lost = out;
+    return ~((uint64_t)high << HALF | low);
 }
 
 static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *restrict out, const struct range *near)
@@ -1348,7 +1390,7 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *r
 }
 
 /* near: the bullets of a block, as bits, that may touch or graze player p. The narrow phase decides which do. */
-static void set_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p, uint64_t near)
+static inline void set_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p, uint64_t near)
 {
     uint64_t grazes = 0;
 
@@ -1372,20 +1414,24 @@ static void find_near_block(struct bullets *b, const struct bullets_query *q, ui
     uint32_t first = block * SLOTS_BLOCK;
     uint8_t out[SLOTS_BLOCK];
 
-    if (q->reach < 0) {
-        b->near[block * PADS + p] = b->grazes[block * PADS + p] = 0;
-        return;
-    }
     struct range r = near_range(q, b->fastest);
     bool some = near_block(b->x + first, b->y + first, out, &r);
     set_near(b, q, block, p, some ? slots_gather(out) : 0);
+}
+
+static inline void find_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p)
+{
+    if (q->reach < 0)
+        set_near(b, q, block, p, 0);
+    else
+        find_near_block(b, q, block, p);
 }
 
 void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS])
 {
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++)
         for (uint32_t p = 0; p < PADS; p++)
-            find_near_block(b, &query[p], block, p);
+            find_near(b, &query[p], block, p);
 }
 
 uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
@@ -1470,7 +1516,6 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
                   const struct bullets_query query[PADS], bool hold_all)
 {
     static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
-    uint8_t out[SLOTS_BLOCK];
     struct range kept = keep_range(keep), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
     uint64_t woken[AHEAD]; /* of the blocks from the present one on */
@@ -1488,7 +1533,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         woken[block] = awake(b, block, w->clock);
     for (uint32_t block = 0; block < blocks; block++) {
         uint32_t i = block * SLOTS_BLOCK;
-        uint64_t named = 0, now = woken[block % AHEAD];
+        uint64_t now = woken[block % AHEAD];
 
         if (block + AHEAD < blocks) {
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
@@ -1500,13 +1545,12 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             fastest = b->fastest;
             near = near_range(&query[0], fastest);
         }
-        int32_t some = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, &kept, &near);
-        if (some)
-            named = slots_gather(out);
+        bool lost;
+        const uint64_t named = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, &kept, &near, &lost);
         set_near(b, &query[0], block, 0, query[0].reach < 0 ? 0 : named);
         for (uint32_t p = 1; p < PADS; p++)
-            find_near_block(b, &query[p], block, p);
-        if (some & 2)
+            find_near(b, &query[p], block, p);
+        if (lost)
             leave(b, named, i, keep, hold_all);
     }
     b->moved += b->s.live;
