@@ -550,6 +550,12 @@ static bool count_stop(struct board *b, const uint16_t pads[PADS])
     return stopped;
 }
 
+/* Has the frame left events_run anything to do? */
+static bool has_raised(const struct board *b)
+{
+    return b->events.n || b->bullets.s.holding || b->shots.s.holding || b->lasers.s.live;
+}
+
 /* Nothing to hand out. Of markers and full pools the counts say how many there are: they need not be wiped. */
 static void clear_output(struct output *o)
 {
@@ -588,7 +594,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     if (!stopped && b->core.frozen <= 0)
         fine = fine && vm_call(b, move_and_hit);
     phase_done(b, PHASE_HITS);
-    fine = fine && vm_call(b, events_run);
+    fine = fine && (!has_raised(b) || vm_call(b, events_run));
     phase_done(b, PHASE_EVENTS);
     if (fine) {
         drop_followers(b);

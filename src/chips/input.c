@@ -37,6 +37,20 @@ static uint64_t younger(uint32_t n)
     return ((uint64_t)2 << n) - 1;
 }
 
+/* Buttons that are down repeat after a while: counts their frames, and those of the others are 0. */
+static void count_frames(struct input *in, uint32_t p, unsigned now)
+{
+    uint32_t *since = in->since + p * PAD_BUTTONS;
+
+    for (unsigned m = now; m; m &= m - 1) {
+        const uint32_t i = bits_lowest(m);
+        if (since[i] == 0 || (since[i] >= REPEAT_AFTER && (since[i] - REPEAT_AFTER) % REPEAT_EVERY == 0))
+            in->repeated[p] |= (uint16_t)(1u << i);
+    }
+    for (uint32_t i = 0; i < PAD_BUTTONS; i++)
+        since[i] = (since[i] + 1) & (0u - (now >> i & 1u));
+}
+
 static void keep_presses(struct input *in, uint32_t p, enum press_side side)
 {
     for (uint32_t i = 0; i < PAD_BUTTONS; i++) {
@@ -60,13 +74,7 @@ void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side si
         in->held[p] = (uint16_t)now;
         in->pressed[p] |= (uint16_t)(now & ~was);
         in->released[p] |= (uint16_t)(was & ~now);
-        for (int i = 0; i < PAD_BUTTONS; i++) {
-            uint32_t *since = &in->since[p * PAD_BUTTONS + i];
-            bool down = now >> i & 1;
-            if (down && (*since == 0 || (*since >= REPEAT_AFTER && (*since - REPEAT_AFTER) % REPEAT_EVERY == 0)))
-                in->repeated[p] |= (uint16_t)(1u << i);
-            *since = down ? *since + 1 : 0;
-        }
+        count_frames(in, (uint32_t)p, now);
         if (side != PRESS_NOBODY)
             keep_presses(in, (uint32_t)p, side);
     }

@@ -504,7 +504,7 @@ static void stamps_are_sprites(void **state)
             }
         }
         for (size_t i = 0; i < n; i++) {
-            i += stamp_over(&b->fb, &b->image, mix, (struct stamp_list){ list + i, n - i, less });
+            i += stamp_over(&b->fb, &b->image, mix, &(struct stamp_list){ list + i, n - i, less });
             if (i < n)
                 assert_int_equal(list[i], STAMP_OTHER | i);
         }
@@ -575,11 +575,11 @@ static void stamps_of_copies(void **state)
         b->image.pix = pix;
         if (turned)
             assert_int_equal(
-                n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, all));
+                n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, &all));
         else if (copies == 1)
-            assert_int_equal(n, stamp_over(&b->fb, &b->image, mix, all));
+            assert_int_equal(n, stamp_over(&b->fb, &b->image, mix, &all));
         else
-            assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, all));
+            assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, &all));
         expect(b);
     }
 }
@@ -668,10 +668,10 @@ static void layers_are_sprites(void **state)
             for (int i = n; i-- > 0;)
                 stamp_layer_sprite(&l, &b->image, list[i], pixels);
         else {
-            stamp_layer_draw(&l, &stamp, (struct stamp_list){ list + half, (size_t)n - half, less }, pixels);
+            stamp_layer_draw(&l, &stamp, &(struct stamp_list){ list + half, (size_t)n - half, less }, pixels);
             stamp_layer_map(&l);
             check_cells(b, &l);
-            stamp_layer_draw(&l, &stamp, (struct stamp_list){ list, half, less }, pixels);
+            stamp_layer_draw(&l, &stamp, &(struct stamp_list){ list, half, less }, pixels);
         }
         stamp_layer_show(&l, &b->fb, 0, 0);
         for (int y = 0; y < H; y++)

@@ -291,13 +291,13 @@ static uint32_t next_cell(const struct fix *f, uint32_t i)
     return i;
 }
 
-/* All rims, so that none covers a letter. */
-static void draw_rims(struct draw_target *c, const struct font *font)
+/* All rims from a cell on, so that none covers a letter. */
+static void draw_rims(struct draw_target *c, const struct font *font, uint32_t first)
 {
     const struct fix *f = &c->b->fix;
     int dark = -1;
 
-    for (uint32_t i = next_cell(f, 0); i < f->s.live; i = next_cell(f, i + 1)) {
+    for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1)) {
         if (!(f->bank[i] & FIX_RIM))
             continue;
         dark = dark < 0 ? extreme(c->b, false) : dark;
@@ -315,9 +315,11 @@ static void draw_text(struct draw_target *c)
     const struct cart *cart = &c->b->cart;
     struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
 
+    const uint32_t first = next_cell(f, 0);
+
     fb_clip_all(c->fb);
-    draw_rims(c, &font);
-    for (uint32_t i = next_cell(f, 0); i < f->s.live; i = next_cell(f, i + 1))
+    draw_rims(c, &font, first);
+    for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1))
         if (f->page || f->bank[i] & FIX_QUARTERS)
             video_cell(c, i);
         else

@@ -42,7 +42,7 @@ struct style {
 struct lists {
     struct style style[MAX_KINDS];
     uint32_t next[MAX_KINDS];    /* where in `list` the next one goes */
-    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed */
+    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; of layers alone */
     uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
     bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
     uint16_t order[MAX_KINDS]; /* kinds that have bullets, as they draw */
@@ -97,17 +97,22 @@ static struct lists *open_lists(const struct draw_target *c)
 static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
+    const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
+    const enum blit_mix mix = blend ? (enum blit_mix)c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+    const bool along = flags & KIND_TURNS, cloud = flags & KIND_CLOUD;
+    const ang spin = k->spin[kind];
+    const bool turns = (along || spin) && pic->rotations > 1;
 
     style->pic = pic;
-    style->along = k->flags[kind] & KIND_TURNS;
-    style->spin = k->spin[kind];
-    style->turns = (style->along || style->spin) && pic->rotations > 1;
+    style->along = along;
+    style->spin = spin;
+    style->turns = turns;
     style->order = k->order[kind];
-    style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
-    style->cloud = k->flags[kind] & KIND_CLOUD;
-    style->mix = style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
-    style->alike = !style->turns && pic->frames == 1 && style->mix != BLIT_TABLE;
-    style->singly = style->mix == BLIT_TABLE || (style->cloud && (pic->frames > 1 || style->spin));
+    style->blend = blend;
+    style->cloud = cloud;
+    style->mix = mix;
+    style->alike = !turns && pic->frames == 1 && mix != BLIT_TABLE;
+    style->singly = mix == BLIT_TABLE || (cloud && (pic->frames > 1 || spin));
 }
 
 /* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
@@ -183,7 +188,8 @@ static struct view open_view(struct lists *l, uint32_t first, uint32_t to, const
     int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
     int from = INT32_MIN;
 
-    memset(l->open, 0, sizeof l->open);
+    if (!clips)
+        memset(l->open, 0, sizeof l->open);
     l->some_by_slot = l->some_own = false;
     for (uint32_t o = first; o < to; o++) {
         struct style *style = &l->style[l->order[o]];
@@ -216,22 +222,28 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
     return l->next[kind] - l->style[kind].list;
 }
 
-/* What of each bullet is listed: its offset and its bank. True: none needs clipping, whichever its
- * kind. */
-static bool dest_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
-                       const struct view *view)
+/* What of each bullet is listed: its offset. True: none needs clipping, whichever its kind. On each axis lo <= v <= lo +
+ * size is asked in one signed comparison, as in bullets.c. */
+static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct view *view)
 {
-    const struct view t = *view;
-    const uint32_t pitch = (uint32_t)t.fb->pitch, from = t.from;
-    const int32_t x0 = t.x0, y0 = t.y0, x1 = t.x1, y1 = t.y1;
+    const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)view->fb->pitch, from = view->from;
+    const uint32_t x0 = (uint32_t)view->x0 << 16 ^ sign, y0 = (uint32_t)view->y0 << 16 ^ sign;
+    const int32_t w = (int32_t)((uint32_t)(view->x1 - view->x0 + 1) << 16 ^ sign) - 1,
+                  h = (int32_t)((uint32_t)(view->y1 - view->y0 + 1) << 16 ^ sign) - 1;
     int32_t others = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t px = x[i] >> 16, py = y[i] >> 16;
-        at[i] = (uint32_t)py * pitch + (uint32_t)px + from + ((uint32_t)bank[i] << 28);
-        others |= (px - x0) | (x1 - px) | (py - y0) | (y1 - py);
+        at[i] = (uint32_t)(y[i] >> 16) * pitch + (uint32_t)(x[i] >> 16) + from;
+        others |= -((int32_t)((uint32_t)x[i] - x0) > w) | -((int32_t)((uint32_t)y[i] - y0) > h);
     }
-    return others >= 0;
+    return !others;
+}
+
+/* And its bank. In a loop of its own, for bytes take others apart. */
+static void bank_block(const uint8_t *restrict bank, uint32_t *restrict at)
+{
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        at[i] += (uint32_t)bank[i] << 28;
 }
 
 static bool is_unclipped(const struct view *t, fx x, fx y)
@@ -329,8 +341,9 @@ static bool list_block(struct lists *l, const struct bullets *s, const struct vi
     const uint32_t first = block * SLOTS_BLOCK;
     uint32_t at[SLOTS_BLOCK];
 
-    if (l->some_by_slot || ~s->s.used[block] || !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
+    if (l->some_by_slot || ~s->s.used[block] || t->x0 > t->x1 || !place_block(s->x + first, s->y + first, at, t))
         return false;
+    bank_block(s->bank + first, at);
     if (l->some_own)
         list_whole(l, s->kind + first, at, first, true);
     else
@@ -360,12 +373,6 @@ static void list_open(struct lists *l, const struct bullets *s, const struct vie
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         list_some(l, s, t, block, open_ones(l, s, block));
-}
-
-/* From the k-th of a kind's list on, up to the n-th. */
-static struct stamp_list list_from(const struct lists *l, const struct style *style, uint32_t k, uint32_t n)
-{
-    return (struct stamp_list){ l->list + style->list + k, n - k, style->less };
 }
 
 /* ---- back to front ---- */
@@ -466,7 +473,7 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
 
     for (uint32_t k = 0; k < n; k++) {
         turns.which = slots + k;
-        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, list_from(l, style, k, n));
+        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -489,7 +496,7 @@ static void draw_own(struct draw_target *c, const struct bullets *s, const struc
         most = n - k < BATCH ? n - k : BATCH;
         pick(c, s, &p, slots + k, most, at);
         for (uint32_t j = 0; j < most; j++) {
-            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, list_from(l, style, k + j, k + most));
+            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, &(struct stamp_list){ list + k + j, most - j, style->less });
             if (j < most)
                 draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
         }
@@ -505,14 +512,20 @@ static void draw_singly(struct draw_target *c, const struct bullets *s, const st
         draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
 }
 
+/* A sprite's only picture, or its first. */
+static inline struct image first_image(const struct sprite *pic)
+{
+    return (struct image){ pic->pix, pic->w, pic->h, pic->pitch };
+}
+
 static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct view *t,
                        const struct style *style, uint32_t n)
 {
-    const struct image image = video_image(style->pic, 0, false, 0);
+    const struct image image = first_image(style->pic);
     const uint32_t *list = l->list + style->list;
 
     for (uint32_t k = 0; k < n; k++) {
-        k += (uint32_t)stamp_over(c->fb, &image, style->mix, list_from(l, style, k, n));
+        k += (uint32_t)stamp_over(c->fb, &image, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -568,7 +581,7 @@ static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, c
     if (style->alike) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture of the band's size is never too much */
-        stamp_layer_draw(layer, &l->stamp, list_from(l, style, 0, n), style->pixels);
+        stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->pixels);
         return;
     }
     while (n-- > 0) {
