@@ -184,17 +184,15 @@ struct eight {
     sixteen keep[4], colour[4];
 };
 
-static inline struct eight eight_of(const struct image *image, uint32_t bank)
+static inline void make_eight(struct eight *e, const struct image *image, uint32_t bank)
 {
-    struct eight e;
-
+#pragma GCC unroll 4
     for (int k = 0; k < 4; k++) {
         sixteen s;
         memcpy(&s, image->pix + 16 * k, sizeof s);
-        e.keep[k] = s == 0;
-        e.colour[k] = paint_banked(s, (uint8_t)(bank << 4)) & ~e.keep[k];
+        e->keep[k] = s == 0;
+        e->colour[k] = paint_banked(s, (uint8_t)(bank << 4)) & (s != 0);
     }
-    return e;
 }
 
 /* Do two pictures of 8 px lie over each other, in the same rows? */
@@ -233,12 +231,13 @@ static size_t over_bank(const struct fb *fb, const struct image *image, const st
 {
     const uint32_t *dests = list->dests;
     const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
-    const struct eight e = eight_of(image, bank >> 1);
+    struct eight e;
     const ptrdiff_t pitch = fb->pitch;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
     uint32_t last = dests[0] - 8;
     size_t i = 0;
 
+    make_eight(&e, image, bank >> 1);
     for (; i < list->n && dests[i] >> 27 == bank; last = dests[i++]) {
         uint8_t *d = place(first, dests[i], list->less);
         if (are_beside(dests[i], last)) {
@@ -265,7 +264,7 @@ static size_t over_stacked(const struct fb *fb, const struct image *image, const
     for (; i < list->n && !(dests[i] & STAMP_OTHER); i++) {
         const uint32_t bank = dests[i] >> 28;
         if (!(made >> bank & 1))
-            of[bank] = eight_of(image, bank);
+            make_eight(&of[bank], image, bank);
         made |= 1u << bank;
         put_rows(place(first, dests[i], list->less), fb->pitch, &of[bank]);
     }

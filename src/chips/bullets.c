@@ -257,7 +257,7 @@ void bullets_release_all(struct bullets *b)
         bullets_release(b, i);
 }
 
-static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
+static inline void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
     fx a = fx_max(fx_abs(vx), fx_abs(vy));
 
@@ -272,7 +272,7 @@ static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
         b->fastest = a;
 }
 
-void bullets_steer(struct bullets *b, uint32_t i)
+static inline void steer(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
@@ -280,6 +280,11 @@ void bullets_steer(struct bullets *b, uint32_t i)
         return;
     trig_polar(b->speed[i], b->dir[i], &vx, &vy);
     set_velocity(b, i, vx, vy);
+}
+
+void bullets_steer(struct bullets *b, uint32_t i)
+{
+    steer(b, i);
 }
 
 static int64_t clamp_pace(int64_t v)
@@ -566,7 +571,7 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
             v += s->accel[st] >> shift;
         bullets_set_speed(b, i, clamp_pace(v * ((int64_t)1 << shift)));
     } else if (does & DOES_STEER)
-        bullets_steer(b, i);
+        steer(b, i);
 }
 
 /* Moves a fine bullet on by its pace. vx, vy become what that is in whole units. */
@@ -912,7 +917,7 @@ void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i,
 /* ---- running ---- */
 
 /* The step after one that opens or closes a loop. */
-static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
+static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
     uint16_t *left = &rounds[s->depth[st]];
 
@@ -1027,8 +1032,8 @@ __attribute__((always_inline)) static inline enum program_state do_step(struct b
     return step_over(r);
 }
 
-__attribute__((noinline)) static enum program_state run_step(struct bullets *b, const struct motion_world *w,
-                                                             uint32_t i, uint32_t st, struct run *r)
+static enum program_state run_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
+                                   struct run *r)
 {
     return do_step(b, w, i, st, w->steps->does[st], r);
 }
@@ -1043,6 +1048,17 @@ __attribute__((noinline)) static enum program_state run_named(struct bullets *b,
     return run_step(b, &own.w, i, 0, r);
 }
 
+/* Any step. Called, and handed a copy, so that of the usual ones `run` stays in registers. */
+__attribute__((noinline)) static enum program_state run_any(struct bullets *b, const struct motion_world *w, uint32_t i,
+                                                            uint32_t st, struct run *r)
+{
+    const unsigned does = w->steps->does[st];
+
+    if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
+        return run_turn(b, w, i, st, r);
+    return does & DOES_NAMED ? run_named(b, w, i, st, r) : run_step(b, w, i, st, r);
+}
+
 /* Runs bullet i's program for this frame. */
 static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
@@ -1054,17 +1070,18 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     while (r.pc < length) {
         const uint32_t st = first + r.pc;
         const unsigned does = w->steps->does[st];
-        enum program_state state;
+        enum program_state state = PROGRAM_NEXT;
 
         b->ran++;
         if (!(does & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most */
             state = do_step(b, w, i, st, does & (DOES_DRIVE | DOES_WAIT), &r);
-        else if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
-            state = run_turn(b, w, i, st, &r);
-        else if (does & DOES_NAMED)
-            state = run_named(b, w, i, st, &r);
-        else
-            state = run_step(b, w, i, st, &r);
+        else if (does == DOES_NEXT)
+            r.pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r.pc);
+        else {
+            struct run other = r;
+            state = run_any(b, w, i, st, &other);
+            r = other;
+        }
         if (state != PROGRAM_NEXT)
             return state;
     }
@@ -1079,11 +1096,6 @@ enum {
     NEAR_BLOCKS = 1 << 7 /* the columns of so many are mostly in the first cache: asking for them takes longer */
 };
 
-/* A bit for each eight of a block's slots. */
-#define EIGHT(bit) bit, bit, bit, bit, bit, bit, bit, bit
-static const uint8_t EIGHT_BIT[SLOTS_BLOCK] = { EIGHT(1),  EIGHT(2),  EIGHT(4),  EIGHT(8),
-                                                EIGHT(16), EIGHT(32), EIGHT(64), EIGHT(128) };
-
 /* The word as 8 x 8 bits, a byte a row: rows become columns. */
 static uint64_t transposed(uint64_t v)
 {
@@ -1096,18 +1108,16 @@ static uint64_t transposed(uint64_t v)
     return v ^ t ^ t << 28;
 }
 
-/* Those of a block that are due now. Of every eight slots the k-th has the k-th byte of a word, and each eight a bit of
- * their own in it. */
+/* Those of a block that are due now. Four comparisons of 16 slots are one byte each: of the slots k and k + 8 of every 16
+ * those that are due are the even and the odd bits of a word's byte k. */
 static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
 {
-    uint8_t is[SLOTS_BLOCK];
-    uint64_t all = 0;
+    uint8_t is[16];
 
-    for (int i = 0; i < SLOTS_BLOCK; i++)
-        is[i] = (uint8_t)(-(due[i] == now) & EIGHT_BIT[i]);
-    for (int i = 0; i < SLOTS_BLOCK; i += 8)
-        all |= bytes_get64(is + i);
-    return transposed(all);
+    for (int i = 0; i < 16; i++)
+        is[i] = (uint8_t)((-(due[i] == now) & 1) | (-(due[i + 16] == now) & 4) | (-(due[i + 32] == now) & 16) |
+                          (-(due[i + 48] == now) & 64));
+    return transposed(bytes_get64(is) | bytes_get64(is + 8) << 1);
 }
 
 /* Prefetches what a program reads or writes of a bullet. Where there are more bullets than the caches hold, this saves
@@ -1540,7 +1550,8 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
 
         if (block + AHEAD < blocks) {
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
-            prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
+            if (blocks > NEAR_BLOCKS)
+                prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
         if (b->busy[block] | now)
             run_programs(b, w, block, now);

@@ -26,7 +26,7 @@ struct style {
     bool turns; /* shows one of several turned copies */
     bool along; /* the one that points along dir; turned on by spin a frame */
     ang spin;
-    int order;
+    int order, area; /* area: px of its picture */
     bool cloud;
     unsigned blend; /* index + 1, 0: opaque */
     enum blit_mix mix;
@@ -103,11 +103,13 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     const ang spin = k->spin[kind];
     const bool turns = (along || spin) && pic->rotations > 1;
 
+    slots_prefetch(pic->pix);
     style->pic = pic;
     style->along = along;
     style->spin = spin;
     style->turns = turns;
     style->order = k->order[kind];
+    style->area = pic->w * pic->h;
     style->blend = blend;
     style->cloud = cloud;
     style->mix = mix;
@@ -120,7 +122,7 @@ static bool is_lower(const struct style *a, const struct style *b)
 {
     if (a->order != b->order)
         return a->order < b->order;
-    return a->pic->w * a->pic->h > b->pic->w * b->pic->h;
+    return a->area > b->area;
 }
 
 static void put_in_order(struct lists *l, uint16_t kind)
@@ -182,39 +184,75 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
     return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
 }
 
-/* Opens the lists of order[first .. to - 1]. */
+/* Where the bullets of pictures of one shape are that need no clipping. */
+struct fit {
+    struct stamp_corners c;
+    int dx, dy, from; /* from a bullet's pixel to the corner of its picture, counted from that; as an offset */
+};
+
+static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
+{
+    struct fit f = { .c = stamp_corners(fb, pic->w, pic->h) };
+
+    f.dx = x - pic->ox - f.c.x0;
+    f.dy = y - pic->oy - f.c.y0;
+    f.from = f.dy * fb->pitch + f.dx;
+    return f;
+}
+
+static bool are_alike(const struct sprite *a, const struct sprite *b)
+{
+    return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
+}
+
+/* What fits the view fits this too. */
+static void narrow_view(struct view *t, int *from, const struct fit *f)
+{
+    const int x1 = (int)f->c.wide - f->dx - 1, y1 = (int)f->c.high - f->dy - 1;
+
+    t->x0 = -f->dx > t->x0 ? -f->dx : t->x0;
+    t->y0 = -f->dy > t->y0 ? -f->dy : t->y0;
+    t->x1 = x1 < t->x1 ? x1 : t->x1;
+    t->y1 = y1 < t->y1 ? y1 : t->y1;
+    *from = f->from > *from ? f->from : *from;
+}
+
+/* Opens the lists of order[first .. to - 1]. Kinds mostly have pictures of one shape. */
 static struct view open_view(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y, bool clips)
 {
-    int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
+    struct view t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
+    const struct sprite *seen = NULL; /* whose fit is f, and has narrowed the view */
+    struct fit f = { 0 };
     int from = INT32_MIN;
 
     if (!clips)
         memset(l->open, 0, sizeof l->open);
     l->some_by_slot = l->some_own = false;
     for (uint32_t o = first; o < to; o++) {
-        struct style *style = &l->style[l->order[o]];
-        struct stamp_corners c = stamp_corners(fb, style->pic->w, style->pic->h);
-        const int dx = x - style->pic->ox - c.x0, dy = y - style->pic->oy - c.y0, own = dy * fb->pitch + dx;
-        l->open[l->order[o]] = 1;
-        const bool by_slot = !style->alike && (!clips || !c.wide || !c.high);
-        l->by_slot[l->order[o]] = by_slot;
+        const uint16_t kind = l->order[o];
+        struct style *style = &l->style[kind];
+        const bool known = seen && are_alike(seen, style->pic);
+        if (!known)
+            f = fit_of(fb, style->pic, x, y);
+        const bool by_slot = !style->alike && (!clips || !f.c.wide || !f.c.high);
+        l->open[kind] = 1;
+        l->by_slot[kind] = by_slot;
         l->some_by_slot |= by_slot;
         l->some_own |= !style->alike;
-        l->next[l->order[o]] = style->list;
-        style->less = (uint32_t)own;
-        if (by_slot)
-            continue;
-        from = own > from ? own : from;
-        x0 = -dx > x0 ? -dx : x0;
-        y0 = -dy > y0 ? -dy : y0;
-        x1 = (int64_t)c.wide - dx < x1 ? (int64_t)c.wide - dx : x1;
-        y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
+        l->next[kind] = style->list;
+        style->less = (uint32_t)f.from;
+        seen = by_slot ? NULL : style->pic;
+        if (!by_slot && !known)
+            narrow_view(&t, &from, &f);
     }
     for (uint32_t o = first; o < to; o++)
         l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
-    if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
-        return (struct view){ fb, x, y, 1, 1, 0, 0, (uint32_t)from, clips };
-    return (struct view){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, (uint32_t)from, clips };
+    t.from = (uint32_t)from;
+    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* none */
+        t.x0 = t.y0 = 1;
+        t.x1 = t.y1 = 0;
+    }
+    return t;
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
@@ -299,6 +337,8 @@ static bool is_run(const uint16_t *kinds)
 {
     uint64_t a, b;
 
+    if (kinds[0] != kinds[RUN - 1]) /* mostly, where they are mixed */
+        return false;
     memcpy(&a, kinds, sizeof a);
     memcpy(&b, kinds + 4, sizeof b);
     return a == b && a == kinds[0] * (uint64_t)0x0001000100010001;

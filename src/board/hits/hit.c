@@ -32,7 +32,7 @@ static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 enum verdict { MISS, HIT, GRAZE };
 
 /* May the path of bullet i in this frame come within reach of the player, on both axes? */
-static bool within(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
+static inline bool within(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
 {
     const int64_t dx = (int64_t)s->x[i] - c->x, dy = (int64_t)s->y[i] - c->y;
 
@@ -41,8 +41,8 @@ static bool within(const struct bullets *s, uint32_t i, const struct body *c, in
 
 /* A bullet that is a circle, as most are: of its way, as the player sees it, two circles are asked. graze: the ring's
  * radius, or less than 0. */
-static enum verdict test_circle(const struct bullets *s, uint32_t i, const struct body *c, fx radius, fx graze,
-                                bool swept)
+static inline enum verdict test_circle(const struct bullets *s, uint32_t i, const struct body *c, fx radius, fx graze,
+                                       bool swept)
 {
     const int64_t wx = swept ? (int64_t)s->vx[i] - c->mx : 0, wy = swept ? (int64_t)s->vy[i] - c->my : 0;
     const int64_t dx = (int64_t)s->x[i] - c->x - wx, dy = (int64_t)s->y[i] - c->y - wy;
@@ -53,18 +53,18 @@ static enum verdict test_circle(const struct bullets *s, uint32_t i, const struc
 }
 
 /* One of any shape. */
-static enum verdict test_shape(const struct board *b, uint32_t i, const struct body *c, fx graze, bool swept)
+static enum verdict test_shape(const struct board *b, uint32_t p, uint32_t i, fx graze, bool swept)
 {
     const struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i);
-    struct body ring = *c;
+    struct body ring = hit_player_body(b, p);
 
-    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, swept))
+    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept))
         return HIT;
     ring.a = graze;
     return graze >= 0 && hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept) ? GRAZE : MISS;
 }
 
-static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
+static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
 {
     const struct bullets *s = &b->bullets;
     const struct bullet_kinds *k = &b->bullet_kinds;
@@ -78,7 +78,7 @@ static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *
     const fx graze = grazes ? b->player_kinds.graze[b->player.kind[p]] : -1;
     if (k->shape[kind] == SHAPE_CIRCLE)
         return test_circle(s, i, c, k->a[kind], graze, swept);
-    return test_shape(b, i, c, graze, swept);
+    return test_shape(b, p, i, graze, swept);
 }
 
 static void raise_bullet_hits(struct board *b, uint32_t p)
