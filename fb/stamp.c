@@ -119,8 +119,7 @@ __attribute__((always_inline)) static inline size_t over_sizes(const struct fb *
                       : over_usual(fb, image, own, mix, list, false, h);
     if (h == 12)
         return over_usual(fb, image, own, mix, list, true, 12);
-    return h == 16 ? over_usual(fb, image, own, mix, list, true, 16)
-                   : over_usual(fb, image, own, mix, list, true, h);
+    return h == 16 ? over_usual(fb, image, own, mix, list, true, 16) : over_usual(fb, image, own, mix, list, true, h);
 }
 
 static size_t own_at(const struct own *own, size_t i)
@@ -143,8 +142,8 @@ static size_t over_others(const struct fb *fb, const struct image *image, const 
 
     while (i < n && !(dests[i] & STAMP_OTHER)) {
         for (k = 0; k < BATCH && i < n && !(dests[i] & STAMP_OTHER); k++, i++)
-            items[k] = (struct blit_item){ image->pix + own_at(&own, i), place(first, dests[i], list->less),
-                                           dests[i] >> 28 };
+            items[k] =
+                (struct blit_item){ image->pix + own_at(&own, i), place(first, dests[i], list->less), dests[i] >> 28 };
         blit_batch(items, k, fb->pitch, image->w, image->h, image->pitch, mix);
     }
     return i;

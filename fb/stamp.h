@@ -46,16 +46,16 @@ static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, u
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
 }
 
-/* Destinations of one picture in the order in which it is drawn, each too large by `less`: pictures whose corners are
- * elsewhere then stand in one list. What they are with it is still below STAMP_OTHER. */
+/* Destinations in the order in which they are drawn, each too large by `less`: so what is listed of a bullet need not
+ * depend on its picture. With it they are still below STAMP_OTHER, their banks apart. */
 struct stamp_list {
     const uint32_t *dests;
     size_t n;
     uint32_t less;
 };
 
-/* Draws an image at destinations up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same picture as
- * so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
+/* Draws an image at destinations up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same picture
+ * as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
 size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const struct stamp_list *list);
 
 /* The same with a picture for each, all of the image's size: that of destination i is at[i] bytes after the image's. */

@@ -998,9 +998,8 @@ static inline uint32_t begin_step(struct bullets *b, const struct motion_world *
 }
 
 /* Any other step. `does` is what it does; where this is called, what it may do is a constant. */
-__attribute__((always_inline)) static inline enum program_state do_step(struct bullets *b, const struct motion_world *w,
-                                                                        uint32_t i, uint32_t st, unsigned does,
-                                                                        struct run *r)
+__attribute__((always_inline)) static inline enum program_state
+do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, unsigned does, struct run *r)
 {
     uint32_t n;
 
@@ -1108,8 +1107,8 @@ static uint64_t transposed(uint64_t v)
     return v ^ t ^ t << 28;
 }
 
-/* Those of a block that are due now. Four comparisons of 16 slots are one byte each: of the slots k and k + 8 of every 16
- * those that are due are the even and the odd bits of a word's byte k. */
+/* Those of a block that are due now. Four slots, 16 apart, are the even bits of a byte; two words of these are shifted
+ * into one, in which a bit of all bytes is what a byte of the answer is. */
 static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
 {
     uint8_t is[16];

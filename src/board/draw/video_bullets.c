@@ -1,8 +1,8 @@
 /*
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
- * A counting sort lists every kind's bullets in slot order as destinations (stamp.h), or by slot those that hang over
- * the clip's edge. A picture that all of a kind show is then stamped in one batch; where they are turned, animated or
+ * A counting sort, for which the chip has counted, lists every kind's bullets in slot order as destinations (stamp.h),
+ * or by slot those that hang over the clip's edge. A picture that all of a kind show is then stamped in one batch; where they are turned, animated or
  * blended, their slots are listed as well, and each one's own picture is picked, again in batches. Which of these a
  * kind takes is decided once a kind, so that one that is drawn in another way slows no other. When the overdraw is
  * high, bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to
@@ -16,8 +16,7 @@
 enum {
     BATCH = 64,       /* pictures that are drawn in one go */
     MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
-    TOP_OVERDRAW = 10 /* the topmost kinds that would cover the field so many times are drawn without asking what is
-                       * visible */
+    TOP_OVERDRAW = 10 /* so often the topmost kinds would cover the field that are drawn, whatever is visible */
 };
 
 /* How a kind is drawn this frame. */
@@ -38,14 +37,13 @@ struct style {
     uint32_t less; /* as in struct stamp_list */
 };
 
-
 struct lists {
     struct style style[MAX_KINDS];
     uint32_t next[MAX_KINDS];    /* where in `list` the next one goes */
     uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; of layers alone */
     uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
     bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
-    uint16_t order[MAX_KINDS]; /* kinds that have bullets, as they draw */
+    uint16_t order[MAX_KINDS];   /* kinds that have bullets, as they draw */
     uint32_t kinds;
     struct stamp stamp;
     uint32_t *list, *slots; /* slots: of those that are listed as destinations, with some_own */
@@ -58,7 +56,7 @@ struct view {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
-    uint32_t from; /* from a bullet's pixel, as an offset, to what is listed */
+    uint32_t from;      /* from a bullet's pixel, as an offset, to what is listed */
     bool clips; /* what is listed by slot is clipped when it is drawn, so all of it may be listed; and those with
                          * pictures of their own may be listed as destinations */
 };
@@ -218,7 +216,8 @@ static void narrow_view(struct view *t, int *from, const struct fit *f)
 }
 
 /* Opens the lists of order[first .. to - 1]. Kinds mostly have pictures of one shape. */
-static struct view open_view(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y, bool clips)
+static struct view open_view(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
+                             bool clips)
 {
     struct view t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
     const struct sprite *seen = NULL; /* whose fit is f, and has narrowed the view */
@@ -260,8 +259,8 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
     return l->next[kind] - l->style[kind].list;
 }
 
-/* What of each bullet is listed: its offset. True: none needs clipping, whichever its kind. On each axis lo <= v <= lo +
- * size is asked in one signed comparison, as in bullets.c. */
+/* What of each bullet is listed: its offset. True: none needs clipping, whichever its kind. On each axis a range is
+ * asked about in one signed comparison, as in bullets.c. */
 static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct view *view)
 {
     const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)view->fb->pitch, from = view->from;
@@ -513,7 +512,8 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
 
     for (uint32_t k = 0; k < n; k++) {
         turns.which = slots + k;
-        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
+        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix,
+                                    &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -536,7 +536,8 @@ static void draw_own(struct draw_target *c, const struct bullets *s, const struc
         most = n - k < BATCH ? n - k : BATCH;
         pick(c, s, &p, slots + k, most, at);
         for (uint32_t j = 0; j < most; j++) {
-            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, &(struct stamp_list){ list + k + j, most - j, style->less });
+            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix,
+                                      &(struct stamp_list){ list + k + j, most - j, style->less });
             if (j < most)
                 draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
         }
