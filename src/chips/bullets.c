@@ -192,8 +192,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->dir[i] = shape->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
-    b->kind[i] = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
-    count_kind(b, b->kind[i], 1); /* it is fired */
+    const uint16_t kind = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
+    b->kind[i] = kind;
+    count_kind(b, kind, 1);
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
@@ -1047,17 +1048,6 @@ __attribute__((noinline)) static enum program_state run_named(struct bullets *b,
     return run_step(b, &own.w, i, 0, r);
 }
 
-/* Any step. Called, and handed a copy, so that of the usual ones `run` stays in registers. */
-__attribute__((noinline)) static enum program_state run_any(struct bullets *b, const struct motion_world *w, uint32_t i,
-                                                            uint32_t st, struct run *r)
-{
-    const unsigned does = w->steps->does[st];
-
-    if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
-        return run_turn(b, w, i, st, r);
-    return does & DOES_NAMED ? run_named(b, w, i, st, r) : run_step(b, w, i, st, r);
-}
-
 /* Runs bullet i's program for this frame. */
 static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
@@ -1077,8 +1067,13 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         else if (does == DOES_NEXT)
             r.pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r.pc);
         else {
-            struct run other = r;
-            state = run_any(b, w, i, st, &other);
+            struct run other = r; /* a copy, so that of the others `run` stays in registers */
+            if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
+                state = run_turn(b, w, i, st, &other);
+            else if (does & DOES_NAMED)
+                state = run_named(b, w, i, st, &other);
+            else
+                state = run_step(b, w, i, st, &other);
             r = other;
         }
         if (state != PROGRAM_NEXT)
@@ -1161,9 +1156,11 @@ static inline bool is_over(struct bullets *b, const struct motion_world *w, uint
     return true;
 }
 
-/* Runs a program, and moves what is fine. */
-static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
+/* Runs a program, and moves what is fine. woken: if what it waited for is over. */
+static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i, bool woken)
 {
+    if (woken && !is_over(b, w, i))
+        return PROGRAM_WAITS;
     enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
 
     if (b->motion[i])
@@ -1288,23 +1285,19 @@ static inline bool keep_course(struct bullets *b, const struct motion_world *w, 
 
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
-    uint64_t busy = 0, idle = b->idle[block] & ~woken;
+    uint64_t busy = b->busy[block], idle = b->idle[block] & ~woken;
     struct course c;
 
     c.motion = c.pc = c.does = 0;
     c.n = 0;
-    for (uint64_t m = b->busy[block] | woken; m; m &= m - 1) {
+    for (uint64_t m = busy | woken; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-        enum program_state state = PROGRAM_WAITS;
-        if (!(woken & bit(i)) && keep_course(b, w, &c, i)) {
-            busy |= bit(i);
+        if (!(woken & bit(i)) && keep_course(b, w, &c, i)) /* it is busy, and stays so */
             continue;
-        }
         if (c.n) /* those that run a step of their own may look at others */
             set_course(b, &c);
-        if (!(woken & bit(i)) || is_over(b, w, i))
-            state = go_on(b, w, i);
-        busy |= state == PROGRAM_RUNS ? bit(i) : 0;
+        const enum program_state state = go_on(b, w, i, woken & bit(i));
+        busy = state == PROGRAM_RUNS ? busy | bit(i) : busy & ~bit(i);
         idle |= state == PROGRAM_WAITS ? bit(i) : 0;
     }
     if (c.n)
@@ -1549,8 +1542,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
 
         if (block + AHEAD < blocks) {
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
-            if (blocks > NEAR_BLOCKS)
-                prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
+            prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
         if (b->busy[block] | now)
             run_programs(b, w, block, now);
@@ -1583,7 +1575,7 @@ bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
     const uint32_t block = i / SLOTS_BLOCK;
 
     if (b->busy[block] & bit(i) || (b->idle[block] & bit(i) && is_over(b, w, i))) {
-        enum program_state state = go_on(b, w, i);
+        enum program_state state = go_on(b, w, i, false);
         if (!(b->s.used[block] & bit(i)))
             return false;
         set_busy(b, i, state == PROGRAM_RUNS);
