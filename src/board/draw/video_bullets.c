@@ -2,11 +2,11 @@
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
  * A counting sort, for which the chip has counted, lists every kind's bullets in slot order as destinations (stamp.h),
- * or by slot those that hang over the clip's edge. A picture that all of a kind show is then stamped in one batch; where they are turned, animated or
- * blended, their slots are listed as well, and each one's own picture is picked, again in batches. Which of these a
- * kind takes is decided once a kind, so that one that is drawn in another way slows no other. When the overdraw is
- * high, bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to
- * cover it, then, of the others, those that can still be seen.
+ * or by slot those that hang over the clip's edge. A picture that all of a kind show is then stamped in one batch;
+ * where they are turned, animated or blended, their slots are listed as well, and each one's own picture is picked,
+ * again in batches. Which of these a kind takes is decided once a kind, so that one that is drawn in another way slows
+ * no other. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the
+ * topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
