@@ -611,9 +611,8 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     return true;
 }
 
-/* Called, for other steps would wait for what it prepares. */
-__attribute__((noinline)) static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute,
-                                            uint32_t st, uint32_t k, uint32_t n)
+static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
+                  uint32_t n)
 {
     if (turn_and_speed(b, w, i, mute, st, k, n))
         steer(b, i);
@@ -1337,13 +1336,23 @@ static bool has_company(const struct bullets *b, const struct course *c, uint32_
     return false;
 }
 
+/* Those of the block from slot `first` on that take a course. Called, so that what is done one by one stays in
+ * registers. */
+__attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, const struct motion_world *w,
+                                                    const struct course *c, uint32_t first)
+{
+    uint8_t out[SLOTS_BLOCK];
+
+    course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
+    return slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
+}
+
 /* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
  * ask all is dear, so the next *few are asked first; and where none of these was on it, from then on one. */
 static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
                       int *few)
 {
     const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
-    uint8_t out[SLOTS_BLOCK];
 
     if (c->never && b->motion[i] == c->motion && b->pc[i] == c->pc)
         return 0;
@@ -1355,8 +1364,7 @@ static uint64_t alike(const struct bullets *b, const struct motion_world *w, str
         *few = 1;
         return bit(i);
     }
-    course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
-    return of & slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
+    return of & all_alike(b, w, c, first);
 }
 
 enum { FEW = 4 };
@@ -1507,8 +1515,9 @@ static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
     b->fastest = most;
 }
 
-/* A frame of some that take a course. */
-static void keep_course(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
+/* A frame of some that take a course. Called, as all_alike is. */
+__attribute__((noinline)) static void keep_course(struct bullets *b, const struct motion_world *w,
+                                                  const struct course *c, const struct some *s)
 {
     ang gathered[SLOTS_BLOCK], *dir = s->row ? b->dir + s->first : gathered;
 
