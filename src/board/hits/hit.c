@@ -53,15 +53,18 @@ static inline enum verdict test_circle(const struct bullets *s, uint32_t i, cons
 }
 
 /* One of any shape. */
-static enum verdict test_shape(const struct board *b, uint32_t p, uint32_t i, fx graze, bool swept)
+static enum verdict test_shape(const struct board *b, const struct body *c, uint32_t i, fx graze, bool swept)
 {
     const struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i);
-    struct body ring = hit_player_body(b, p);
+    struct body ring;
 
-    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept))
+    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, swept))
         return HIT;
+    if (graze < 0)
+        return MISS;
+    ring = *c;
     ring.a = graze;
-    return graze >= 0 && hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept) ? GRAZE : MISS;
+    return hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept) ? GRAZE : MISS;
 }
 
 static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
@@ -78,7 +81,7 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
     const fx graze = grazes ? b->player_kinds.graze[b->player.kind[p]] : -1;
     if (k->shape[kind] == SHAPE_CIRCLE)
         return test_circle(s, i, c, k->a[kind], graze, swept);
-    return test_shape(b, p, i, graze, swept);
+    return test_shape(b, c, i, graze, swept);
 }
 
 static void raise_bullet_hits(struct board *b, uint32_t p)
