@@ -1206,11 +1206,9 @@ static inline bool is_over(struct bullets *b, const struct motion_world *w, uint
     return true;
 }
 
-/* Runs a program, and moves what is fine. woken: if what it waited for is over. */
-static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i, bool woken)
+/* Runs a program, and moves what is fine. */
+static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
-    if (woken && !is_over(b, w, i))
-        return PROGRAM_WAITS;
     enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
 
     if (b->motion[i])
@@ -1581,7 +1579,9 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
             m &= ~who;
             continue;
         }
-        const enum program_state state = go_on(b, w, i, woken & bit(i));
+        enum program_state state = PROGRAM_WAITS;
+        if (!(woken & bit(i)) || is_over(b, w, i))
+            state = go_on(b, w, i);
         busy = state == PROGRAM_RUNS ? busy | bit(i) : busy & ~bit(i);
         idle |= state == PROGRAM_WAITS ? bit(i) : 0;
         m &= m - 1;
@@ -1849,7 +1849,7 @@ bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
     const uint32_t block = i / SLOTS_BLOCK;
 
     if (b->busy[block] & bit(i) || (b->idle[block] & bit(i) && is_over(b, w, i))) {
-        enum program_state state = go_on(b, w, i, false);
+        enum program_state state = go_on(b, w, i);
         if (!(b->s.used[block] & bit(i)))
             return false;
         set_busy(b, i, state == PROGRAM_RUNS);
