@@ -51,10 +51,10 @@ void fb_clip_all(struct fb *fb)
     fb_clip(fb, 0, 0, fb->w, fb->h);
 }
 
+/* In one piece, band and all, it takes less time than row by row. */
 void fb_fill(struct fb *fb, uint8_t c)
 {
-    for (int y = 0; y < fb->h; y++)
-        memset(fb->pix + y * fb->pitch, c, (size_t)fb->w);
+    memset(fb->pix, c, (size_t)(fb->h - 1) * (size_t)fb->pitch + (size_t)fb->w);
 }
 
 /* The pixels with x in [x0, x1) and y in [y0, y1). */

@@ -35,7 +35,8 @@ void fb_init(struct fb *fb, void *mem, int w, int h);
 void fb_clip(struct fb *fb, int x, int y, int w, int h);
 void fb_clip_all(struct fb *fb);
 
-/* Fills the whole picture, whatever the clip. */
+/* Fills the whole picture, whatever the clip, and the band beside its rows, but for the first one's left and the last
+ * one's right. */
 void fb_fill(struct fb *fb, uint8_t c);
 
 /* A filled rectangle, and its outline one pixel wide (inside it); clipped; w or h below 1 draws nothing. Any values. */

@@ -67,36 +67,35 @@ static uint8_t *origin(const struct fb *fb)
     return fb->pix - (ptrdiff_t)FB_GUARD * fb->pitch - FB_GUARD;
 }
 
-struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
-{
-    int wide = fb->sx1 - fb->sx0 - w + 1, high = fb->sy1 - fb->sy0 - h + 1;
-    bool some = wide > 0 && high > 0;
-
-    return (struct stamp_corners){ fb->sx0, fb->sy0, some ? (uint32_t)wide : 0, some ? (uint32_t)high : 0 };
-}
-
 /* What destinations show instead of one image. */
 struct own {
     const uint32_t *at;              /* where each one's pixels are, or NULL */
     const struct stamp_turns *turns; /* or NULL */
 };
 
+/* Where a destination is; first: that of 0. */
+static inline uint8_t *place(uint8_t *first, uint32_t dest, uint32_t less)
+{
+    return first + ((dest & (STAMP_OTHER - 1)) - less);
+}
+
 /* mix is a constant where this is called, and so are the widths and heights that most bullets have. Each
  * shows the image, or what `own` says: at, or turns. */
 __attribute__((always_inline)) static inline size_t over_usual(const struct fb *fb, const struct image *image,
                                                                const struct own own, enum blit_mix mix,
-                                                               const uint32_t *dests, size_t n, bool wide, int h)
+                                                               const struct stamp_list *list, bool wide, int h)
 {
+    const uint32_t *dests = list->dests;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
     const ptrdiff_t pitch = fb->pitch;
     const uint8_t *s = image->pix;
     const struct stamp_turns t = own.turns ? *own.turns : (struct stamp_turns){ 0 };
 
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < list->n; i++) {
         const uint8_t add = (uint8_t)(dests[i] >> 28 << 4);
-        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
         if (dests[i] & STAMP_OTHER)
             return i;
+        uint8_t *d = place(first, dests[i], list->less);
         if (own.at)
             s = image->pix + own.at[i];
         if (own.turns)
@@ -106,22 +105,21 @@ __attribute__((always_inline)) static inline size_t over_usual(const struct fb *
         else
             paint_narrow(d, pitch, s, add, h, mix);
     }
-    return n;
+    return list->n;
 }
 
 __attribute__((always_inline)) static inline size_t over_sizes(const struct fb *fb, const struct image *image,
                                                                const struct own own, enum blit_mix mix,
-                                                               const uint32_t *dests, size_t n)
+                                                               const struct stamp_list *list)
 {
     const int h = image->h;
 
     if (image->pitch == 8)
-        return h == 8 ? over_usual(fb, image, own, mix, dests, n, false, 8)
-                      : over_usual(fb, image, own, mix, dests, n, false, h);
+        return h == 8 ? over_usual(fb, image, own, mix, list, false, 8)
+                      : over_usual(fb, image, own, mix, list, false, h);
     if (h == 12)
-        return over_usual(fb, image, own, mix, dests, n, true, 12);
-    return h == 16 ? over_usual(fb, image, own, mix, dests, n, true, 16)
-                   : over_usual(fb, image, own, mix, dests, n, true, h);
+        return over_usual(fb, image, own, mix, list, true, 12);
+    return h == 16 ? over_usual(fb, image, own, mix, list, true, 16) : over_usual(fb, image, own, mix, list, true, h);
 }
 
 static size_t own_at(const struct own *own, size_t i)
@@ -133,17 +131,19 @@ static size_t own_at(const struct own *own, size_t i)
 
 /* Any size and rule. */
 static size_t over_others(const struct fb *fb, const struct image *image, const struct own own, enum blit_mix mix,
-                          const uint32_t *dests, size_t n)
+                          const struct stamp_list *list)
 {
     enum { BATCH = 64 };
+    const uint32_t *dests = list->dests;
+    const size_t n = list->n;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
     struct blit_item items[BATCH];
     size_t i = 0, k = 0;
 
     while (i < n && !(dests[i] & STAMP_OTHER)) {
         for (k = 0; k < BATCH && i < n && !(dests[i] & STAMP_OTHER); k++, i++)
-            items[k] = (struct blit_item){ image->pix + own_at(&own, i), first + (dests[i] & (STAMP_OTHER - 1)),
-                                           dests[i] >> 28 };
+            items[k] =
+                (struct blit_item){ image->pix + own_at(&own, i), place(first, dests[i], list->less), dests[i] >> 28 };
         blit_batch(items, k, fb->pitch, image->w, image->h, image->pitch, mix);
     }
     return i;
@@ -156,13 +156,13 @@ static bool is_usual(const struct image *image)
 
 __attribute__((always_inline)) static inline size_t over_all(const struct fb *fb, const struct image *image,
                                                              const struct own own, enum blit_mix mix,
-                                                             const uint32_t *dests, size_t n)
+                                                             const struct stamp_list *list)
 {
     if (is_usual(image) && mix == BLIT_OPAQUE)
-        return over_sizes(fb, image, own, BLIT_OPAQUE, dests, n);
+        return over_sizes(fb, image, own, BLIT_OPAQUE, list);
     if (is_usual(image) && mix == BLIT_RAMP_ADD)
-        return over_sizes(fb, image, own, BLIT_RAMP_ADD, dests, n);
-    return over_others(fb, image, own, mix, dests, n);
+        return over_sizes(fb, image, own, BLIT_RAMP_ADD, list);
+    return over_others(fb, image, own, mix, list);
 }
 
 /* Two rows of eight, of which masks and colours are at hand. */
@@ -183,17 +183,15 @@ struct eight {
     sixteen keep[4], colour[4];
 };
 
-static struct eight eight_of(const struct image *image, uint32_t bank)
+static inline void make_eight(struct eight *e, const struct image *image, uint32_t bank)
 {
-    struct eight e;
-
+#pragma GCC unroll 4
     for (int k = 0; k < 4; k++) {
         sixteen s;
         memcpy(&s, image->pix + 16 * k, sizeof s);
-        e.keep[k] = s == 0;
-        e.colour[k] = paint_banked(s, (uint8_t)(bank << 4)) & ~e.keep[k];
+        e->keep[k] = s == 0;
+        e->colour[k] = paint_banked(s, (uint8_t)(bank << 4)) & (s != 0);
     }
-    return e;
 }
 
 /* Do two pictures of 8 px lie over each other, in the same rows? */
@@ -228,17 +226,19 @@ static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct eight *e)
 /* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks
  * and colours stay in registers. What lies over the one before it, as rings do that have just been fired, waits for
  * it, and is put row by row. */
-static size_t over_bank(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+static size_t over_bank(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
+    const uint32_t *dests = list->dests;
     const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
-    const struct eight e = eight_of(image, bank >> 1);
+    struct eight e;
     const ptrdiff_t pitch = fb->pitch;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
     uint32_t last = dests[0] - 8;
     size_t i = 0;
 
-    for (; i < n && dests[i] >> 27 == bank; last = dests[i++]) {
-        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+    make_eight(&e, image, bank >> 1);
+    for (; i < list->n && dests[i] >> 27 == bank; last = dests[i++]) {
+        uint8_t *d = place(first, dests[i], list->less);
         if (are_beside(dests[i], last)) {
             put_rows(d, pitch, &e);
             continue;
@@ -252,28 +252,30 @@ static size_t over_bank(const struct fb *fb, const struct image *image, const ui
 }
 
 /* The same of any banks, up to what is no destination, row by row. */
-static size_t over_stacked(const struct fb *fb, const struct image *image, const uint32_t *dests, size_t n)
+static size_t over_stacked(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
+    const uint32_t *dests = list->dests;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
     struct eight of[16];
     unsigned made = 0;
     size_t i = 0;
 
-    for (; i < n && !(dests[i] & STAMP_OTHER); i++) {
+    for (; i < list->n && !(dests[i] & STAMP_OTHER); i++) {
         const uint32_t bank = dests[i] >> 28;
         if (!(made >> bank & 1))
-            of[bank] = eight_of(image, bank);
+            make_eight(&of[bank], image, bank);
         made |= 1u << bank;
-        put_rows(first + (dests[i] & (STAMP_OTHER - 1)), fb->pitch, &of[bank]);
+        put_rows(place(first, dests[i], list->less), fb->pitch, &of[bank]);
     }
     return i;
 }
 
 /* The same of turned copies: their masks are made as they go. */
 static size_t over_bank_turned(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
-                               const uint32_t *dests, size_t n)
+                               const struct stamp_list *list)
 {
     const struct stamp_turns t = *turns;
+    const uint32_t *dests = list->dests;
     const uint32_t bank = dests[0] >> 27;
     const ptrdiff_t pitch = fb->pitch;
     const uint8_t *pix = image->pix;
@@ -281,9 +283,9 @@ static size_t over_bank_turned(const struct fb *fb, const struct image *image, c
     const uint8_t add = (uint8_t)(bank >> 1 << 4);
     size_t i = 0;
 
-    for (; i < n && dests[i] >> 27 == bank; i++) {
+    for (; i < list->n && dests[i] >> 27 == bank; i++) {
         const uint8_t *from = pix + (size_t)stamp_turn(t.dir[t.which[i]], t.rotations) * t.size;
-        uint8_t *d = first + (dests[i] & (STAMP_OTHER - 1));
+        uint8_t *d = place(first, dests[i], list->less);
 #pragma GCC unroll 4
         for (int k = 0; k < 4; k++, d += 2 * pitch) {
             sixteen s;
@@ -297,46 +299,53 @@ static size_t over_bank_turned(const struct fb *fb, const struct image *image, c
 /* The same of any banks: those of a kind mostly have one. Where it changes, so many are painted as they come, for the
  * next may have another again. turns: NULL, or they are turned copies. */
 static size_t over_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
-                         const uint32_t *dests, size_t n)
+                         const struct stamp_list *list)
 {
     enum { MIXED = 64 };
-    struct stamp_turns rest = turns ? *turns : (struct stamp_turns){ 0 };
-    const struct own own = { NULL, turns ? &rest : NULL };
+    const uint32_t *dests = list->dests;
+    const size_t n = list->n;
+    struct stamp_turns those = turns ? *turns : (struct stamp_turns){ 0 };
+    const struct own own = { NULL, turns ? &those : NULL };
+    struct stamp_list rest = { .less = list->less };
     size_t i = 0;
 
     if (!turns && are_stacked(dests, n, (uint32_t)fb->pitch))
-        return over_stacked(fb, image, dests, n);
+        return over_stacked(fb, image, list);
     while (i < n && !(dests[i] & STAMP_OTHER)) {
+        rest.dests = dests + i;
+        rest.n = n - i;
         if (turns) {
-            rest.which = turns->which + i;
-            i += over_bank_turned(fb, image, &rest, dests + i, n - i);
-            rest.which = turns->which + i;
+            those.which = turns->which + i;
+            i += over_bank_turned(fb, image, &those, &rest);
+            those.which = turns->which + i;
         } else
-            i += over_bank(fb, image, dests + i, n - i);
-        i += over_usual(fb, image, own, BLIT_OPAQUE, dests + i, n - i < MIXED ? n - i : MIXED, false, 8);
+            i += over_bank(fb, image, &rest);
+        rest.dests = dests + i;
+        rest.n = n - i < MIXED ? n - i : MIXED;
+        i += over_usual(fb, image, own, BLIT_OPAQUE, &rest, false, 8);
     }
     return i;
 }
 
-size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n)
+size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const struct stamp_list *list)
 {
     if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
-        return over_eight(fb, image, NULL, dests, n);
-    return over_all(fb, image, (struct own){ NULL, NULL }, mix, dests, n);
+        return over_eight(fb, image, NULL, list);
+    return over_all(fb, image, (struct own){ NULL, NULL }, mix, list);
 }
 
 size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, enum blit_mix mix,
-                  const uint32_t *dests, size_t n)
+                  const struct stamp_list *list)
 {
-    return over_all(fb, image, (struct own){ at, NULL }, mix, dests, n);
+    return over_all(fb, image, (struct own){ at, NULL }, mix, list);
 }
 
 size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
-                    const uint32_t *dests, size_t n)
+                    const struct stamp_list *list)
 {
     if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
-        return over_eight(fb, image, turns, dests, n);
-    return over_all(fb, image, (struct own){ NULL, turns }, mix, dests, n);
+        return over_eight(fb, image, turns, list);
+    return over_all(fb, image, (struct own){ NULL, turns }, mix, list);
 }
 
 /* ---- layers ---- */
@@ -429,12 +438,13 @@ static void count_drawn(struct stamp_layer *l, size_t pixels)
         stamp_layer_map(l);
 }
 
-void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const uint32_t *dests, size_t n, size_t pixels)
+void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const struct stamp_list *list, size_t pixels)
 {
     uint8_t *first = origin(&l->fb);
+    size_t n = list->n;
 
     while (n > 0 && !l->covered) {
-        uint32_t dest = dests[--n], at = dest & (STAMP_OTHER - 1);
+        uint32_t dest = list->dests[--n], at = (dest & (STAMP_OTHER - 1)) - list->less;
         const uint8_t *colour = stamp->colour + (dest >> 28) * (uint32_t)stamp->bytes;
         if (stamp_layer_hides(l, at, (uint32_t)stamp->w, (uint32_t)stamp->h)) {
             l->hidden++;

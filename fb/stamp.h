@@ -31,7 +31,13 @@ struct stamp_corners {
     int x0, y0;
     uint32_t wide, high;
 };
-struct stamp_corners stamp_corners(const struct fb *fb, int w, int h);
+static inline struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
+{
+    int wide = fb->sx1 - fb->sx0 - w + 1, high = fb->sy1 - fb->sy0 - h + 1;
+    bool some = wide > 0 && high > 0;
+
+    return (struct stamp_corners){ fb->sx0, fb->sy0, some ? (uint32_t)wide : 0, some ? (uint32_t)high : 0 };
+}
 
 /* A destination: such a corner, x < wide and y < high counted from (x0, y0), as an offset in bytes, and in the top four
  * bits a bank, 0 to 15. */
@@ -40,13 +46,21 @@ static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, u
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
 }
 
-/* Draws an image at destinations in order up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same
- * picture as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
-size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const uint32_t *dests, size_t n);
+/* Destinations in the order in which they are drawn, each too large by `less`: so what is listed of a bullet need not
+ * depend on its picture. With it they are still below STAMP_OTHER, their banks apart. */
+struct stamp_list {
+    const uint32_t *dests;
+    size_t n;
+    uint32_t less;
+};
 
-/* The same with a picture for each, all of the image's size: that of dests[i] is at[i] bytes after the image's. */
+/* Draws an image at destinations up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same picture
+ * as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
+size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const struct stamp_list *list);
+
+/* The same with a picture for each, all of the image's size: that of destination i is at[i] bytes after the image's. */
 size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, enum blit_mix mix,
-                  const uint32_t *dests, size_t n);
+                  const struct stamp_list *list);
 
 /* Turned copies of a picture, which follow each other: destination i shows the one nearest to dir[which[i]]. */
 struct stamp_turns {
@@ -65,7 +79,7 @@ static inline uint32_t stamp_turn(ang dir, uint32_t rotations)
 
 /* The same with these copies, the first of which is the image. */
 size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
-                    const uint32_t *dests, size_t n);
+                    const struct stamp_list *list);
 
 /*
  * Front to back. A layer is a surface that begins all 0, with its clip the whole picture; no pixel that is drawn is 0.
@@ -89,7 +103,7 @@ void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h);
 
 /* Draws at destinations from the last to the first; there is no STAMP_OTHER among them. pixels: the picture's opaque
  * ones. */
-void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const uint32_t *dests, size_t n, size_t pixels);
+void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const struct stamp_list *list, size_t pixels);
 
 /* Is all covered where a w x h picture would go? dest: without its bank. */
 static inline bool stamp_layer_hides(const struct stamp_layer *l, uint32_t dest, uint32_t w, uint32_t h)

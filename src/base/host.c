@@ -51,17 +51,87 @@ static void restore_control(const struct host *h)
 #endif
 }
 
-void host_enter(struct host *h)
+/* All of the thread's arithmetic. */
+static void set_arithmetic(struct host *h)
 {
     fegetenv(&h->arithmetic);
     set_control(h);
     fesetenv(FE_DFL_ENV);
+}
+
+static void restore_arithmetic(const struct host *h)
+{
+    fesetenv(&h->arithmetic);
+    restore_control(h);
+}
+
+#ifdef HOST_SSE
+/* There are two units, and most of the time goes to the older one, the 387, which hardly anybody sets: only where it is
+ * not as it should be, or has raised a flag, is it saved and loaded. */
+enum { SSE_DEFAULT = 0x1f80, DEFAULT_387 = 0x37f, FLAGS_387 = 0x3f };
+
+static unsigned flags_387(void)
+{
+    uint16_t status;
+
+    __asm__ volatile("fnstsw %0" : "=a"(status));
+    return status & FLAGS_387;
+}
+
+static bool is_plain_387(void)
+{
+    uint16_t control;
+
+    __asm__ volatile("fnstcw %0" : "=m"(control));
+    return control == DEFAULT_387 && !flags_387();
+}
+
+static void set_sse(uint32_t word)
+{
+    __asm__ volatile("ldmxcsr %0" : : "m"(word));
+}
+
+static void enter_arithmetic(struct host *h)
+{
+    h->plain_387 = is_plain_387();
+    if (!h->plain_387) {
+        set_arithmetic(h);
+        return;
+    }
+    __asm__ volatile("stmxcsr %0" : "=m"(h->sse));
+    set_sse(SSE_DEFAULT);
+}
+
+static void leave_arithmetic(const struct host *h)
+{
+    if (!h->plain_387) {
+        restore_arithmetic(h);
+        return;
+    }
+    if (flags_387())
+        __asm__ volatile("fnclex");
+    set_sse(h->sse);
+}
+#else
+static void enter_arithmetic(struct host *h)
+{
+    set_arithmetic(h);
+}
+
+static void leave_arithmetic(const struct host *h)
+{
+    restore_arithmetic(h);
+}
+#endif
+
+void host_enter(struct host *h)
+{
+    enter_arithmetic(h);
     set_locale(h);
 }
 
 void host_leave(const struct host *h)
 {
     restore_locale(h);
-    fesetenv(&h->arithmetic);
-    restore_control(h);
+    leave_arithmetic(h);
 }

@@ -213,6 +213,8 @@ static void set_up(struct board *b)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
     bg_clear(&b->bg, &b->bg_lines);
     tasks_empty(&b->tasks);
+    b->bullets.of_kind = b->bullet_kinds.live;
+    b->shots.of_kind = b->shot_kinds.live;
     if (b->voices.s.cap)
         sound_power(b);
 }
@@ -548,13 +550,32 @@ static bool count_stop(struct board *b, const uint16_t pads[PADS])
     return stopped;
 }
 
+/* Has the frame left events_run anything to do? */
+static bool has_raised(const struct board *b)
+{
+    return b->events.n || b->bullets.s.holding || b->shots.s.holding || b->lasers.s.live;
+}
+
+/* Nothing to hand out. Of markers and full pools the counts say how many there are: they need not be wiped. */
+static void clear_output(struct output *o)
+{
+    struct board_out *out = &o->out;
+
+    out->request = REQUEST_NONE;
+    out->attract[0] = '\0';
+    out->log = o->log;
+    out->log_size = o->log_size = 0;
+    out->markers = out->fulls = 0;
+    out->menu = false;
+    out->fault = NULL;
+}
+
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
 
     assert(o->fault.kind == FAULT_NONE);
-    o->out = (struct board_out){ .log = o->log };
-    o->log_size = 0;
+    clear_output(o);
     vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
@@ -573,7 +594,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     if (!stopped && b->core.frozen <= 0)
         fine = fine && vm_call(b, move_and_hit);
     phase_done(b, PHASE_HITS);
-    fine = fine && vm_call(b, events_run);
+    fine = fine && (!has_raised(b) || vm_call(b, events_run));
     phase_done(b, PHASE_EVENTS);
     if (fine) {
         drop_followers(b);

@@ -30,6 +30,7 @@ static const struct column kind_columns[] = {
     GROUP_COLUMN(bullet_kinds, spark, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, pierce, GROUP_PIERCE),
     GROUP_COLUMN(bullet_kinds, every, GROUP_PIERCE),
+    DERIVED(bullet_kinds, live, "counts the live bullets of each kind"),
 };
 
 static const struct column columns[] = {
@@ -93,6 +94,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(bullets, standing, "how many bullets stand, by the column stands"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
+    DERIVED_REGISTER(bullets, of_kind, "where a column of their kinds is: follows from where RAM is"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -161,6 +163,21 @@ bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_
     return true;
 }
 
+/* One more live bullet of a kind (by: 1), or one less (-1). */
+static inline void count_kind(struct bullets *b, uint16_t kind, int by)
+{
+    if (b->of_kind)
+        b->of_kind[kind] += (uint32_t)by;
+}
+
+/* Gives live bullet i another row of the kinds. */
+static void change_kind(struct bullets *b, uint32_t i, unsigned kind)
+{
+    count_kind(b, b->kind[i], -1);
+    b->kind[i] = (uint16_t)kind;
+    count_kind(b, b->kind[i], 1);
+}
+
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock)
 {
     uint32_t top = b->s.top;
@@ -175,7 +192,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->dir[i] = shape->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = shape->speed;
-    b->kind[i] = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
+    const uint16_t kind = (uint16_t)(shape->kind + (shape->clouded ? ROW_CLOUD : ROW_KIND));
+    b->kind[i] = kind;
+    count_kind(b, kind, 1);
     b->bank[i] = shape->bank;
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
@@ -214,8 +233,15 @@ static bool stands(const struct bullets *b, uint32_t i)
 void bullets_drop(struct bullets *b, uint32_t i)
 {
     b->standing -= stands(b, i);
+    count_kind(b, b->kind[i], -1);
     slots_drop(&b->s, i);
     park(b, i);
+}
+
+void bullets_hold(struct bullets *b, uint32_t i)
+{
+    count_kind(b, b->kind[i], -1);
+    slots_hold(&b->s, b->leaving, i);
 }
 
 void bullets_release(struct bullets *b, uint32_t i)
@@ -232,7 +258,7 @@ void bullets_release_all(struct bullets *b)
         bullets_release(b, i);
 }
 
-static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
+static inline void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
     fx a = fx_max(fx_abs(vx), fx_abs(vy));
 
@@ -247,7 +273,7 @@ static void set_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
         b->fastest = a;
 }
 
-void bullets_steer(struct bullets *b, uint32_t i)
+static inline void steer(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
@@ -255,6 +281,11 @@ void bullets_steer(struct bullets *b, uint32_t i)
         return;
     trig_polar(b->speed[i], b->dir[i], &vx, &vy);
     set_velocity(b, i, vx, vy);
+}
+
+void bullets_steer(struct bullets *b, uint32_t i)
+{
+    steer(b, i);
 }
 
 static int64_t clamp_pace(int64_t v)
@@ -354,7 +385,7 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 {
     bool cloud = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
 
-    b->kind[i] = (uint16_t)(kind + (cloud ? ROW_CLOUD : ROW_KIND));
+    change_kind(b, i, kind + (cloud ? (unsigned)ROW_CLOUD : ROW_KIND));
     b->bank[i] = kinds->bank[kind];
     if (b->hp)
         b->hp[i] = kinds->hp[kind];
@@ -580,12 +611,11 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     return true;
 }
 
-/* Called, for other steps would wait for what it prepares. */
-__attribute__((noinline)) static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute,
-                                            uint32_t st, uint32_t k, uint32_t n)
+static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
+                  uint32_t n)
 {
     if (turn_and_speed(b, w, i, mute, st, k, n))
-        bullets_steer(b, i);
+        steer(b, i);
 }
 
 /* Moves a fine bullet on to `way`, that far. vx, vy become what that is in whole units. */
@@ -938,7 +968,7 @@ void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i,
 /* ---- running ---- */
 
 /* The step after one that opens or closes a loop. */
-static uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
+static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
     uint16_t *left = &rounds[s->depth[st]];
 
@@ -1002,9 +1032,9 @@ static enum program_state run_turn(struct bullets *b, const struct motion_world 
 }
 
 /* Returns the frames that the step takes. */
-static uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
+static inline uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
+                                  unsigned does)
 {
-    const unsigned does = w->steps->does[st];
     uint32_t n = w->steps->over[st];
 
     b->from[i] = bullets_speed(b, i);
@@ -1018,15 +1048,14 @@ static uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint
     return n;
 }
 
-/* Any other step. */
-static enum program_state run_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
-                                   struct run *r)
+/* Any other step. `does` is what it does; where this is called, what it may do is a constant. */
+__attribute__((always_inline)) static inline enum program_state
+do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, unsigned does, struct run *r)
 {
-    const unsigned does = w->steps->does[st];
     uint32_t n;
 
     if (!(r->mute & STEP_BEGUN))
-        n = begin_step(b, w, i, st);
+        n = begin_step(b, w, i, st, does);
     else
         n = does & DOES_LEAD ? frames_led(b, w->steps, i, st) : w->steps->over[st];
     if (does & DOES_DIE) {
@@ -1053,6 +1082,12 @@ static enum program_state run_step(struct bullets *b, const struct motion_world 
     return step_over(r);
 }
 
+static enum program_state run_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
+                                   struct run *r)
+{
+    return do_step(b, w, i, st, w->steps->does[st], r);
+}
+
 /* A step with names, whose numbers are the bullet's. Called, for what prepares them would go before all other steps. */
 __attribute__((noinline)) static enum program_state run_named(struct bullets *b, const struct motion_world *w,
                                                               uint32_t i, uint32_t st, struct run *r)
@@ -1074,15 +1109,23 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     while (r.pc < length) {
         const uint32_t st = first + r.pc;
         const unsigned does = w->steps->does[st];
-        enum program_state state;
+        enum program_state state = PROGRAM_NEXT;
 
         b->ran++;
-        if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
-            state = run_turn(b, w, i, st, &r);
-        else if (does & DOES_NAMED)
-            state = run_named(b, w, i, st, &r);
-        else
-            state = run_step(b, w, i, st, &r);
+        if (!(does & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most */
+            state = do_step(b, w, i, st, does & (DOES_DRIVE | DOES_WAIT), &r);
+        else if (does == DOES_NEXT)
+            r.pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r.pc);
+        else {
+            struct run other = r; /* a copy, so that of the others `run` stays in registers */
+            if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
+                state = run_turn(b, w, i, st, &other);
+            else if (does & DOES_NAMED)
+                state = run_named(b, w, i, st, &other);
+            else
+                state = run_step(b, w, i, st, &other);
+            r = other;
+        }
         if (state != PROGRAM_NEXT)
             return state;
     }
@@ -1092,18 +1135,33 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     return fine ? PROGRAM_RUNS : PROGRAM_OVER;
 }
 
-enum { AHEAD = 4 /* blocks */ };
+enum {
+    AHEAD = 4,           /* blocks */
+    NEAR_BLOCKS = 1 << 7 /* the columns of so many are mostly in the first cache: asking for them takes longer */
+};
 
-static int32_t due_block(const uint8_t *restrict due, uint8_t *restrict out, uint8_t now)
+/* The word as 8 x 8 bits, a byte a row: rows become columns. */
+static uint64_t transposed(uint64_t v)
 {
-    uint8_t any = 0;
+    uint64_t t = (v ^ v >> 7) & 0x00aa00aa00aa00aa;
 
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        uint8_t is = due[i] == now;
-        out[i] = is;
-        any |= is;
-    }
-    return any;
+    v ^= t ^ t << 7;
+    t = (v ^ v >> 14) & 0x0000cccc0000cccc;
+    v ^= t ^ t << 14;
+    t = (v ^ v >> 28) & 0x00000000f0f0f0f0;
+    return v ^ t ^ t << 28;
+}
+
+/* Those of a block that are due now. Four slots, 16 apart, are the even bits of a byte; two words of these are shifted
+ * into one, in which a bit of all bytes is what a byte of the answer is. */
+static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
+{
+    uint8_t is[16];
+
+    for (int i = 0; i < 16; i++)
+        is[i] = (uint8_t)((-(due[i] == now) & 1) | (-(due[i + 16] == now) & 4) | (-(due[i + 32] == now) & 16) |
+                          (-(due[i + 48] == now) & 64));
+    return transposed(bytes_get64(is) | bytes_get64(is + 8) << 1);
 }
 
 /* Prefetches what a program reads or writes of a bullet. Where there are more bullets than the caches hold, this saves
@@ -1124,26 +1182,23 @@ static void prefetch(const struct bullets *b, uint32_t i)
 /* Those of a block that may have waited long enough. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
-    uint8_t out[SLOTS_BLOCK];
-    uint64_t found;
-
-    if (!b->idle[block] || !due_block(b->due + block * SLOTS_BLOCK, out, (uint8_t)clock))
+    if (!b->idle[block])
         return 0;
-    found = slots_gather(out) & b->idle[block];
-    for (uint64_t m = found; m; m &= m - 1)
+    const uint64_t found = due_block(b->due + block * SLOTS_BLOCK, (uint8_t)clock) & b->idle[block];
+    for (uint64_t m = b->s.top > NEAR_BLOCKS * SLOTS_BLOCK ? found : 0; m; m &= m - 1)
         prefetch(b, block * SLOTS_BLOCK + bits_lowest(m));
     return found;
 }
 
 /* Is what bullet i waited for over? A delay: then it is what was fired, from this frame on. */
-static bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
+static inline bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     if (b->end[i] != w->clock)
         return false;
     if (b->flags[i] & BULLET_DELAYED) {
         b->flags[i] &= (uint8_t)~BULLET_DELAYED;
         if (w->kinds)
-            b->kind[i] = bullets_kind(b, w->kinds, i);
+            change_kind(b, i, bullets_kind(b, w->kinds, i));
         b->born[i] = w->clock;
         b->end[i] = 0;
         bullets_steer(b, i);
@@ -1279,13 +1334,23 @@ static bool has_company(const struct bullets *b, const struct course *c, uint32_
     return false;
 }
 
+/* Those of the block from slot `first` on that take a course. Called, so that what is done one by one stays in
+ * registers. */
+__attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, const struct motion_world *w,
+                                                    const struct course *c, uint32_t first)
+{
+    uint8_t out[SLOTS_BLOCK];
+
+    course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
+    return slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
+}
+
 /* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
  * ask all is dear, so the next *few are asked first; and where none of these was on it, from then on one. */
 static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
                       int *few)
 {
     const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
-    uint8_t out[SLOTS_BLOCK];
 
     if (c->never && b->motion[i] == c->motion && b->pc[i] == c->pc)
         return 0;
@@ -1297,8 +1362,7 @@ static uint64_t alike(const struct bullets *b, const struct motion_world *w, str
         *few = 1;
         return bit(i);
     }
-    course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
-    return of & slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
+    return of & all_alike(b, w, c, first);
 }
 
 enum { FEW = 4 };
@@ -1449,8 +1513,9 @@ static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
     b->fastest = most;
 }
 
-/* A frame of some that take a course. */
-static void keep_course(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
+/* A frame of some that take a course. Called, as all_alike is. */
+__attribute__((noinline)) static void keep_course(struct bullets *b, const struct motion_world *w,
+                                                  const struct course *c, const struct some *s)
 {
     ang gathered[SLOTS_BLOCK], *dir = s->row ? b->dir + s->first : gathered;
 
@@ -1494,31 +1559,30 @@ static void steer_later(struct bullets *b, struct some *later)
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
     const uint32_t first = block * SLOTS_BLOCK;
-    uint64_t busy = 0, idle = b->idle[block] & ~woken;
+    uint64_t busy = b->busy[block], idle = b->idle[block] & ~woken;
     struct course c = { .motion = UINT32_MAX }; /* nobody's */
     struct some some, later;
-    int few = 1 + bits_count(b->busy[block]) / WORTH;
+    int few = 1 + bits_count(busy) / WORTH;
 
     later.n = 0;
     later.row = false;
-    for (uint64_t m = b->busy[block] | woken; m;) {
+    for (uint64_t m = busy | woken; m;) {
         const uint32_t i = first + bits_lowest(m);
         const uint64_t who = woken & bit(i) ? 0 : alike(b, w, &c, i, m & ~woken, &few);
-        enum program_state state = PROGRAM_WAITS;
-        if (who) {
+        if (who) { /* they are busy, and stay so */
             if (who == bit(i) && !c.fine)
                 keep_alone(b, w, &c, i, &later);
             else {
                 take_some(&some, first, who);
                 keep_course(b, w, &c, &some);
             }
-            busy |= who;
             m &= ~who;
             continue;
         }
+        enum program_state state = PROGRAM_WAITS;
         if (!(woken & bit(i)) || is_over(b, w, i))
             state = go_on(b, w, i);
-        busy |= state == PROGRAM_RUNS ? bit(i) : 0;
+        busy = state == PROGRAM_RUNS ? busy | bit(i) : busy & ~bit(i);
         idle |= state == PROGRAM_WAITS ? bit(i) : 0;
         m &= m - 1;
     }
@@ -1561,28 +1625,46 @@ static struct range near_range(const struct bullets_query *q, fx fastest)
 
 #define OUTSIDE(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
 
-/* Moves one block; out[k] is 1 for those outside keep or inside near. Returns 0: there is none, else out is set; 2 or
- * more: some are outside keep. */
-static int32_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
-                          uint8_t *restrict out, const struct range *keep, const struct range *near)
+enum { HALF = SLOTS_BLOCK / 2 };
+
+/* The bit of each slot of half a block: a vectorised loop ORs the bits of those that it finds. */
+static const uint32_t HALF_BIT[HALF] = {
+    0x1,       0x2,       0x4,       0x8,       0x10,       0x20,       0x40,       0x80,
+    0x100,     0x200,     0x400,     0x800,     0x1000,     0x2000,     0x4000,     0x8000,
+    0x10000,   0x20000,   0x40000,   0x80000,   0x100000,   0x200000,   0x400000,   0x800000,
+    0x1000000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000, 0x80000000,
+};
+
+/* All bits: the bullet that goes on to (x, y) stays in keep, and comes near nobody. */
+static inline int32_t is_usual(int32_t far, int32_t x, int32_t y, const struct range *n)
+{
+    return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~far;
+}
+
+/* Moves a block, both halves in one go. Returns those that are outside keep or inside near; *lost: some are outside
+ * keep. */
+static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
+                                  const struct range *keep, const struct range *near, bool *restrict lost)
 {
     const struct range k = *keep, n = *near;
-    int32_t special[SLOTS_BLOCK], any = 0, lost = 0;
+    uint32_t low = 0, high = 0;
+    int32_t out = 0;
 
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t nx = x[i] + vx[i], ny = y[i] + vy[i];
-        int32_t far = OUTSIDE(nx, k.x, k.w) | OUTSIDE(ny, k.y, k.h);
-        int32_t away = OUTSIDE(nx, n.x, n.w) | OUTSIDE(ny, n.y, n.h);
-        x[i] = nx;
-        y[i] = ny;
-        special[i] = far | ~away;
-        any |= special[i];
-        lost |= far;
+    for (int i = 0; i < HALF; i++) {
+        const int j = i + HALF;
+        const int32_t ax = x[i] + vx[i], ay = y[i] + vy[i], bx = x[j] + vx[j], by = y[j] + vy[j];
+        const int32_t a_far = OUTSIDE(ax, k.x, k.w) | OUTSIDE(ay, k.y, k.h);
+        const int32_t b_far = OUTSIDE(bx, k.x, k.w) | OUTSIDE(by, k.y, k.h);
+        x[i] = ax;
+        y[i] = ay;
+        x[j] = bx;
+        y[j] = by;
+        low |= (uint32_t)is_usual(a_far, ax, ay, &n) & HALF_BIT[i];
+        high |= (uint32_t)is_usual(b_far, bx, by, &n) & HALF_BIT[i];
+        out |= a_far | b_far;
     }
-    if (any)
-        for (int i = 0; i < SLOTS_BLOCK; i++)
-            out[i] = (uint8_t)(special[i] & 1);
-    return (any & 1) | (lost & 2);
+    *lost = out;
+    return ~((uint64_t)high << HALF | low);
 }
 
 static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *restrict out, const struct range *near)
@@ -1599,7 +1681,7 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *r
 }
 
 /* near: the bullets of a block, as bits, that may touch or graze player p. The narrow phase decides which do. */
-static void set_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p, uint64_t near)
+static inline void set_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p, uint64_t near)
 {
     uint64_t grazes = 0;
 
@@ -1623,20 +1705,24 @@ static void find_near_block(struct bullets *b, const struct bullets_query *q, ui
     uint32_t first = block * SLOTS_BLOCK;
     uint8_t out[SLOTS_BLOCK];
 
-    if (q->reach < 0) {
-        b->near[block * PADS + p] = b->grazes[block * PADS + p] = 0;
-        return;
-    }
     struct range r = near_range(q, b->fastest);
     bool some = near_block(b->x + first, b->y + first, out, &r);
     set_near(b, q, block, p, some ? slots_gather(out) : 0);
+}
+
+static inline void find_near(struct bullets *b, const struct bullets_query *q, uint32_t block, uint32_t p)
+{
+    if (q->reach < 0)
+        set_near(b, q, block, p, 0);
+    else
+        find_near_block(b, q, block, p);
 }
 
 void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS])
 {
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++)
         for (uint32_t p = 0; p < PADS; p++)
-            find_near_block(b, &query[p], block, p);
+            find_near(b, &query[p], block, p);
 }
 
 uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
@@ -1685,7 +1771,7 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
             continue;
         b->moved++;
         if (hold & bit(i))
-            slots_hold(&b->s, b->leaving, i);
+            bullets_hold(b, i);
         else
             bullets_drop(b, i);
     }
@@ -1709,7 +1795,6 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
                   const struct bullets_query query[PADS], bool hold_all)
 {
     static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
-    uint8_t out[SLOTS_BLOCK];
     struct range kept = keep_range(keep), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
     uint64_t woken[AHEAD]; /* of the blocks from the present one on */
@@ -1727,7 +1812,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         woken[block] = awake(b, block, w->clock);
     for (uint32_t block = 0; block < blocks; block++) {
         uint32_t i = block * SLOTS_BLOCK;
-        uint64_t named = 0, now = woken[block % AHEAD];
+        uint64_t now = woken[block % AHEAD];
 
         if (block + AHEAD < blocks) {
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
@@ -1739,13 +1824,12 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             fastest = b->fastest;
             near = near_range(&query[0], fastest);
         }
-        int32_t some = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, out, &kept, &near);
-        if (some)
-            named = slots_gather(out);
+        bool lost;
+        const uint64_t named = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, &kept, &near, &lost);
         set_near(b, &query[0], block, 0, query[0].reach < 0 ? 0 : named);
         for (uint32_t p = 1; p < PADS; p++)
-            find_near_block(b, &query[p], block, p);
-        if (some & 2)
+            find_near(b, &query[p], block, p);
+        if (lost)
             leave(b, named, i, keep, hold_all);
     }
     b->moved += b->s.live;

@@ -74,6 +74,7 @@ struct bullet_kinds {
     uint16_t *spark;  /* kind + 1 that it leaves then, 0: none */
     int32_t *pierce;  /* of a shot: hits that do not use it up, or PIERCE_FOREVER; NULL, with the next: not asked for */
     int32_t *every;   /* frames from one hit of a thing to the next, or PIERCE_FOREVER: there is no next */
+    uint32_t *live;   /* how many live bullets there are whose column `kind` is this one */
 };
 
 struct bullets {
@@ -133,6 +134,7 @@ struct bullets {
     uint32_t standing;                                      /* how many stand */
     uint32_t moved;                                         /* bullets moved this frame */
     uint64_t ran;                                           /* motion steps run this frame */
+    uint32_t *of_kind; /* the column `live` of their kinds, kept up to date; NULL: of laser heads, which have none */
 };
 
 /*
@@ -229,6 +231,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
 /* Removes a live bullet. */
 void bullets_drop(struct bullets *b, uint32_t i);
 
+/* A live bullet is live no more, but held. */
+void bullets_hold(struct bullets *b, uint32_t i);
+
 /* Removes a held bullet; all of them. */
 void bullets_release(struct bullets *b, uint32_t i);
 void bullets_release_all(struct bullets *b);
@@ -257,7 +262,7 @@ uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);
 
-/* Gives bullet i another kind; its cloud, if it is delayed and that kind has one. */
+/* Gives live bullet i another kind; its cloud, if it is delayed and that kind has one. */
 void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind);
 /* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was.
  * Of a chip with GROUP_FROZEN. */

@@ -37,12 +37,28 @@ static uint64_t younger(uint32_t n)
     return ((uint64_t)2 << n) - 1;
 }
 
+/* Buttons that are down repeat after a while: counts their frames. Of those that are not it is 0, and was unless they
+ * were down. */
+static void count_frames(struct input *in, uint32_t p, unsigned now, unsigned was)
+{
+    for (unsigned m = now | was; m; m &= m - 1) {
+        const uint32_t i = bits_lowest(m);
+        uint32_t *since = &in->since[p * PAD_BUTTONS + i];
+        const bool down = now >> i & 1;
+        if (down && (*since == 0 || (*since >= REPEAT_AFTER && (*since - REPEAT_AFTER) % REPEAT_EVERY == 0)))
+            in->repeated[p] |= (uint16_t)(1u << i);
+        *since = down ? *since + 1 : 0;
+    }
+}
+
 static void keep_presses(struct input *in, uint32_t p, enum press_side side)
 {
-    for (uint32_t i = 0; i < PAD_BUTTONS; i++) {
-        uint64_t *kept = presses(in, p, i, side);
-        *kept = (*kept << 1 & younger(PRESS_KEPT)) | (in->pressed[p] >> i & 1u);
-    }
+    uint64_t *kept = presses(in, p, 0, side);
+
+    for (uint32_t i = 0; i < PAD_BUTTONS; i++)
+        kept[i] = kept[i] << 1 & younger(PRESS_KEPT);
+    for (unsigned m = in->pressed[p]; m; m &= m - 1)
+        kept[bits_lowest(m)] |= 1;
 }
 
 void input_done(struct input *in)
@@ -60,13 +76,7 @@ void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side si
         in->held[p] = (uint16_t)now;
         in->pressed[p] |= (uint16_t)(now & ~was);
         in->released[p] |= (uint16_t)(was & ~now);
-        for (int i = 0; i < PAD_BUTTONS; i++) {
-            uint32_t *since = &in->since[p * PAD_BUTTONS + i];
-            bool down = now >> i & 1;
-            if (down && (*since == 0 || (*since >= REPEAT_AFTER && (*since - REPEAT_AFTER) % REPEAT_EVERY == 0)))
-                in->repeated[p] |= (uint16_t)(1u << i);
-            *since = down ? *since + 1 : 0;
-        }
+        count_frames(in, (uint32_t)p, now, was);
         if (side != PRESS_NOBODY)
             keep_presses(in, (uint32_t)p, side);
     }

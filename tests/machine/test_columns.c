@@ -138,7 +138,7 @@ static void check_member(const struct chip *chip, const char *member)
     const struct column *c = column_named(chip, name);
     if (!c)
         fail_msg("chip %s: member %s is not in the column table", chip->name, name);
-    assert_int_equal(c->reg, !pointer);
+    assert_true(c->reg == !pointer || (c->reg && c->kind == COL_DERIVED)); /* of_kind: a pointer to another chip's */
     if (!pointer)
         assert_int_equal(c->n > 1, array);
 }
@@ -514,6 +514,80 @@ static void test_derived(void **state)
     rig_game_free(&g);
 }
 
+/* How many live bullets have each kind. */
+static void count_again(const struct bullets *s, const struct bullet_kinds *k)
+{
+    static uint32_t n[MAX_KINDS];
+
+    memset(n, 0, sizeof n);
+    EACH_LIVE (i, &s->s)
+        n[s->kind[i]]++;
+    assert_ptr_equal(s->of_kind, k->live);
+    for (uint32_t i = 0; i < k->s.live; i++)
+        assert_int_equal(k->live[i], n[i]);
+}
+
+static void count_both(const struct board *b)
+{
+    count_again(&b->bullets, &b->bullet_kinds);
+    count_again(&b->shots, &b->shot_kinds);
+}
+
+/* bullet_kinds.live: kept up to date by what fires bullets, gives them another kind, holds them and takes them away. */
+static void test_counts(void **state)
+{
+    static const char script[] =
+        "bullet.def('one', { sprite = 'dot', hit = { circle = 3 }, cloud = 'wink' })\n"
+        "bullet.def('two', { sprite = 'dot', hit = { circle = 4 }, hp = 2, cloud = 'dot' })\n"
+        "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 } })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 9 }, graze = 16, lives = 9 })\n"
+        "motion.def { name = 'm', { wait = 9 }, { kind = 'two' }, { wait = 8 }, { kind = 'one', speed = 2, over = 5 "
+        "},\n"
+        "  { die = true } }\n"
+        "string.sys.join(1, 'ship')\n"
+        "task.go(function() while true do\n"
+        "  for k = 1, 6 do\n"
+        "    local b = bullet.fire { kind = k % 2 == 0 and 'one' or 'two', x = 40 * k, y = 360, dir = 50 * k,\n"
+        "                            speed = k * k, delay = k // 2, motion = k == 3 and 'm' or nil }\n"
+        "    shot.fire { kind = 'bolt', x = 40 * k, y = 370, dir = 270, speed = 9 }\n"
+        "    if k == 4 then b.kind = 'two' end\n"
+        "  end\n"
+        "  if board.frame() % 50 == 0 then bullet.clear() end\n"
+        "  wait(1)\n"
+        "end end)\n";
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+    uint16_t pads[PADS] = { 0 };
+    int some = 0;
+
+    (void)state;
+    m.hp = 1;
+    rig_with_sys(&g, &m, script);
+    rig_power(&r, &g, NULL);
+    for (int f = 0; f < 300; f++) {
+        rig_run(&r, 1);
+        if (f % 70 == 50)
+            rig_spoil(&r); /* and restores a snapshot */
+        count_both(r.b);
+        some += r.b->bullets.s.live && r.b->shots.s.live;
+    }
+    assert_true(some > 200);
+    rig_free(&r);
+    rig_game_free(&g);
+    rig_folder(&g, "torture");
+    rig_power(&r, &g, NULL);
+    rng_seed(&rng, 11);
+    for (int f = 0; f < 600; f++) {
+        rig_pads(&rng, pads);
+        rig_tick(&r, pads);
+        count_both(r.b);
+    }
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
 /* tasks.next, prev, first, last: the live slots by serial. */
 static void test_links(void **state)
 {
@@ -549,7 +623,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_tables), cmocka_unit_test(test_parts),  cmocka_unit_test(test_reasons),
         cmocka_unit_test(test_flips),  cmocka_unit_test(test_groups), cmocka_unit_test(test_derived),
-        cmocka_unit_test(test_links),
+        cmocka_unit_test(test_counts), cmocka_unit_test(test_links),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

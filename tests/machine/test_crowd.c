@@ -256,6 +256,54 @@ static void test_pictures(void **state)
     assert_true(seen.hidden > seen.drawn / 20 && seen.layered > 100 && seen.blended > 1000);
 }
 
+/* A whole block in the middle of the field, but for one bullet, which goes over the edges by single units: with it the
+ * block needs clipping, or does not. */
+static void test_edges(void **state)
+{
+    const struct board_start start = { .difficulty = -1 };
+    enum { GAMES = 40, SPOTS = 200 };
+
+    (void)state;
+    rng_seed(&rng, 7);
+    for (int game_no = 0; game_no < GAMES; game_no++) {
+        struct rig_game game;
+        struct rig r;
+        random_game(&game);
+        rig_power(&r, &game, &start);
+        struct bullets *s = &r.b->bullets;
+        struct bullet_kinds *k = &r.b->bullet_kinds;
+        const struct manifest *m = &r.b->cart.m;
+        k->s.live = (uint32_t)(1 + below(3));
+        for (uint32_t i = 0; i < k->s.live; i++) {
+            k->sprite[i] = (uint16_t)below(r.b->cart.sprites);
+            k->order[i] = 0;
+            k->spin[i] = 0;
+            k->flags[i] = (uint16_t)(below(3) ? 0 : KIND_TURNS);
+        }
+        for (uint32_t i = 0; i < SLOTS_BLOCK; i++) {
+            const struct bullet_shape shape = { .x = (m->field_w / 2) << 16,
+                                                .y = (m->field_h / 2) << 16,
+                                                .kind = (uint16_t)below((int)k->s.live),
+                                                .bank = (uint8_t)below(16),
+                                                .dir = (ang)rng_next(&rng) };
+            bullets_fire(s, &shape, r.b->core.clock);
+        }
+        for (int place = 0; place < SPOTS && s->s.live == SLOTS_BLOCK; place++) {
+            const uint32_t i = (uint32_t)below(SLOTS_BLOCK);
+            const fx x = s->x[i], y = s->y[i], more = below(2) ? 0 : below(2) ? 65535 : below(65536);
+            if (place % 2)
+                s->x[i] = (below(90) - 45 + (below(2) ? m->field_w : 0)) * 65536 + more;
+            else
+                s->y[i] = (below(90) - 45 + (below(2) ? m->field_h : 0)) * 65536 + more;
+            picture(&r, s, k);
+            s->x[i] = x;
+            s->y[i] = y;
+        }
+        rig_free(&r);
+        rig_game_free(&game);
+    }
+}
+
 /* ---- the pass that moves ---- */
 
 static fx length(fx most)
@@ -374,7 +422,8 @@ static void test_moves(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_pictures), cmocka_unit_test(test_moves) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_pictures), cmocka_unit_test(test_edges),
+                                        cmocka_unit_test(test_moves) };
 
     return cmocka_run_group_tests_name("crowd", tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 #include <locale.h>
 #include <math.h>
 #include <unistd.h>
+#include "../../src/base/host.h"
 #include "../../src/board/api/eval.h"
 #include "../../src/board/rom/manifest.h"
 #include "../../src/board/script.h"
@@ -385,6 +386,42 @@ static void test_demos(void **state)
     demo_in_all_hosts("tests/demos/frozen.rom", "tests/demos/frozen-3.demo", 300);
 }
 
+/* ---- the settings themselves ---- */
+
+static volatile long double third = 3; /* of the 387, on x86 */
+static volatile double none = 0;
+
+/* Between the two all is as it is by default, and what is raised or set there is not left. */
+static void test_settings(void **state)
+{
+    struct settings usual;
+
+    (void)state;
+    no_host();
+    feclearexcept(FE_ALL_EXCEPT);
+    usual = settings();
+    for (int h = 0; h < HOSTS; h++) {
+        struct host inner;
+        host(&hosts[h]);
+        host_enter(&inner);
+        const struct settings inside = settings();
+        third = 1 / third; /* inexact, in the one unit; and infinite, in the other */
+        none = 1 / none;
+        const int now_raised = fetestexcept(FE_ALL_EXCEPT);
+        host_leave(&inner);
+        unchanged("host_leave");
+        no_host();
+        if (inside.control != usual.control || inside.control_387 != usual.control_387 ||
+            inside.rounding != usual.rounding || inside.flags || inside.traps || strcmp(inside.point, "."))
+            fail_msg("%s: control %x, 387 %x, rounding %x, flags %x, traps %x, point %s between enter and leave",
+                     hosts[h].name, inside.control, inside.control_387, inside.rounding, inside.flags, inside.traps,
+                     inside.point);
+        assert_true(now_raised & FE_INEXACT && now_raised & FE_DIVBYZERO);
+        third = 3;
+        none = 0;
+    }
+}
+
 /* ---- packing ---- */
 
 static _Alignas(16) uint8_t work[MANIFEST_WORK];
@@ -528,8 +565,8 @@ static int tear_down(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_script), cmocka_unit_test(test_faults),       cmocka_unit_test(test_demos),
-        cmocka_unit_test(test_packer), cmocka_unit_test(test_command_line),
+        cmocka_unit_test(test_settings), cmocka_unit_test(test_script), cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_demos),    cmocka_unit_test(test_packer), cmocka_unit_test(test_command_line),
     };
 
     return cmocka_run_group_tests(tests, set_up, tear_down);

@@ -464,6 +464,14 @@ static void blended_nothing(void **state)
     free(table);
 }
 
+/* So much too large may destinations be: nothing, a little, or as much as pictures and surfaces allow. */
+static uint32_t any_less(struct bed *b)
+{
+    const uint32_t most[] = { 1, 1 << 12, 1 << 25 };
+
+    return (uint32_t)rng_below(&b->r, most[rng_below(&b->r, 3)]);
+}
+
 /* A list of places, between them what is none; stamps stop there. */
 static void stamps_are_sprites(void **state)
 {
@@ -481,6 +489,7 @@ static void stamps_are_sprites(void **state)
         assert_int_equal(stamp_make(&stamp, &b->image, 0xffff), fits);
         large += !fits;
         const enum blit_mix mix = any_mix(&b->r);
+        const uint32_t less = any_less(b);
         struct stamp_corners c = stamp_corners(&b->fb, b->image.w, b->image.h);
         begin(b);
         for (size_t i = 0; i < n; i++) {
@@ -489,13 +498,13 @@ static void stamps_are_sprites(void **state)
             uint8_t bank = (uint8_t)rng_below(&b->r, 16);
             list[i] = STAMP_OTHER | (uint32_t)i;
             if (dx < c.wide && dy < c.high) {
-                list[i] = stamp_dest(&b->fb, dx, dy, bank);
+                list[i] = stamp_dest(&b->fb, dx, dy, bank) + less;
                 paint_through(b, x, y, bank, 0, table_of(mix));
                 drawn++;
             }
         }
         for (size_t i = 0; i < n; i++) {
-            i += stamp_over(&b->fb, &b->image, mix, list + i, n - i);
+            i += stamp_over(&b->fb, &b->image, mix, &(struct stamp_list){ list + i, n - i, less });
             if (i < n)
                 assert_int_equal(list[i], STAMP_OTHER | i);
         }
@@ -540,6 +549,7 @@ static void stamps_of_copies(void **state)
         for (uint32_t i = 0; i < copies * size; i++)
             pix[i] = (int)(i % (uint32_t)b->image.pitch) < w && rng_below(&b->r, 3) ? (uint8_t)rng_next(&b->r) : 0;
         fb_clip_all(&b->fb);
+        const struct stamp_list all = { list, n, any_less(b) };
         struct stamp_corners c = stamp_corners(&b->fb, w, h);
         begin(b);
         for (uint32_t i = 0; i < n; i++) {
@@ -557,6 +567,7 @@ static void stamps_of_copies(void **state)
                                    : (uint32_t)rng_below(&b->r, copies);
             uint32_t place = list[i] & (STAMP_OTHER - 1), pitch = (uint32_t)b->fb.pitch;
             at[i] = copy * size;
+            list[i] += all.less;
             b->image.pix = b->pix = pix + at[i];
             paint_through(b, (int)(place % pitch) + c.x0, (int)(place / pitch) + c.y0, (uint8_t)(list[i] >> 28), 0,
                           table_of(mix));
@@ -564,11 +575,11 @@ static void stamps_of_copies(void **state)
         b->image.pix = pix;
         if (turned)
             assert_int_equal(
-                n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, list, n));
+                n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, &all));
         else if (copies == 1)
-            assert_int_equal(n, stamp_over(&b->fb, &b->image, mix, list, n));
+            assert_int_equal(n, stamp_over(&b->fb, &b->image, mix, &all));
         else
-            assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, list, n));
+            assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, &all));
         expect(b);
     }
 }
@@ -636,6 +647,7 @@ static void layers_are_sprites(void **state)
             w = k % 8 == 4 ? FB_GUARD : 1 + (int)rng_below(&b->r, FB_GUARD);
         struct stamp_layer l;
         bool one_by_one = k % 7 == 0;
+        const uint32_t less = one_by_one ? 0 : any_less(b);
         random_solid(b, w, k % 8 == 4 ? FB_GUARD : k % 3 ? 8 : 1 + (int)rng_below(&b->r, FB_GUARD), k % 4);
         stamp_layer_init(&l, mem, W, H);
         struct stamp_corners c = stamp_corners(&l.fb, w, b->image.h);
@@ -644,7 +656,8 @@ static void layers_are_sprites(void **state)
             uint32_t dx = (uint32_t)rng_below(&b->r, c.wide), dy = (uint32_t)rng_below(&b->r, c.high);
             at[i].x = (int)dx + c.x0;
             at[i].y = (int)dy + c.y0;
-            list[i] = at[i].place = stamp_dest(&l.fb, dx, dy, (uint8_t)rng_below(&b->r, 16));
+            at[i].place = stamp_dest(&l.fb, dx, dy, (uint8_t)rng_below(&b->r, 16));
+            list[i] = at[i].place + less;
         }
         noise(b);
         begin(b);
@@ -655,10 +668,10 @@ static void layers_are_sprites(void **state)
             for (int i = n; i-- > 0;)
                 stamp_layer_sprite(&l, &b->image, list[i], pixels);
         else {
-            stamp_layer_draw(&l, &stamp, list + half, (size_t)n - half, pixels);
+            stamp_layer_draw(&l, &stamp, &(struct stamp_list){ list + half, (size_t)n - half, less }, pixels);
             stamp_layer_map(&l);
             check_cells(b, &l);
-            stamp_layer_draw(&l, &stamp, list, half, pixels);
+            stamp_layer_draw(&l, &stamp, &(struct stamp_list){ list, half, less }, pixels);
         }
         stamp_layer_show(&l, &b->fb, 0, 0);
         for (int y = 0; y < H; y++)

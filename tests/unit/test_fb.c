@@ -146,6 +146,7 @@ static void clip_is_the_intersection(void **state)
     bed_close(&b);
 }
 
+/* It fills the band between the picture's rows too, and nothing before the first or after the last. */
 static void fill_ignores_the_clip(void **state)
 {
     (void)state;
@@ -158,6 +159,12 @@ static void fill_ignores_the_clip(void **state)
     fb_clip(&b.fb, 5, 6, 7, 8);
     fb_fill(&b.fb, PAINT);
     memset(want, 1, sizeof want);
+    for (int y = 0; y < H - 1; y++)
+        for (int x = W; x < b.fb.pitch; x++) {
+            uint8_t *got = b.fb.pix + y * b.fb.pitch + x;
+            assert_int_equal(*got, PAINT);
+            *got = b.before[got - b.mem];
+        }
     bed_expect(&b, want);
     bed_close(&b);
 }

@@ -131,6 +131,7 @@ int main(int argc, char **argv)
                                    .echo = true });
     printf("%s\n\n", report_machine());
     double from = bench_now();
+    bench_own_clock(false);
     report_run(&o, SECTIONS, COUNT);
     snprintf(intro, sizeof intro, "%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
              report_machine(), report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));

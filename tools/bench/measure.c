@@ -26,16 +26,19 @@ double bench_now(void)
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
+/* The least of some means: nothing that is measured takes less. */
 void bench_own_clock(bool on)
 {
-    enum { TIMES = 64 };
-    double from;
+    enum { MEANS = 8, TIMES = 64 };
 
     own_clock = on;
-    from = bench_now();
-    for (int i = 1; i < TIMES; i++)
-        bench_now();
-    reading = on ? (bench_now() - from) / TIMES : 0;
+    for (int k = 0; k < MEANS; k++) {
+        const double from = bench_now();
+        for (int i = 1; i < TIMES; i++)
+            bench_now();
+        const double took = (bench_now() - from) / TIMES;
+        reading = k == 0 || took < reading ? took : reading;
+    }
 }
 
 void bench_clock_for(double ns)

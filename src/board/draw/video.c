@@ -251,30 +251,55 @@ static void draw_sparks(struct draw_target *c)
     video_batch_end(&q);
 }
 
-/* Do eight cells from i on show nothing? */
-static bool eight_empty(const struct fix *f, uint32_t i)
+enum { FEW_CELLS = 8, MANY_CELLS = 64 };
+
+/* Does one of many cells have a bit in these columns? page: NULL, or its column. */
+static bool some_code(const uint8_t *restrict code)
+{
+    uint8_t any = 0;
+
+    for (int k = 0; k < MANY_CELLS; k++)
+        any |= code[k];
+    return any;
+}
+
+static bool some_page(const uint16_t *restrict page)
+{
+    uint16_t any = 0;
+
+    for (int k = 0; k < MANY_CELLS; k++)
+        any |= page[k];
+    return any;
+}
+
+/* How many cells from i on show nothing, and are passed over at a time; i does not. */
+static uint32_t empty_cells(const struct fix *f, uint32_t i)
 {
     const uint16_t *page = f->page ? f->page + i : NULL;
 
-    return i + 8 <= f->s.live && !bytes_get64(f->code + i) &&
-           (!page || !(page[0] | page[1] | page[2] | page[3] | page[4] | page[5] | page[6] | page[7]));
+    if (i + MANY_CELLS <= f->s.live && !some_code(f->code + i) && !(page && some_page(page)))
+        return MANY_CELLS;
+    if (i + FEW_CELLS <= f->s.live && !bytes_get64(f->code + i) &&
+        !(page && (page[0] | page[1] | page[2] | page[3] | page[4] | page[5] | page[6] | page[7])))
+        return FEW_CELLS;
+    return 1;
 }
 
 /* The first cell from i on that shows a character; as many as there are cells: none does. */
 static uint32_t next_cell(const struct fix *f, uint32_t i)
 {
     while (i < f->s.live && !fix_code(f, i))
-        i += eight_empty(f, i) ? 8 : 1;
+        i += empty_cells(f, i);
     return i;
 }
 
-/* All rims, so that none covers a letter. */
-static void draw_rims(struct draw_target *c, const struct font *font)
+/* All rims from a cell on, so that none covers a letter. */
+static void draw_rims(struct draw_target *c, const struct font *font, uint32_t first)
 {
     const struct fix *f = &c->b->fix;
     int dark = -1;
 
-    for (uint32_t i = next_cell(f, 0); i < f->s.live; i = next_cell(f, i + 1)) {
+    for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1)) {
         if (!(f->bank[i] & FIX_RIM))
             continue;
         dark = dark < 0 ? extreme(c->b, false) : dark;
@@ -292,9 +317,11 @@ static void draw_text(struct draw_target *c)
     const struct cart *cart = &c->b->cart;
     struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
 
+    const uint32_t first = next_cell(f, 0);
+
     fb_clip_all(c->fb);
-    draw_rims(c, &font);
-    for (uint32_t i = next_cell(f, 0); i < f->s.live; i = next_cell(f, i + 1))
+    draw_rims(c, &font, first);
+    for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1))
         if (f->page || f->bank[i] & FIX_QUARTERS)
             video_cell(c, i);
         else

@@ -1,12 +1,12 @@
 /*
  * video_bullets.c - draws bullets and shots, of which there may be a million.
  *
- * A counting sort lists every kind's bullets in slot order as destinations (stamp.h), or by slot those that hang over
- * the clip's edge. A picture that all of a kind show is then stamped in one batch; where they are turned, animated or
- * blended, their slots are listed as well, and each one's own picture is picked, again in batches. Which of these a
- * kind takes is decided once a kind, so that one that is drawn in another way slows no other. When the overdraw is
- * high, bullets are drawn front to back on a layer of the field's size: first the topmost kinds that are enough to
- * cover it, then, of the others, those that can still be seen.
+ * A counting sort, for which the chip has counted, lists every kind's bullets in slot order as destinations (stamp.h),
+ * or by slot those that hang over the clip's edge. A picture that all of a kind show is then stamped in one batch;
+ * where they are turned, animated or blended, their slots are listed as well, and each one's own picture is picked,
+ * again in batches. Which of these a kind takes is decided once a kind, so that one that is drawn in another way slows
+ * no other. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the
+ * topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
  */
 #include <assert.h>
 #include <string.h>
@@ -16,9 +16,7 @@
 enum {
     BATCH = 64,       /* pictures that are drawn in one go */
     MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
-    TOP_OVERDRAW =
-        10,   /* the topmost kinds that would cover the field so many times are drawn without asking what is visible */
-    SPLIT = 4 /* counters a kind, so that bullets of one kind in a row do not wait for each other */
+    TOP_OVERDRAW = 10 /* so often the topmost kinds would cover the field that are drawn, whatever is visible */
 };
 
 /* How a kind is drawn this frame. */
@@ -27,7 +25,7 @@ struct style {
     bool turns; /* shows one of several turned copies */
     bool along; /* the one that points along dir; turned on by spin a frame */
     ang spin;
-    int order;
+    int order, area; /* area: px of its picture */
     bool cloud;
     unsigned blend; /* index + 1, 0: opaque */
     enum blit_mix mix;
@@ -36,22 +34,16 @@ struct style {
     uint32_t n;
     size_t pixels; /* that are opaque; of a layered kind */
     uint32_t list; /* index of its part of the list */
-};
-
-/* The part of it that is read for every bullet. */
-struct cursor {
-    uint32_t next; /* where in `list` the next one goes */
-    uint32_t from; /* from a bullet's pixel to the destination of its picture */
+    uint32_t less; /* as in struct stamp_list */
 };
 
 struct lists {
     struct style style[MAX_KINDS];
-    struct cursor cursor[MAX_KINDS];
-    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed */
+    uint32_t next[MAX_KINDS];    /* where in `list` the next one goes */
+    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; of layers alone */
     uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
     bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
-    uint32_t count[SPLIT][MAX_KINDS];
-    uint16_t order[MAX_KINDS]; /* kinds that have bullets, as they draw */
+    uint16_t order[MAX_KINDS];   /* kinds that have bullets, as they draw */
     uint32_t kinds;
     struct stamp stamp;
     uint32_t *list, *slots; /* slots: of those that are listed as destinations, with some_own */
@@ -64,6 +56,7 @@ struct window {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
+    uint32_t from;      /* from a bullet's pixel, as an offset, to what is listed */
     bool clips; /* what is listed by slot is clipped when it is drawn, so all of it may be listed; and those with
                          * pictures of their own may be listed as destinations */
 };
@@ -99,45 +92,27 @@ static struct lists *open_lists(const struct draw_target *c)
 
 /* ---- the kinds that have bullets ---- */
 
-static void count_block(uint32_t count[SPLIT][MAX_KINDS], const uint16_t kind[SLOTS_BLOCK])
-{
-    for (uint32_t i = 0; i < SLOTS_BLOCK; i += SPLIT) {
-        count[0][kind[i]]++;
-        count[1][kind[i + 1]]++;
-        count[2][kind[i + 2]]++;
-        count[3][kind[i + 3]]++;
-    }
-}
-
-static void count_kinds(const struct bullets *s, uint32_t kinds, struct lists *l)
-{
-    for (uint32_t k = 0; k < SPLIT; k++)
-        memset(l->count[k], 0, kinds * sizeof l->count[k][0]);
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        const uint16_t *kind = s->kind + block * SLOTS_BLOCK;
-        uint64_t used = s->s.used[block];
-        if (used == ~(uint64_t)0)
-            count_block(l->count, kind);
-        else
-            for (; used; used &= used - 1)
-                l->count[0][kind[bits_lowest(used)]]++;
-    }
-}
-
 static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
+    const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
+    const enum blit_mix mix = blend ? (enum blit_mix)c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+    const bool along = flags & KIND_TURNS, cloud = flags & KIND_CLOUD;
+    const ang spin = k->spin[kind];
+    const bool turns = (along || spin) && pic->rotations > 1;
 
+    slots_prefetch(pic->pix);
     style->pic = pic;
-    style->along = k->flags[kind] & KIND_TURNS;
-    style->spin = k->spin[kind];
-    style->turns = (style->along || style->spin) && pic->rotations > 1;
+    style->along = along;
+    style->spin = spin;
+    style->turns = turns;
     style->order = k->order[kind];
-    style->blend = (k->flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
-    style->cloud = k->flags[kind] & KIND_CLOUD;
-    style->mix = style->blend ? (enum blit_mix)c->b->cart.mix[style->blend - 1] : BLIT_OPAQUE;
-    style->alike = !style->turns && pic->frames == 1 && style->mix != BLIT_TABLE;
-    style->singly = style->mix == BLIT_TABLE || (style->cloud && (pic->frames > 1 || style->spin));
+    style->area = pic->w * pic->h;
+    style->blend = blend;
+    style->cloud = cloud;
+    style->mix = mix;
+    style->alike = !turns && pic->frames == 1 && mix != BLIT_TABLE;
+    style->singly = mix == BLIT_TABLE || (cloud && (pic->frames > 1 || spin));
 }
 
 /* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
@@ -145,7 +120,7 @@ static bool is_lower(const struct style *a, const struct style *b)
 {
     if (a->order != b->order)
         return a->order < b->order;
-    return a->pic->w * a->pic->h > b->pic->w * b->pic->h;
+    return a->area > b->area;
 }
 
 static void put_in_order(struct lists *l, uint16_t kind)
@@ -167,9 +142,7 @@ static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k
     l->kinds = 0;
     for (uint32_t i = 0; i < k->s.live; i++) {
         struct style *style = &l->style[i];
-        style->n = 0;
-        for (uint32_t j = 0; j < SPLIT; j++)
-            style->n += l->count[j][i];
+        style->n = k->live[i];
         if (!style->n)
             continue;
         find_style(c, k, i, style);
@@ -209,57 +182,105 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
     return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
 }
 
-/* Opens the lists of order[from .. to - 1]. */
-static struct window open_window(struct lists *l, uint32_t from, uint32_t to, const struct fb *fb, int x, int y,
+/* Where the bullets of pictures of one shape are that need no clipping. */
+struct fit {
+    struct stamp_corners c;
+    int dx, dy, from; /* from a bullet's pixel to the corner of its picture, counted from that; as an offset */
+};
+
+static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
+{
+    struct fit f = { .c = stamp_corners(fb, pic->w, pic->h) };
+
+    f.dx = x - pic->ox - f.c.x0;
+    f.dy = y - pic->oy - f.c.y0;
+    f.from = f.dy * fb->pitch + f.dx;
+    return f;
+}
+
+static bool are_alike(const struct sprite *a, const struct sprite *b)
+{
+    return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
+}
+
+/* What fits the window fits this too. */
+static void narrow_window(struct window *t, int *from, const struct fit *f)
+{
+    const int x1 = (int)f->c.wide - f->dx - 1, y1 = (int)f->c.high - f->dy - 1;
+
+    t->x0 = -f->dx > t->x0 ? -f->dx : t->x0;
+    t->y0 = -f->dy > t->y0 ? -f->dy : t->y0;
+    t->x1 = x1 < t->x1 ? x1 : t->x1;
+    t->y1 = y1 < t->y1 ? y1 : t->y1;
+    *from = f->from > *from ? f->from : *from;
+}
+
+/* Opens the lists of order[first .. to - 1]. Kinds mostly have pictures of one shape. */
+static struct window open_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
                                  bool clips)
 {
-    int64_t x0 = INT32_MIN, y0 = INT32_MIN, x1 = INT32_MAX, y1 = INT32_MAX;
+    struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
+    const struct sprite *seen = NULL; /* whose fit is f, and has narrowed the window */
+    struct fit f = { 0 };
+    int from = INT32_MIN;
 
-    memset(l->open, 0, sizeof l->open);
+    if (!clips)
+        memset(l->open, 0, sizeof l->open);
     l->some_by_slot = l->some_own = false;
-    for (uint32_t o = from; o < to; o++) {
-        const struct style *style = &l->style[l->order[o]];
-        struct stamp_corners c = stamp_corners(fb, style->pic->w, style->pic->h);
-        int dx = x - style->pic->ox - c.x0, dy = y - style->pic->oy - c.y0;
-        l->open[l->order[o]] = 1;
-        const bool by_slot = !style->alike && (!clips || !c.wide || !c.high);
-        l->by_slot[l->order[o]] = by_slot;
+    for (uint32_t o = first; o < to; o++) {
+        const uint16_t kind = l->order[o];
+        struct style *style = &l->style[kind];
+        const bool known = seen && are_alike(seen, style->pic);
+        if (!known)
+            f = fit_of(fb, style->pic, x, y);
+        const bool by_slot = !style->alike && (!clips || !f.c.wide || !f.c.high);
+        l->open[kind] = 1;
+        l->by_slot[kind] = by_slot;
         l->some_by_slot |= by_slot;
         l->some_own |= !style->alike;
-        l->cursor[l->order[o]] = (struct cursor){ style->list, (uint32_t)dy * (uint32_t)fb->pitch + (uint32_t)dx };
-        if (by_slot)
-            continue;
-        x0 = -dx > x0 ? -dx : x0;
-        y0 = -dy > y0 ? -dy : y0;
-        x1 = (int64_t)c.wide - dx < x1 ? (int64_t)c.wide - dx : x1;
-        y1 = (int64_t)c.high - dy < y1 ? (int64_t)c.high - dy : y1;
+        l->next[kind] = style->list;
+        style->less = (uint32_t)f.from;
+        seen = by_slot ? NULL : style->pic;
+        if (!by_slot && !known)
+            narrow_window(&t, &from, &f);
     }
-    if (x0 >= x1 || y0 >= y1 || x0 == INT32_MIN)
-        return (struct window){ fb, x, y, 1, 1, 0, 0, clips };
-    return (struct window){ fb, x, y, (int)x0, (int)y0, (int)x1 - 1, (int)y1 - 1, clips };
+    for (uint32_t o = first; o < to; o++)
+        l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
+    t.from = (uint32_t)from;
+    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* none */
+        t.x0 = t.y0 = 1;
+        t.x1 = t.y1 = 0;
+    }
+    return t;
 }
 
 static uint32_t listed(const struct lists *l, uint16_t kind)
 {
-    return l->cursor[kind].next - l->style[kind].list;
+    return l->next[kind] - l->style[kind].list;
 }
 
-/* Each bullet's offset from the field's corner on the surface, and its bank. True: none needs clipping, whichever its
- * kind. */
-static bool dest_block(const fx *restrict x, const fx *restrict y, const uint8_t *restrict bank, uint32_t *restrict at,
-                       const struct window *view)
+/* What of each bullet is listed: its offset. True: none needs clipping, whichever its kind. On each axis a range is
+ * asked about in one signed comparison, as in bullets.c. */
+static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct window *t)
 {
-    const struct window t = *view;
-    const uint32_t pitch = (uint32_t)t.fb->pitch;
-    const int32_t x0 = t.x0, y0 = t.y0, x1 = t.x1, y1 = t.y1;
+    const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->from;
+    const uint32_t x0 = (uint32_t)t->x0 << 16 ^ sign, y0 = (uint32_t)t->y0 << 16 ^ sign;
+    const int32_t w = (int32_t)((uint32_t)(t->x1 - t->x0 + 1) << 16 ^ sign) - 1,
+                  h = (int32_t)((uint32_t)(t->y1 - t->y0 + 1) << 16 ^ sign) - 1;
     int32_t others = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t px = x[i] >> 16, py = y[i] >> 16;
-        at[i] = (uint32_t)py * pitch + (uint32_t)px + ((uint32_t)bank[i] << 28);
-        others |= (px - x0) | (x1 - px) | (py - y0) | (y1 - py);
+        at[i] = (uint32_t)(y[i] >> 16) * pitch + (uint32_t)(x[i] >> 16) + from;
+        others |= -((int32_t)((uint32_t)x[i] - x0) > w) | -((int32_t)((uint32_t)y[i] - y0) > h);
     }
-    return others >= 0;
+    return !others;
+}
+
+/* And its bank. In a loop of its own, for bytes take others apart. */
+static void bank_block(const uint8_t *restrict bank, uint32_t *restrict at)
+{
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        at[i] += (uint32_t)bank[i] << 28;
 }
 
 static bool is_unclipped(const struct window *t, fx x, fx y)
@@ -269,23 +290,27 @@ static bool is_unclipped(const struct window *t, fx x, fx y)
     return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
 }
 
+static inline void list_one(struct lists *l, const struct bullets *s, uint32_t i, uint32_t dest)
+{
+    const uint32_t next = l->next[s->kind[i]]++;
+
+    l->slots[next] = i;
+    l->list[next] = dest;
+}
+
 /* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
  * slot if part of it is inside the clip. */
 static void list_other(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
     struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
-    struct cursor *cursor = &l->cursor[s->kind[i]];
     int x, y;
 
     corner(t, l, s, i, &x, &y);
-    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high) {
-        l->slots[cursor->next] = i;
-        l->list[cursor->next++] = stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]);
-    } else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0) {
-        l->slots[cursor->next] = i;
-        l->list[cursor->next++] = STAMP_OTHER | i;
-    }
+    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
+        list_one(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
+    else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
+        list_one(l, s, i, STAMP_OTHER | i);
 }
 
 /* Lists those bullets of a block that m names, one by one. */
@@ -293,16 +318,13 @@ static void list_some(struct lists *l, const struct bullets *s, const struct win
 {
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-        struct cursor *cursor = &l->cursor[s->kind[i]];
-        if (t->clips && l->by_slot[s->kind[i]]) {
-            l->slots[cursor->next] = i;
-            l->list[cursor->next++] = STAMP_OTHER | i;
-        } else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i])) {
-            l->slots[cursor->next] = i;
-            l->list[cursor->next++] = ((uint32_t)s->bank[i] << 28) +
-                                      (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
-                                      (uint32_t)fx_floor(s->x[i]) + cursor->from;
-        } else
+        if (t->clips && l->by_slot[s->kind[i]])
+            list_one(l, s, i, STAMP_OTHER | i);
+        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+            list_one(l, s, i,
+                     ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
+                         (uint32_t)fx_floor(s->x[i]) + t->from);
+        else
             list_other(l, s, t, i);
     }
 }
@@ -314,15 +336,11 @@ static bool is_run(const uint16_t *kinds)
 {
     uint64_t a, b;
 
+    if (kinds[0] != kinds[RUN - 1]) /* mostly, where they are mixed */
+        return false;
     memcpy(&a, kinds, sizeof a);
     memcpy(&b, kinds + 4, sizeof b);
     return a == b && a == kinds[0] * (uint64_t)0x0001000100010001;
-}
-
-static inline void list_run(uint32_t *restrict list, const uint32_t *restrict at, uint32_t from)
-{
-    for (int k = 0; k < RUN; k++)
-        list[k] = at[k] + from;
 }
 
 static inline void list_slots(uint32_t *restrict slots, uint32_t first)
@@ -338,19 +356,18 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
     uint32_t *list = l->list, *slots = l->slots;
 
     for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN) {
-        struct cursor *cursor = &l->cursor[kinds[k]];
         if (is_run(kinds + k)) {
-            list_run(list + cursor->next, at + k, cursor->from);
+            uint32_t *next = &l->next[kinds[k]];
+            memcpy(list + *next, at + k, RUN * sizeof *list);
             if (own)
-                list_slots(slots + cursor->next, first + k);
-            cursor->next += RUN;
+                list_slots(slots + *next, first + k);
+            *next += RUN;
             continue;
         }
 #pragma GCC unroll 8
         for (uint32_t i = 0; i < RUN; i++) {
-            cursor = &l->cursor[kinds[k + i]];
-            const uint32_t next = cursor->next++;
-            list[next] = at[k + i] + cursor->from;
+            const uint32_t next = l->next[kinds[k + i]]++;
+            list[next] = at[k + i];
             if (own)
                 slots[next] = first + k + i;
         }
@@ -363,8 +380,9 @@ static bool list_block(struct lists *l, const struct bullets *s, const struct wi
     const uint32_t first = block * SLOTS_BLOCK;
     uint32_t at[SLOTS_BLOCK];
 
-    if (l->some_by_slot || ~s->s.used[block] || !dest_block(s->x + first, s->y + first, s->bank + first, at, t))
+    if (l->some_by_slot || ~s->s.used[block] || t->x0 > t->x1 || !place_block(s->x + first, s->y + first, at, t))
         return false;
+    bank_block(s->bank + first, at);
     if (l->some_own)
         list_whole(l, s->kind + first, at, first, true);
     else
@@ -494,7 +512,8 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
 
     for (uint32_t k = 0; k < n; k++) {
         turns.which = slots + k;
-        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix, list + k, n - k);
+        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix,
+                                    &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -517,7 +536,8 @@ static void draw_own(struct draw_target *c, const struct bullets *s, const struc
         most = n - k < BATCH ? n - k : BATCH;
         pick(c, s, &p, slots + k, most, at);
         for (uint32_t j = 0; j < most; j++) {
-            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix, list + k + j, most - j);
+            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix,
+                                      &(struct stamp_list){ list + k + j, most - j, style->less });
             if (j < most)
                 draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
         }
@@ -533,14 +553,20 @@ static void draw_singly(struct draw_target *c, const struct bullets *s, const st
         draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
 }
 
+/* A sprite's only picture, or its first. */
+static inline struct image first_image(const struct sprite *pic)
+{
+    return (struct image){ pic->pix, pic->w, pic->h, pic->pitch };
+}
+
 static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                        const struct style *style, uint32_t n)
 {
-    const struct image image = video_image(style->pic, 0, false, 0);
+    const struct image image = first_image(style->pic);
     const uint32_t *list = l->list + style->list;
 
     for (uint32_t k = 0; k < n; k++) {
-        k += (uint32_t)stamp_over(c->fb, &image, style->mix, list + k, n - k);
+        k += (uint32_t)stamp_over(c->fb, &image, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
             draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
     }
@@ -596,7 +622,7 @@ static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, c
     if (style->alike) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture of the band's size is never too much */
-        stamp_layer_draw(layer, &l->stamp, list, n, style->pixels);
+        stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->pixels);
         return;
     }
     while (n-- > 0) {
@@ -727,7 +753,6 @@ void video_bullets(struct draw_target *c, const struct bullets *s, const struct 
 
     if (!s->s.live)
         return;
-    count_kinds(s, k->s.live, l);
     find_kinds(c, k, l);
     c->drawn += s->s.live;
     if (c->overdraw != VIDEO_NO_LAYERS && is_layered(l, enough))

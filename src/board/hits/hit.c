@@ -29,31 +29,59 @@ static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
     return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
 }
 
-/* May the bullet's path of this frame come within reach of the player, on both axes? */
-static bool within(const struct body *bullet, const struct body *c, int64_t reach)
-{
-    int64_t dx = (int64_t)bullet->x - c->x, dy = (int64_t)bullet->y - c->y;
-
-    return int64_abs(dx) <= reach + fx_abs(bullet->mx) && int64_abs(dy) <= reach + fx_abs(bullet->my);
-}
-
 enum verdict { MISS, HIT, GRAZE };
 
-static enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
+/* May the path of bullet i in this frame come within reach of the player, on both axes? */
+static inline bool within(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
 {
-    struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i), ring = *c;
-    unsigned flags = b->bullet_kinds.flags[b->bullets.kind[i]];
+    const int64_t dx = (int64_t)s->x[i] - c->x, dy = (int64_t)s->y[i] - c->y;
 
-    if (!within(&bullet, c, reach) || b->bullets.flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
+    return int64_abs(dx) <= reach + fx_abs(s->vx[i]) && int64_abs(dy) <= reach + fx_abs(s->vy[i]);
+}
+
+/* A bullet that is a circle, as most are: of its way, as the player sees it, two circles are asked. graze: the ring's
+ * radius, or less than 0. */
+static inline enum verdict test_circle(const struct bullets *s, uint32_t i, const struct body *c, fx radius, fx graze,
+                                       bool swept)
+{
+    const int64_t wx = swept ? (int64_t)s->vx[i] - c->mx : 0, wy = swept ? (int64_t)s->vy[i] - c->my : 0;
+    const int64_t dx = (int64_t)s->x[i] - c->x - wx, dy = (int64_t)s->y[i] - c->y - wy;
+
+    if (geom_swept_circles(dx, dy, wx, wy, (int64_t)radius + c->a))
+        return HIT;
+    return graze >= 0 && geom_swept_circles(dx, dy, wx, wy, (int64_t)radius + graze) ? GRAZE : MISS;
+}
+
+/* One of any shape. */
+static enum verdict test_shape(const struct board *b, const struct body *c, uint32_t i, fx graze, bool swept)
+{
+    const struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i);
+    struct body ring;
+
+    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, swept))
+        return HIT;
+    if (graze < 0)
+        return MISS;
+    ring = *c;
+    ring.a = graze;
+    return hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept) ? GRAZE : MISS;
+}
+
+static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
+{
+    const struct bullets *s = &b->bullets;
+    const struct bullet_kinds *k = &b->bullet_kinds;
+    const uint16_t kind = s->kind[i];
+    const unsigned flags = k->flags[kind];
+
+    if (!within(s, i, c, reach) || s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
         return MISS;
     b->counts.tested++;
-    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, flags & KIND_SWEPT))
-        return HIT;
-    ring.a = b->player_kinds.graze[b->player.kind[p]];
-    if (flags & KIND_GRAZE && !(b->bullets.flags[i] >> p & BULLET_GRAZED) &&
-        hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, flags & KIND_SWEPT))
-        return GRAZE;
-    return MISS;
+    const bool grazes = flags & KIND_GRAZE && !(s->flags[i] >> p & BULLET_GRAZED), swept = flags & KIND_SWEPT;
+    const fx graze = grazes ? b->player_kinds.graze[b->player.kind[p]] : -1;
+    if (k->shape[kind] == SHAPE_CIRCLE)
+        return test_circle(s, i, c, k->a[kind], graze, swept);
+    return test_shape(b, c, i, graze, swept);
 }
 
 static void raise_bullet_hits(struct board *b, uint32_t p)

@@ -318,7 +318,7 @@ static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player
     uint16_t kind = b->bullets.kind[i];
 
     if (board_alive(b, h))
-        slots_hold(&b->bullets.s, b->bullets.leaving, i);
+        bullets_hold(&b->bullets, i);
     if (player)
         board_score(b, player - 1, k->score[kind]);
     death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);

@@ -95,16 +95,23 @@ static void step_fade(struct pal *p, int i)
         p->over[i] = 0;
 }
 
+enum { ASIDE = 64 }; /* most fade not: so many colours are passed over at once */
+
+static bool some_fade(const uint16_t *restrict over)
+{
+    uint16_t any = 0;
+
+    for (int k = 0; k < ASIDE; k++)
+        any |= over[k];
+    return any;
+}
+
 void pal_step(struct pal *p)
 {
-    enum { ASIDE = sizeof(uint64_t) / sizeof *p->over }; /* most fade not: so many are passed over at once */
-
-    for (int i = 0; i < COLOURS; i += ASIDE) {
-        uint64_t any;
-        memcpy(&any, p->over + i, sizeof any);
-        for (int k = i; any && k < i + ASIDE; k++)
-            step_fade(p, k);
-    }
+    for (int i = 0; i < COLOURS; i += ASIDE)
+        if (some_fade(p->over + i))
+            for (int k = i; k < i + ASIDE; k++)
+                step_fade(p, k);
     for (int k = 0; k < CYCLES; k++)
         if (p->cycle_every[k] && ++p->cycle_count[k] >= p->cycle_every[k]) {
             p->cycle_count[k] = 0;
