@@ -1556,6 +1556,21 @@ static void steer_later(struct bullets *b, struct some *later)
     steer_some(b, later, dir);
 }
 
+/* Of a block in which nobody is busy, as most are. */
+static void run_woken(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
+{
+    uint64_t busy = 0, idle = b->idle[block] & ~woken;
+
+    for (uint64_t m = woken; m; m &= m - 1) {
+        const uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+        const enum program_state state = is_over(b, w, i) ? go_on(b, w, i) : PROGRAM_WAITS;
+        busy |= state == PROGRAM_RUNS ? bit(i) : 0;
+        idle |= state == PROGRAM_WAITS ? bit(i) : 0;
+    }
+    b->busy[block] = busy;
+    b->idle[block] = idle;
+}
+
 static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
     const uint32_t first = block * SLOTS_BLOCK;
@@ -1818,8 +1833,10 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
             prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
-        if (b->busy[block] | now)
+        if (b->busy[block])
             run_programs(b, w, block, now);
+        else if (now)
+            run_woken(b, w, block, now);
         if (b->fastest != fastest) { /* a program may have made one faster */
             fastest = b->fastest;
             near = near_range(&query[0], fastest);
