@@ -348,6 +348,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         return true;
     }
     keep_chosen(p);
+    const int chosen = p->row;
     const uint32_t fresh = pressed(s, held) | use_mouse(s, p, in);
     if (rows_of(p) > 0) {
         if (fresh & UP)
@@ -359,6 +360,8 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         if (fresh & (LEFT | RIGHT) && changes(p))
             change(s, p, (fresh & LEFT ? -1 : 1) * (held & TEN ? 10 : 1));
     }
+    if (p->row != chosen) /* it was about that row, or has been read */
+        s->said_for = 0;
     if (fresh & NO) /* who presses yes and no means no */
         screens_close(s);
     else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
