@@ -271,7 +271,8 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
     return at;
 }
 
-/* The row under the mouse is chosen when the mouse moves, and not the window under it; its left button accepts that, its right one goes back. */
+/* The row under the mouse is chosen when the mouse moves, and not the window under it; its left button accepts that,
+ * its right one goes back. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
     const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
