@@ -673,6 +673,20 @@ static void what_is_said_goes_again(void **state)
     assert_int_equal(ink(b), before);
 }
 
+/* What is said of a row is not read below another one. */
+static void what_is_said_is_of_one_row(void **state)
+{
+    struct bed *b = *state;
+
+    open_list(b, "  ");
+    tap(b, DOWN);
+    const int second = ink(b);
+    tap(b, UP);
+    screens_say(&b->s, "%s", "of the first");
+    tap(b, DOWN);
+    assert_int_equal(ink(b), second);
+}
+
 /* ---- any list in any picture ---- */
 
 static void a_list_that_becomes_shorter(void **state)
@@ -756,6 +770,7 @@ int main(void)
         TEST(a_question),
         TEST(who_listens_has_all_switches),
         TEST(what_is_said_goes_again),
+        TEST(what_is_said_is_of_one_row),
         TEST(a_list_that_becomes_shorter),
         TEST(whatever_happens),
     };

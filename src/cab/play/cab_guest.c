@@ -263,7 +263,7 @@ void cab_resume_arrived(void)
     cab_keep_follow();
     cab.paused = cab.awaits = true;
     cab.timebar_left = 0;
-    cab_notice(-1, "your run goes on: press a button%s",
+    cab_notice(CAB_NOTICE_STAYS, "your run goes on: press a button%s",
                cab.guest.same ? "" : ". Scores were made since; this run's are not kept");
     cab_say("curtain: %s: goes on at frame %u with the run that was left%s", cab_game(), (unsigned)d->frames,
             cab.guest.same ? "" : "; scores were made since, and this run's are not kept");

@@ -104,11 +104,19 @@ bool cab_screen_keys(const struct plat_input *in, struct keys_read *k)
     return true;
 }
 
+/* The player's own switch for it; one that no setting takes away, where the keyboard has none. */
+static void foot_switch(const char *action, const char *always, char *name, size_t size)
+{
+    keys_first(&cab.config.keys, action, name, size);
+    if (!cab.config.keys.player[0].controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
+        snprintf(name, size, "%s", always);
+}
+
 void cab_screens_foot(char *text, size_t size)
 {
     char yes[32], no[32];
 
-    keys_first(&cab.config.keys, "p1.fire", yes, sizeof yes);
-    keys_first(&cab.config.keys, "p1.bomb", no, sizeof no);
+    foot_switch("p1.fire", "enter", yes, sizeof yes);
+    foot_switch("p1.bomb", "escape", no, sizeof no);
     snprintf(text, size, "%s: choose  %s: back", yes, no);
 }

@@ -174,6 +174,9 @@ static void drop_one(void *of, int at)
     for (int i = KEYS_EACH - 1; action >= 0 && i >= 0; i--) {
         const uint16_t code = cab.config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
+            char label[SWITCH_NAME];
+            switch_label(code, cab.config.keys.cabinet.kind, label, sizeof label);
+            screens_say(&cab.screens, "%s: no more %s", keys_action(action), label);
             keys_drop(&cab.config.keys, keys_action(action), code);
             return;
         }

@@ -271,7 +271,8 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
     return at;
 }
 
-/* The row under the mouse is chosen when the mouse moves, and not the window under it; its left button accepts that, its right one goes back. */
+/* The row under the mouse is chosen when the mouse moves, and not the window under it; its left button accepts that,
+ * its right one goes back. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
     const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
@@ -348,6 +349,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         return true;
     }
     keep_chosen(p);
+    const int chosen = p->row;
     const uint32_t fresh = pressed(s, held) | use_mouse(s, p, in);
     if (rows_of(p) > 0) {
         if (fresh & UP)
@@ -359,6 +361,8 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         if (fresh & (LEFT | RIGHT) && changes(p))
             change(s, p, (fresh & LEFT ? -1 : 1) * (held & TEN ? 10 : 1));
     }
+    if (p->row != chosen) /* it was about that row, or has been read */
+        s->said_for = 0;
     if (fresh & NO) /* who presses yes and no means no */
         screens_close(s);
     else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
