@@ -174,7 +174,7 @@ look() {
     pad plug 3 nintendo
     pad tap 1 north
     pad tap 2 start
-    does menu down down down yes
+    does menu down down down down yes
     looks controllers
     does down right
     looks controllers-changed
