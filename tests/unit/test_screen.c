@@ -618,9 +618,9 @@ static void who_listens_has_all_switches(void **state)
     assert_int_equal(b->l.accepted, 0);
 }
 
-static int ink(const struct bed *b)
+static uint32_t ink(const struct bed *b)
 {
-    int n = 0;
+    uint32_t n = 0;
 
     for (int y = 0; y < b->h; y++)
         for (int x = 0; x < b->w; x++)
@@ -633,7 +633,7 @@ static void what_is_said_goes_again(void **state)
     struct bed *b = *state;
 
     open_list(b, " ");
-    const int before = ink(b);
+    const uint32_t before = ink(b);
     screens_say(&b->s, "%d settings are not kept", 3);
     show(b);
     assert_int_not_equal(ink(b), before);
