@@ -81,6 +81,19 @@ engine_build() {
         "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) "$@" -lm -pthread
 }
 
+# build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and clock.
+build_player() {
+    # shellcheck disable=SC2046
+    ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
+        $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
+        $(pkg-config --libs lua5.4) -lm -pthread || exit 2
+}
+keys() { # N [WORD...]: lines for it: so many polls with these held
+    local n=$1
+    shift
+    for _ in $(seq "$n"); do echo "$*"; done
+}
+
 # tree PATTERN...: the files of the repository as they are now: new ones too, removed ones not.
 tree() {
     git ls-files -co --exclude-standard -- "$@" | while read -r f; do

@@ -66,6 +66,11 @@ focused() {
         xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && found && [ "$win" = "$first" ]
 }
 found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
+# shot FORMAT:FILE: what the window shows, as rgb:FILE; its whole dump is $scratch/shot.xwd.
+shot() {
+    found && xwd -silent -id "$win" -out "$scratch/shot.xwd" 2>/dev/null &&
+        convert "xwd:$scratch/shot.xwd" -depth 8 "$1" 2>/dev/null
+}
 leave() {
     kill -KILL "$child" 2>/dev/null
     wait "$child" 2>/dev/null

@@ -7,9 +7,7 @@
 rom=$repo/roms/glasstide golden=$repo/tests/golden/backwards
 export SDL_AUDIODRIVER=dummy
 
-window_png() {
-    found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 "png24:$1" 2>/dev/null
-}
+window_png() { shot "png24:$1"; }
 pixels() { convert "$1" -depth 8 rgb:- 2>/dev/null; }
 is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$1.png"); }
 # No two presses in one poll: a press is over when the window shows what it did, or the program has gone round for long

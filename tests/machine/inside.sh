@@ -13,11 +13,8 @@ end)
 LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua
 
-shot() {
-    xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 ppm:picture.ppm 2>/dev/null
-}
-shows() { shot && python3 "$repo/tests/machine/words.py" picture.ppm "$@"; }
-hides() { shot && ! python3 "$repo/tests/machine/words.py" picture.ppm "$@"; }
+shows() { shot ppm:picture.ppm && python3 "$repo/tests/machine/words.py" picture.ppm "$@"; }
+hides() { shot ppm:picture.ppm && ! python3 "$repo/tests/machine/words.py" picture.ppm "$@"; }
 
 start Probe "$OUT/curtain" play g --scale 1 --mute || finish
 xdotool key --delay 100 grave

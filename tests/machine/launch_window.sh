@@ -16,9 +16,8 @@ end)
 LUA
 cp g/main.lua right.lua
 
-window_png() { found && xwd -silent -id "$win" -out "$scratch/window.xwd" && convert "xwd:$scratch/window.xwd" "$1"; }
 colours() { # at least N
-    window_png "$scratch/seen.png" 2>/dev/null && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
+    shot "png:$scratch/seen.png" && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
 }
 size_is() {
     [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]

@@ -4,9 +4,7 @@
 # that is none (port_keys.c); as a window, in another size, and in fullscreen.
 . "$(dirname "$0")/../xserver.sh"
 export SDL_AUDIODRIVER=dummy
-${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
-    $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
-    $(pkg-config --libs lua5.4) -lm -pthread || exit 2
+build_player
 
 # A picture that stands, with 256 colours and no symmetry.
 game g <<'LUA'
@@ -29,10 +27,7 @@ compose() { # WxH: want.rgb is what the cabinet shows there, after keys as in `p
     scale=$((${1%x*} / w < ${1#*x} / h ? ${1%x*} / w : ${1#*x} / h)) # 1 of what was composed
     convert picture.ppm -scale "${scale}00%" -background black -gravity center -extent "$1" -depth 8 rgb:want.rgb
 }
-is_shown() {
-    found && xwd -silent -id "$win" -out shot.xwd 2>/dev/null &&
-        convert xwd:shot.xwd -depth 8 rgb:shot.rgb 2>/dev/null && cmp shot.rgb want.rgb
-}
+is_shown() { shot rgb:shot.rgb && cmp shot.rgb want.rgb; }
 shows() { # WxH
     soon size_is "$1" && compose "$1" && soon is_shown
 }

@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # overlay.sh - `play` with the overlay and the console: what they show stands on the picture, and what is recorded,
 # saved and played is as if they had not been there; but for a line that is kept. The port is a script's (port_keys.c).
-. "$(dirname "$0")/../tap.sh"
-sandbox
-${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
-    $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
-    $(pkg-config --libs lua5.4) -lm -pthread || exit 2
+. "$(dirname "$0")/../scripted.sh"
 
 game g <<'LUA'
 bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })
@@ -22,11 +18,6 @@ LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua
 
 H=11 G=10 V=25 N=17 BACKQUOTE=53 ENTER=40 ESCAPE=41 BACKSPACE=42 Z=29 P=19
-keys() { # N [WORD...]: so many polls with these
-    local n=$1
-    shift
-    for _ in $(seq "$n"); do echo "$*"; done
-}
 line() { # TEXT: it is typed, letter by letter, and entered; 2 polls more than it has letters
     local i
     for ((i = 0; i < ${#1}; i++)); do echo "'${1:i:1}"; done

@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # practice.sh - the practice menu in play: a piece is chosen, tried, tried again, captured, and the records say so; what
 # does not count; scores; a damaged file. The port is a script's (port_keys.c): no window, no clock.
-. "$(dirname "$0")/../tap.sh"
-sandbox
-${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
-    $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
-    $(pkg-config --libs lua5.4) -lm -pthread || exit 2
+. "$(dirname "$0")/../scripted.sh"
 export KEYS_WHOLE=1
 
 # The queen breaks after 80 frames, the knight never does; a dot moves with the frames; a score is kept from the title
@@ -38,11 +34,6 @@ LUA
 
 F2=59 R=21 Z=29 X=27 C=6 UP=82 DOWN=81 RIGHT=79 BACKSPACE=42 P=19
 file=data/curtain/probe.practice
-keys() { # N [USAGE...]: so many polls with these held
-    local n=$1
-    shift
-    for _ in $(seq "$n"); do echo "$*"; done
-}
 press() { for key; do echo "$key"; echo; done; }
 plays() { # OUT ARGUMENT...: standard input are the keys
     local out=$1

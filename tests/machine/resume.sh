@@ -190,10 +190,15 @@ same 'which is a replay' '0:05 ship normal 2520 left' "$(list | head -1)"
 # ---- a kill, a full disk ----
 
 rm -rf data
-{ begin; keys 330 $Z; echo; sleep 100; } | ./player play g --seed 5 >out 2>err &
-for _ in $(seq 300); do [ "$(wc -l <out)" -lt 500 ] || break; sleep 0.1; done
-kill -9 "$(pgrep -P $$ player | head -1)"
-wait 2>/dev/null
+mkfifo hands
+./player play g --seed 5 <hands >out 2>err &
+killed=$!
+exec 3>hands # open, so that the keys have no end
+{ begin; keys 330 $Z; echo; } >&3
+until [ "$(wc -l <out)" -ge 500 ] || ! kill -0 $killed 2>/dev/null; do sleep 0.05; done
+kill -9 $killed
+exec 3>&-
+wait $killed 2>/dev/null
 { keys 100; keys 1 $Z; } | plays went --resume
 check 'after kill -9 at most a second is lost' grep -qE 'goes on at frame (4[2-9]|5)[0-9][0-9]? ' err
 rm -rf data

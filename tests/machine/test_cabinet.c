@@ -1,7 +1,8 @@
 /*
- * test_cabinet.c - the whole cabinet under random hands: a port without a machine presses keys, controllers and the
- * mouse, types, takes the focus away, changes the game's files, over many frames. Nothing may crash or hang, and
- * whatever was recorded meanwhile must hold, however it was gone to and fro, reloaded, practised and looked at.
+ * test_cabinet.c - the whole cabinet under random hands and settings: a port without a machine presses keys, controllers
+ * and the mouse, types, takes the focus away, plugs controllers in and out, has a window of any size, changes the game's
+ * files, over many frames. Nothing may crash or hang, and whatever was recorded meanwhile must hold, however it was gone
+ * to and fro, reloaded, practised and looked at: what was asked for, and every replay that the cabinet kept by itself.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <string.h>
@@ -9,10 +10,13 @@
 #include "rig.h"
 #include "../temp.h"
 #include "../../src/cab/demo/replay.h"
+#include "../../src/cab/host/config.h"
 #include "../../src/cab/play/cab.h"
+#include "../../src/cab/store/replays.h"
+#include "../../src/cab/store/roms.h"
 #include "../../platform/platform.h"
 
-enum { SECOND = 1000000, KEYS_AT_ONCE = 4, PADS_MOST = 2 };
+enum { SECOND = 1000000, KEYS_AT_ONCE = 4, ROOM_MOST = 700 /* window pixels a side, but for one of a set scale */ };
 
 static char root[256], repo[1024];
 
@@ -23,11 +27,18 @@ static struct {
     struct rng rng;
     int polls, left; /* polls until it asks to quit */
     uint8_t held[KEYS_AT_ONCE];
-    uint32_t pad[PADS_MOST];
-    int hold; /* polls that these stay held */
-    bool console, files, text, focus;
+    uint32_t pad[PLAT_CONTROLLERS];
+    struct plat_controller plugged[PLAT_CONTROLLERS]; /* id 0: nothing is */
+    uint32_t ids;                                     /* that were given */
+    int hold;                                         /* polls that these stay held */
+    bool console, files, text, focus, hidden;
+    uint32_t calm;              /* one key of so many is the cabinet's */
+    bool window, paints, waits; /* the window is known; it takes full colours; it waits for the screen */
+    struct plat_want want;
     char folder[256];
-    int shown, w, h;
+    int shown, painted;
+    int w, h;           /* the window's */
+    int last_w, last_h; /* of what was shown last */
 } port;
 
 static uint32_t below(uint32_t n)
@@ -35,11 +46,59 @@ static uint32_t below(uint32_t n)
     return (uint32_t)(rng_next(&port.rng) % n);
 }
 
+/* A window of another size: as a player draws it, from nothing to wider and higher than the picture. */
+static void resize(void)
+{
+    port.w = 1 + (int)below(ROOM_MOST);
+    port.h = 1 + (int)below(ROOM_MOST);
+    if (below(4) == 0)
+        plat_fit(&port.want, (int)below(ROOM_MOST), (int)below(ROOM_MOST), &port.w, &port.h);
+}
+
 bool plat_open(const struct plat_want *want)
 {
-    port.w = want->w;
-    port.h = want->h;
+    assert_true(want->w > 0 && want->h > 0 && want->scale >= 0);
+    port.want = *want;
+    port.want.scale %= 3; /* 16 would be gigabytes of pixels */
     port.text = want->text;
+    if (want->fullscreen)
+        resize();
+    else
+        plat_fit(&port.want, ROOM_MOST, ROOM_MOST, &port.w, &port.h);
+    return true;
+}
+
+bool plat_window(struct plat_window *out)
+{
+    static const int rates[] = { 0, 50000, 59940, 60000, 75000, 144000 };
+
+    *out = (struct plat_window){ port.w, port.h, rates[port.w % 6], port.waits };
+    return port.window;
+}
+
+bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+{
+    uint32_t sum = 0;
+
+    assert_true(w > 0 && h > 0 && pitch >= w);
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++)
+            sum |= rgb[(size_t)y * (size_t)pitch + (size_t)x];
+    assert_true(sum <= 0xFFFFFF);
+    if (!port.paints)
+        return false;
+    port.last_w = w;
+    port.last_h = h;
+    port.painted++;
+    return true;
+}
+
+bool plat_controller(int i, struct plat_controller *controller)
+{
+    memset(controller, 0, sizeof *controller);
+    if (i < 0 || i >= PLAT_CONTROLLERS || !port.plugged[i].id)
+        return false;
+    *controller = port.plugged[i];
     return true;
 }
 
@@ -66,6 +125,8 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
         for (int x = 0; x < w; x++)
             sum += rgb[pix[y * pitch + x]];
     port.shown += sum != 0;
+    port.last_w = w;
+    port.last_h = h;
 }
 
 void plat_log(const char *line)
@@ -82,7 +143,26 @@ static uint8_t any_key(void)
 
     if (port.console && below(40) == 0)
         return 53;
-    return below(3) ? game[below(sizeof game)] : cabinet[below(sizeof cabinet)];
+    return below(port.calm) ? game[below(sizeof game)] : cabinet[below(sizeof cabinet)];
+}
+
+/* A controller comes or goes, or another takes its place between two polls; the same model may come back. */
+static void plug(void)
+{
+    const uint32_t i = below(PLAT_CONTROLLERS);
+    struct plat_controller *c = &port.plugged[i];
+
+    port.pad[i] = 0;
+    if (c->id && below(3)) {
+        c->id = 0;
+        return;
+    }
+    c->id = ++port.ids;
+    if (below(2) == 0) {
+        c->kind = (enum plat_kind)below(PLAT_KINDS);
+        snprintf(c->name, sizeof c->name, "%s",
+                 below(3) ? "Pad of a very long name, with \xC3\xA9 and \x01 in it" : "");
+    }
 }
 
 static void choose_hands(void)
@@ -92,11 +172,17 @@ static void choose_hands(void)
     port.hold = 1 + (int)below(below(8) ? 6 : 60);
     for (uint32_t i = 0, n = below(KEYS_AT_ONCE); i < n; i++)
         port.held[i] = any_key();
-    for (int i = 0; i < PADS_MOST; i++)
-        if (below(4) == 0)
+    if (below(30) == 0)
+        plug();
+    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+        if (port.plugged[i].id && below(4) == 0)
             port.pad[i] = (uint32_t)1 << below(PLAT_SWITCHES);
-    if (below(50) == 0)
-        port.focus = !port.focus;
+    port.focus = below(port.focus ? 50 : 3) != 0; /* a game waits for who is away: seldom, and not for long */
+    port.hidden = below(80) == 0;
+    if (below(25) == 0)
+        resize();
+    if (below(200) == 0)
+        port.paints = !port.paints;
 }
 
 /* The game in the folder becomes another, or wrong, or right again. */
@@ -136,10 +222,11 @@ void plat_poll(struct plat_input *in)
     memcpy(in->controllers, port.pad, sizeof port.pad);
     in->quit = port.polls > port.left;
     in->focus = port.focus;
+    in->hidden = port.hidden;
     in->mouse_x = in->mouse_y = -1;
-    if (below(3) == 0) {
-        in->mouse_x = (int)below((uint32_t)port.w);
-        in->mouse_y = (int)below((uint32_t)port.h);
+    if (port.last_w && below(3) == 0) {
+        in->mouse_x = (int)below((uint32_t)port.last_w);
+        in->mouse_y = (int)below((uint32_t)port.last_h);
         in->mouse = (uint8_t)(below(12) == 0 ? 1 + below(7) : 0);
         in->wheel = below(20) == 0 ? (int)below(3) - 1 : 0;
     }
@@ -159,6 +246,47 @@ static void shell(const char *format, const char *a, const char *b)
     assert_int_equal(system(command), 0);
 }
 
+/* A settings file in which each may say anything it can. */
+static void choose_settings(void)
+{
+    static const char *const binds[] = { "p1.fire = x pad.south pad.r2\n", "p1.focus = z\np1.bomb = none\n",
+                                         "p2.fire = z\n", "p2.left = h pad.west\n" };
+    const struct config_setting *s;
+    struct config c;
+    char text[64];
+
+    shell("mkdir -p '%s%s'", root, "/curtain");
+    FILE *f = fopen("curtain/curtain.conf", "wb");
+    assert_non_null(f);
+    for (int i = 0; (s = config_setting(i)) != NULL; i++)
+        if (below(3) == 0) {
+            config_put(&c, s, s->lo + (int)below((uint32_t)(s->hi - s->lo + 1)));
+            config_text(&c, s, text, sizeof text);
+            fprintf(f, "%s = %s\n", s->name, text);
+        }
+    for (size_t i = 0; i < sizeof binds / sizeof *binds; i++)
+        if (below(4) == 0)
+            fputs(binds[i], f);
+    fclose(f);
+}
+
+/* With the art of another example round its picture, so that there is a border. */
+static void choose_border(void)
+{
+    if (below(2))
+        shell("sed -i '1s|{|{ border = \"%s\"%s|' first/rom.lua", "art/enemies.png", ",");
+}
+
+static void choose_port(void)
+{
+    port.window = below(4) != 0;
+    port.paints = below(8) != 0;
+    port.waits = below(2) == 0;
+    port.calm = below(2) ? 3 : 60;
+    for (uint32_t i = 0, n = below(PLAT_CONTROLLERS); i < n; i++)
+        plug();
+}
+
 static void begin(uint64_t seed, int polls)
 {
     memset(&port, 0, sizeof port);
@@ -171,6 +299,9 @@ static void begin(uint64_t seed, int polls)
     setenv("XDG_DATA_HOME", root, 1);
     setenv("XDG_CONFIG_HOME", root, 1);
     setenv("HOME", root, 1);
+    choose_port();
+    choose_settings();
+    choose_border();
 }
 
 static uint8_t bytes[16 << 20];
@@ -209,6 +340,7 @@ enum { CONSOLE = 1, FILES = 2, FREE = 4 /* nothing is recorded: there is practic
 
 static struct rom_image image;
 static struct cart cart;
+static int kept, painted; /* replays; pictures of full colours: of all runs so far */
 
 static void load(void)
 {
@@ -224,15 +356,70 @@ static void play(const struct cab_options *o)
 
     if (result != RESULT_DONE && result != RESULT_REFUSED) /* refused: a script that was made wrong has faulted */
         fail_msg("result %d", (int)result);
-    assert_true(port.shown > 0);
+    assert_true(port.shown + port.painted > 0);
+    painted += port.painted;
 }
 
-/* So many polls of random hands on a run from power-on, then as many on its playback. */
+/* Each of the runs that the cabinet kept holds, on the ROM that it was played with. */
+static void expect_replays_hold(void)
+{
+    struct replays list;
+    struct rom_image its;
+    struct cart its_cart;
+    char path[ROMS_PATH], real[512], err[1024];
+
+    assert_true(replays_open(&list, cart.m.id));
+    for (int i = 0; i < list.n; i++) {
+        struct demo d;
+        roms_path(path, cart.m.id, list.list[i].card.rom);
+        assert_true(plat_path(path, real, sizeof real));
+        if (!rom_image_load(real, false, &its, err, sizeof err) || !cart_open(&its_cart, &its.rom, err, sizeof err))
+            fail_msg("%s", err);
+        replays_path(&list, i, path);
+        assert_true(plat_path(path, real, sizeof real));
+        read_demo(real, &d);
+        assert_false(d.flags & DEMO_TOUCHED);
+        expect_holds(&d, &its_cart);
+        demo_free(&d);
+        rom_image_free(&its);
+        kept++;
+    }
+    replays_close(&list);
+}
+
+/* So many polls of random hands on a run from power-on that is recorded, then as many on its playback. */
+static void recorded(struct cab_options *o, unsigned mode, int polls)
+{
+    char record[300];
+    struct demo d;
+
+    snprintf(record, sizeof record, "%s/run.demo", root);
+    o->record = record;
+    play(o);
+    read_demo(record, &d);
+    if (!(mode & FILES)) {
+        expect_holds(&d, &cart);
+        port.left += polls;
+        o->record = NULL;
+        o->start = d.start;
+        o->demo = &d;
+        play(o);
+    }
+    demo_free(&d);
+}
+
+/* The same without a recording, so there is practice; what was left of it is then gone on with, or asked for. */
+static void left(struct cab_options *o, int polls)
+{
+    play(o);
+    port.left += polls;
+    o->resume = below(2) == 0;
+    play(o);
+}
+
 static void one_run(uint64_t seed, unsigned mode, int polls)
 {
     struct cab_options o = { .cart = &cart, .path = "first", .seeded = true };
-    char record[300];
-    struct demo d;
 
     begin(seed, polls);
     port.console = mode & CONSOLE;
@@ -241,24 +428,11 @@ static void one_run(uint64_t seed, unsigned mode, int polls)
     o.start = (struct board_start){ .difficulty = -1, .seed = seed };
     for (int i = 0; i < cart.m.n_dips; i++)
         o.start.dip[i] = cart.m.dips[i].value;
-    snprintf(record, sizeof record, "%s/run.demo", root);
-    if (mode & FREE) {
-        play(&o);
-        rom_image_free(&image);
-        return;
-    }
-    o.record = record;
-    play(&o);
-    read_demo(record, &d);
-    if (!(mode & FILES)) {
-        expect_holds(&d, &cart);
-        port.left += polls;
-        o.record = NULL;
-        o.start = d.start;
-        o.demo = &d;
-        play(&o);
-    }
-    demo_free(&d);
+    if (mode & FREE)
+        left(&o, polls);
+    else
+        recorded(&o, mode, polls);
+    expect_replays_hold();
     rom_image_free(&image);
 }
 
@@ -296,10 +470,18 @@ static void test_files(void **state)
     many(CONSOLE | FILES);
 }
 
+/* The hands got that far. */
+static void test_seen(void **state)
+{
+    (void)state;
+    assert_true(kept > 0 && painted > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_hands), cmocka_unit_test(test_console),
-                                        cmocka_unit_test(test_files), cmocka_unit_test(test_practice) };
+                                        cmocka_unit_test(test_files), cmocka_unit_test(test_practice),
+                                        cmocka_unit_test(test_seen) };
 
     if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "cabinet") || chdir(root) != 0)
         return 2;

@@ -18,11 +18,7 @@ same_pixels() {
     "$probe" expect "$@" >"$scratch/want.rgb"
     soon settled || { cmp "$scratch/shot.rgb" "$scratch/want.rgb"; return 1; }
 }
-settled() {
-    found && xwd -silent -id "$win" -out "$scratch/shot.xwd" 2>/dev/null &&
-        convert "xwd:$scratch/shot.xwd" -depth 8 "rgb:$scratch/shot.rgb" 2>/dev/null &&
-        cmp -s "$scratch/shot.rgb" "$scratch/want.rgb"
-}
+settled() { shot "rgb:$scratch/shot.rgb" && cmp -s "$scratch/shot.rgb" "$scratch/want.rgb"; }
 size_is() {
     [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
 }
@@ -110,7 +106,7 @@ refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDE
 
 # ---- a game: the picture played is the picture rendered ----
 # While paused our own words stand on the last 8 lines; above them every pixel of the window must be the picture's.
-window_rgb() { xwd -silent -id "$win" -out window.xwd && convert xwd:window.xwd -depth 8 "rgb:$1"; }
+window_rgb() { shot "rgb:$1"; }
 expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, centred on black
     convert "$1" -scale "${2}00%" -background black -gravity center -extent "${3}x$4" -depth 8 "rgb:$5"
 }

@@ -2,10 +2,8 @@
 # window_pads.sh - controllers in a real (virtual) X server: who plays with which, plugged in and pulled out while
 # playing, what hints call their buttons. SDL's virtual joysticks stand in for them (tests/pads.sh). The game prints
 # what each player's pad does, so that nothing depends on time.
-. "$(dirname "$0")/../xserver.sh"
-. "$repo/tests/pads.sh"
-cd "$scratch" || exit 2
-export SDL_AUDIODRIVER=dummy SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS=1
+. "$(dirname "$0")/../driven.sh"
+export SDL_AUDIODRIVER=dummy
 
 game g <<'LUA'
 local fix = { "up", "down", "left", "right", "fire", "bomb", "focus", "special", "start", "select" }
@@ -128,46 +126,10 @@ if play; then
     over 'one player'
 fi
 
-# ---- the screen: by keys and by a controller, at three sizes, upright and turned ----
-# To the last pixel as tests/golden/screens has it. CURTAIN_UPDATE=1 writes those anew; look at them.
-goldens=$repo/tests/golden/screens
-shot() {
-    xwd -silent -id "$win" -out shot.xwd 2>/dev/null && convert xwd:shot.xwd -depth 8 rgb:shot.rgb 2>/dev/null
-}
-as_golden() { shot && cmp -s shot.rgb want.rgb; }
-# looks NAME
-looks() {
-    local golden=$goldens/$size$turned-$1-$by.png
-    pad wait 8
-    if [ "${CURTAIN_UPDATE:-}" ]; then
-        sleep 0.5
-        shot
-        convert xwd:shot.xwd -strip -define png:exclude-chunks=date,time "png:$golden"
-    fi
-    convert "$golden" -depth 8 rgb:want.rgb 2>/dev/null || : >want.rgb
-    check "$size$turned: $1, by $by" soon as_golden
-}
-# does WHAT...: up down left right yes menu, of whoever drives.
-does() {
-    local what
-    for what in "$@"; do
-        case $by-$what in
-        keys-yes) xdotool key --delay 60 Return ;;
-        keys-menu) xdotool key --delay 60 Escape ;;
-        keys-*) xdotool key --delay 60 "${what^}" ;;
-        pad-yes) pad tap 1 south ;;
-        pad-menu) pad tap 1 guide ;;
-        pad-*) pad tap 1 "$what" ;;
-        esac
-        pad wait 4
-    done
-}
+# ---- the screen ----
+sed -i 's/players = 1/players = 2/' g/rom.lua
 look() {
-    sed -i "s/screen = { w = [0-9]*, h = [0-9]*/screen = { w = ${size%x*}, h = ${size#*x}/
-        s/players = 1/players = 2/" g/rom.lua
-    mkdir -p data/curtain
-    printf 'scale = 1\naway = go-on\n%s' "${turned:+turn = left}" >data/curtain/curtain.conf
-    pads_none
+    sized g
     start Probe "${padded[@]}" "$OUT/curtain" play g --mute || return
     pad plug 1 xbox
     pad plug 2 ps4
@@ -183,9 +145,5 @@ look() {
     looks controllers-pressed
     leave
 }
-for size in ${SIZES:-240x320 320x240 384x448}; do
-    for turned in '' -turned; do
-        for by in keys pad; do look; done
-    done
-done
+each_way look
 finish
