@@ -168,7 +168,8 @@ check 'a run of another core version does not go on, which is said' grep -q \
 again
 echo rubbish >$left
 { keys 60; } | plays out
-same 'a file that is none is told, and the game begins' 1 "$(grep -c 'the run that was left is gone' err)"
+same 'a file that is none is told by its real path, and the game begins' \
+    "curtain: $PWD/$left: not a demo; the run that was left is gone" "$(cat err)"
 
 # ---- nothing to go on with ----
 

@@ -74,7 +74,7 @@ uint64_t *demo_row(const struct demo *d, uint32_t i)
 
 bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
 {
-    char why[256];
+    char why[256], shown[FILES_PATH];
     uint8_t *data;
     size_t size;
 
@@ -85,7 +85,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
         demo_text_decode(data, &size);
     bool ok = demo_read(d, data, size, why, sizeof why);
     if (!ok)
-        snprintf(err, err_size, "%s: %s", path, why);
+        snprintf(err, err_size, "%s: %s", files_shown(path, shown), why);
     free(data);
     return ok;
 }

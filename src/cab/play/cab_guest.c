@@ -189,6 +189,7 @@ bool cab_was_left(struct card *c)
         return false;
     if (!demo_load(&d, path, err, sizeof err)) {
         cab_say("curtain: %s; the run that was left is gone", err);
+        cab_notice(CAB_NOTICE_FRAMES, "the run that was left is gone: its file is damaged");
         return false;
     }
     bool good = card_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart()->m.id) == 0;

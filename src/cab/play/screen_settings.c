@@ -172,11 +172,15 @@ void cab_open_settings(void)
 
 void cab_save_settings(void)
 {
-    char err[FILES_ERR + CONFIG_LINE];
+    char err[FILES_ERR + CONFIG_LINE], path[FILES_PATH];
+    size_t folder = strlen(files_shown(CONFIG_FILE, path));
 
     if (config_save(&cab.kept, err, sizeof err))
         return;
+    while (folder > 0 && path[folder - 1] != '/')
+        folder--;
     cab_notice(CAB_NOTICE_FRAMES, "the settings are not kept: %s", err);
-    screens_say(&cab.screens, "%s", cab.notice);
+    /* a small menu has three lines: the why matters, the folder stands in the notice and the log */
+    screens_say(&cab.screens, "not kept: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
     cab_say("curtain: %s", cab.notice);
 }
