@@ -151,11 +151,7 @@ void verify_json_told(const struct verify_told *t)
     json_text(&j, "game", d->id);
     json_number(&j, "frames", d->frames);
     json_seconds(&j, "seconds", d->frames);
-    json_open(&j, "flags", '[');
-    for (int i = 0; demo_flag_name(i); i++)
-        if (d->flags >> i & 1)
-            json_text(&j, NULL, demo_flag_name(i));
-    json_close(&j, ']');
+    json_flags(&j, d->flags);
     if (t->verdict->kind == VERDICT_HOLDS) {
         tell_game(&j, t);
         tell_moments(&j, t->again);

@@ -29,14 +29,15 @@ stands() {
 }
 # shown NAME FRAME WHAT: the window is the golden picture NAME; its middle is FRAME's
 shown() {
+    "$curtain" render "$rom" --demo "$demo" --frames "$2" -o want 2>/dev/null
     if [ -n "${CURTAIN_UPDATE:-}" ]; then
-        sleep 8
+        soon is_frame "$2" && stands
         window_png "$golden/$1.png"
     fi
     check "$3" soon is_golden "$1"
-    "$curtain" render "$rom" --demo "$demo" --frames "$2" -o want 2>/dev/null
-    check "... which is frame $2" cmp <(middle now.png) <(middle "want/$(printf %06d "$2").png")
+    check "... which is frame $2" is_frame "$2"
 }
+is_frame() { window_png now.png && cmp <(middle now.png) <(middle "want/$(printf %06d "$1").png"); }
 middle() { convert "$1" -crop 240x288+0+8 +repage -depth 8 rgb:- 2>/dev/null; }
 
 # The frames of a demo's moments but waves and what practice is counted by, from its file (docs/demos.md).

@@ -2,32 +2,18 @@
 # kill_store.sh - what is kept of runs is old or new, whenever the program is killed: with -9, 50 times, in the frames
 # in which replays, their cards, kept ROMs and the run that is on are written. The moments are pictures that the process
 # showed, not times; how far it has come by then is chance.
-. "$(dirname "$0")/../scripted.sh"
-export TZ=UTC
-ENTER=40 C=6
-game g <<'LUA'
-bullet.def("dot", { sprite = "dot", hit = { circle = 4 } })
-player.def("ship", { sprite = "dot", hit = { circle = 2 }, lives = 1, safe = 9, run = function(p)
-  while true do
-    if pad.down("fire", p) then score.add(10, p) end
-    if pad.down("special", p) then bullet.fire { kind = "dot", from = p, speed = 0 } end
-    wait(1)
-  end
-end })
+. "$(dirname "$0")/../kept.sh"
+kept_game <<'LUA'
 stage.def("one", function() wait(forever) end)
-boot.run { stages = { "one" }, players = { "ship" } }
 LUA
-sed -i "s/screen = { w = 64, h = 64 }/screen = { w = 160, h = 200 }/" g/rom.lua
 mkdir -p data/curtain
 echo 'keep_replays = 6' >data/curtain/curtain.conf
 {
-    keys 30; keys 1 $ENTER; keys 30; keys 1 $Z; keys 40; keys 1 $Z; keys 60; keys 1 $Z
-    keys 10; keys 200 $Z; keys 60 $C; keys 120
+    begin; keys 200 $Z; keys 60 $C; keys 120
 } >script
 ./player play g <script >pictures 2>err
 begun=$("$curtain" list g --replays --json | jq .first) over=$("$curtain" list g --replays --json | jq .frames)
 same 'a run in '"$over"' frames' '' "$(cat err)"
-folder=data/curtain/replays/probe
 
 cat >kill.py <<'END'
 """Plays by the script: so many polls, whose pictures are waited for, then the next ones, in which it is killed after as

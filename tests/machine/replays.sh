@@ -2,21 +2,12 @@
 # replays.sh - the last runs of a game are kept by themselves: which, as what, for how long; the list with its screen;
 # watching, from the run's start, also after the game was changed; taking over, saving under a name, deleting; rows of
 # the scores. The port is a script's (port_keys.c): no window, no clock.
-. "$(dirname "$0")/../scripted.sh"
-export KEYS_WHOLE=1 TZ=UTC
-ENTER=40 X=27 C=6 ESC=41 RIGHT=79 DOWN=81 DELETE=76
+. "$(dirname "$0")/../kept.sh"
+export KEYS_WHOLE=1
+X=27 RIGHT=79 DELETE=76
 
-# Points for fire, an end by the special button, a fault by down and special; a dot that shows frame and chance.
-game g <<'LUA'
-bullet.def("dot", { sprite = "dot", hit = { circle = 4 } })
-player.def("ship", { sprite = "dot", hit = { circle = 2 }, lives = 1, safe = 9, run = function(p)
-  while true do
-    if pad.down("fire", p) then score.add(10, p) end
-    if pad.down("special", p) then bullet.fire { kind = "dot", from = p, speed = 0 } end
-    if pad.down("special", p) and pad.down("down", p) then error "the end" end
-    wait(1)
-  end
-end })
+# A dot that shows frame and chance.
+kept_game <<'LUA'
 local dot
 stage.def("one", function() wait(250) stage.mark "late" wait(forever) end)
 task.go(function()
@@ -26,18 +17,13 @@ task.go(function()
     wait(1)
   end
 end)
-boot.run { stages = { "one" }, players = { "ship" } }
 LUA
-sed -i "s/screen = { w = 64, h = 64 }/screen = { w = 160, h = 200 }/" g/rom.lua
-begin() { keys 30; keys 1 $ENTER; keys 30; keys 1 $Z; keys 40; keys 1 $Z; keys 60; keys 1 $Z; keys 10; } # to a run
-ends() { keys 2; keys 60 $C; keys 120; }                                                                # by a death
 enters() { keys 400; for _ in 1 2; do keys 1 $Z; keys 6; done; keys 1 $ENTER; keys 400; } # a name: AAA
 plays() { # OUT ARGUMENT...: standard input are the keys
     local out=$1
     shift
     ./player play g --no-resume "$@" >"$out" 2>err
 }
-folder=data/curtain/replays/probe
 list() { "$curtain" list "${1:-g}" --replays | sed -E 's,^[^ ]* [^ ]* ,,'; }
 demos() { find $folder -name '*.demo' | sort; }
 newest() { "$curtain" list g --replays | head -1 | cut -d' ' -f1; }

@@ -1,20 +1,11 @@
 #!/usr/bin/env bash
 # resume.sh - a run that was left goes on: where it stood, as what it was, asked first; after a kill as well, and after
 # the game was changed; its scores; what is not offered. The port is a script's (port_keys.c): no window, no clock.
-. "$(dirname "$0")/../scripted.sh"
-export KEYS_WHOLE=1 TZ=UTC
-ENTER=40 C=6 ESC=41 DOWN=81 UP=82
+. "$(dirname "$0")/../kept.sh"
+export KEYS_WHOLE=1
 
-# Points for fire, an end by the special button; a save each second; a dot that shows frame and chance.
-game g <<'LUA'
-bullet.def("dot", { sprite = "dot", hit = { circle = 4 } })
-player.def("ship", { sprite = "dot", hit = { circle = 2 }, lives = 1, safe = 9, run = function(p)
-  while true do
-    if pad.down("fire", p) then score.add(10, p) end
-    if pad.down("special", p) then bullet.fire { kind = "dot", from = p, speed = 0 } end
-    wait(1)
-  end
-end })
+# A save each second; a dot that shows frame and chance.
+kept_game <<'LUA'
 local dot
 stage.def("one", function() wait(forever) end)
 task.go(function()
@@ -25,12 +16,8 @@ task.go(function()
     wait(1)
   end
 end)
-boot.run { stages = { "one" }, players = { "ship" } }
 LUA
-sed -i "s/screen = { w = 64, h = 64 }/screen = { w = 160, h = 200 }/" g/rom.lua
-begin() { keys 30; keys 1 $ENTER; keys 30; keys 1 $Z; keys 40; keys 1 $Z; keys 60; keys 1 $Z; keys 10; } # to a run
-ends() { keys 2; keys 60 $C; keys 120; }                                                                # by a death
-left=data/curtain/resume/probe.demo nv=data/curtain/probe.nv folder=data/curtain/replays/probe
+left=data/curtain/resume/probe.demo nv=data/curtain/probe.nv
 plays() { # OUT ARGUMENT...: standard input are the keys
     local out=$1
     shift

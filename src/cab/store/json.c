@@ -4,6 +4,7 @@
 #include "json.h"
 
 #include <inttypes.h>
+#include "../demo/demo.h"
 #include "../host/clean.h"
 
 static void put_string(FILE *out, const char *text)
@@ -88,4 +89,13 @@ void json_bool(struct json *j, const char *key, bool value)
 {
     begin(j, key);
     fputs(value ? "true" : "false", j->out);
+}
+
+void json_flags(struct json *j, uint32_t flags)
+{
+    json_open(j, "flags", '[');
+    for (int i = 0; demo_flag_name(i); i++)
+        if (flags >> i & 1)
+            json_text(j, NULL, demo_flag_name(i));
+    json_close(j, ']');
 }

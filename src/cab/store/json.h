@@ -30,4 +30,7 @@ void json_digits(struct json *j, const char *key, uint64_t value);
 void json_hex(struct json *j, const char *key, uint64_t value);
 void json_bool(struct json *j, const char *key, bool value);
 
+/* "flags": the names of a demo's. */
+void json_flags(struct json *j, uint32_t flags);
+
 #endif

@@ -82,11 +82,7 @@ static void print_json(const char *path, const struct card *c)
     json_number(&j, "stages", c->stages);
     json_number(&j, "first", c->first);
     json_number(&j, "frames", c->last);
-    json_open(&j, "flags", '[');
-    for (int i = 0; demo_flag_name(i); i++)
-        if (c->flags >> i & 1)
-            json_text(&j, NULL, demo_flag_name(i));
-    json_close(&j, ']');
+    json_flags(&j, c->flags);
     json_open(&j, "rows", '[');
     for (int i = 0; i < c->rows; i++)
         json_row(&j, &c->row[i]);
