@@ -74,14 +74,14 @@ COMMA=54 SLASH=56 BACKQUOTE=53 F2=59 ESCAPE=41 F12=69
     keys 1 $F2; keys 8 $Z; keys 1 $F12; keys 12
 } >script
 plays way '' <script
-cp probe-1.png way.png
+cp pictures/Curtain/probe-1.png way.png
 check 'the way through all of it' "$curtain" verify g way.demo
 for settings in 'run_ahead = 1' 'run_ahead = 1; turn = right; panels = beside'; do
-    rm -f probe-1.png
+    rm -f pictures/Curtain/probe-1.png
     plays ahead "${settings//; /\\n}\n" <script
     check "it is the same with $settings" cmp way.demo ahead.demo
     check 'and so are scores' cmp way.nv ahead.nv
-    check 'and the screenshot' cmp way.png probe-1.png
+    check 'and the screenshot' cmp way.png pictures/Curtain/probe-1.png
 done
 press >script
 
