@@ -44,6 +44,22 @@ if start "Curtain" "$OUT/curtain" play g --scale 2; then
     leave
 fi
 
+# A monitor that stands upright: so does what is wrong.
+echo 'local x = = 3' >g/main.lua
+settings=$("$curtain" help config | sed -n 's/^    \(.*curtain.conf\)$/\1/p')
+mkdir -p "${settings%/*}"
+title_at() { # CROP: the page's title, in its yellow, is in that part of the window
+    window_png "$scratch/seen.png" 2>/dev/null &&
+        [ "$(convert "$scratch/seen.png" -crop "$1" +repage -fill black +opaque '#ffe050' -format '%[fx:maxima>0]' info:)" = 1 ]
+}
+echo 'turn = left' >"$settings"
+if start "Curtain" "$OUT/curtain" play g --scale 2; then
+    check "turned, the window stands upright" size_is 600x800
+    check "and its title with it" soon title_at 40x400+0+400
+    leave
+fi
+rm "$settings"
+
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 1; then
     check "at scale 1" size_is 400x300

@@ -23,7 +23,8 @@ static const char *const speeds[] = { "full", "half", "quarter", NULL };
 static const struct config_setting settings[] = {
     { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
       "x", "what fits" },
-    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "start in full screen", NULL, NULL },
+    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "the picture fills the screen", NULL,
+      NULL },
     { "turn", "turn the picture", "picture", AT(turn), 0, 3, 0, turns, 1, "for a monitor that stands upright", NULL,
       NULL },
     { "scaling", "scaling", "picture", AT(scaling), 0, 1, 0, scalings, 1, "smooth: as large as the window allows", NULL,
@@ -48,7 +49,7 @@ static const struct config_setting settings[] = {
     { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent", " %", NULL },
     { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent", " %", NULL },
     { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent", " %", NULL },
-    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "start without sound", NULL, NULL },
+    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "no sound at all", NULL, NULL },
     { "resample", "follow our clock", "sound", AT(resample), 0, 1, 1, no_yes, 1,
       "no: sound to the bit, and the card's clock leads", NULL, NULL },
     { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,

@@ -27,6 +27,7 @@ static bool open_page(void)
     snprintf(cab.title, sizeof cab.title, "Curtain");
     cab.want.w = PAGE_W;
     cab.want.h = PAGE_H;
+    quarter_size((enum quarter)cab.config.turn, &cab.want.w, &cab.want.h);
     cab.want.rate = 0;
     cab.want.scale = cab.config.scale;
     cab.want.fullscreen = cab.config.fullscreen;
@@ -82,7 +83,7 @@ static void draw(void)
     canvas_rect(&canvas, 0, 0, PAGE_W, PAGE_H, CANVAS_DARK);
     page_draw(&canvas, &page);
     w->most = page.most;
-    plat_show(p->composed.pix, p->composed.pitch, p->composed.w, p->composed.h, p->composed_rgb);
+    cab_window_show(&p->composed, p->composed_rgb, false);
 }
 
 static void poll(void)
