@@ -7,13 +7,22 @@
 # Exit 1: a part failed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-parts="analyze asan ubsan msan valgrind torture fuzz mutants"
+parts="analyze asan ubsan msan valgrind torture screens fuzz mutants"
 out=build/nightly
 export FUZZ_SECONDS=${FUZZ_SECONDS:-600}
 
+# Every screen at every size, turned too, by keys and by a controller.
+screens() {
+    local t
+    make --no-print-directory build/curtain || return
+    for t in window_screens window_pads; do
+        CURTAIN_LONG=1 tests/machine/$t.sh || return
+    done
+}
 run() { # PART
     case $1 in
     msan) tests/machine/uninitialised.sh whole ;;
+    screens) screens ;;
     *) make --no-print-directory "$1" ARGS= ;;
     esac
 }

@@ -81,7 +81,8 @@ engine_build() {
         "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) "$@" -lm -pthread
 }
 
-# build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and clock.
+# build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and
+# clock.
 build_player() {
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \

@@ -46,6 +46,6 @@ check "WebAssembly has none" bash \
 # Scripts that link the engine themselves.
 by_hand() { grep -Hn '(pkg-config --libs lua5.4' "$@" | awk '!/-pthread/ { print; bad = 1 } END { exit bad || !NR }'; }
 check "so are the programs that scripts link" by_hand $(tree 'tests/*.sh' 'tools/*.sh')
-sed 's/ -pthread//' tests/scripted.sh >"$scratch/scripted.sh"
-refuse "planted: a script without it" "scripted.sh:9" by_hand "$scratch/scripted.sh"
+sed 's/ -pthread//' tests/tap.sh >"$scratch/tap.sh"
+refuse "planted: a script without it" "tap.sh:" by_hand "$scratch/tap.sh"
 finish

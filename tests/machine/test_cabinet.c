@@ -1,8 +1,9 @@
 /*
- * test_cabinet.c - the whole cabinet under random hands and settings: a port without a machine presses keys, controllers
- * and the mouse, types, takes the focus away, plugs controllers in and out, has a window of any size, changes the game's
- * files, over many frames. Nothing may crash or hang, and whatever was recorded meanwhile must hold, however it was gone
- * to and fro, reloaded, practised and looked at: what was asked for, and every replay that the cabinet kept by itself.
+ * test_cabinet.c - the whole cabinet under random hands and settings: a port without a machine presses keys,
+ * controllers and the mouse, types, takes the focus away, plugs controllers in and out, has a window of any size,
+ * changes the game's files, over many frames. Nothing may crash or hang, and whatever was recorded meanwhile must
+ * hold, however it was gone to and fro, reloaded, practised and looked at: what was asked for, and every replay that
+ * the cabinet kept by itself.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <string.h>
