@@ -20,7 +20,8 @@ colours() { # at least N
     shot "png:$scratch/seen.png" && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
 }
 size_is() {
-    found && [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
+    found || return
+    [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
 }
 said() { grep -q -- "$1" "$scratch/err"; }
 
