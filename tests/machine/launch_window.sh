@@ -20,14 +20,15 @@ colours() { # at least N
     shot "png:$scratch/seen.png" && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
 }
 size_is() {
+    found || return
     [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
 }
 said() { grep -q -- "$1" "$scratch/err"; }
 
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 2; then
-    check "the window is there" size_is 800x600
-    check "the log says what is wrong" said "^curtain: g: main.lua:1: unexpected symbol near '='$"
+    check "the window is there" soon size_is 800x600
+    check "the log says what is wrong" soon said "^curtain: g: main.lua:1: unexpected symbol near '='$"
     check "the window says it: title, sentence, what to do" soon colours 4
     cp right.lua g/main.lua
     title=Probe
@@ -62,7 +63,7 @@ rm "$settings"
 
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 1; then
-    check "at scale 1" size_is 400x300
+    check "at scale 1" soon size_is 400x300
     xdotool key Escape
     check "Escape ends it" soon gone
     wait $child
