@@ -32,7 +32,10 @@ ways = {
     "replays, one watched": menu + press(DOWN, ENTER, ENTER, ENTER) + [b"\n"] * 10,
     "practice": press(F2) + [b"\n"] + press(DOWN, ENTER) + [b"\n"] * 40 + press(F2, ESC),
 }
-asked = {"what was left, gone on with": press(ENTER) + [b"\n"] * 20, "what was left, dropped": press(DOWN, ENTER) + [b"\n"] * 9}
+asked = {
+    "what was left, gone on with": press(ENTER) + [b"\n"] * 20,
+    "what was left, dropped": press(DOWN, ENTER) + [b"\n"] * 9,
+}
 
 changes = {"settings": "settings", "keys": "settings", "replays, one deleted": "replays", "practice": "practice"}
 

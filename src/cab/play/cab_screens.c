@@ -8,7 +8,9 @@
 
 bool cab_run_is_on(void)
 {
-    return !cab.session.demo && !cab_fault() && board_frame(cab_live()) > 0 && !board_last(cab_live())->menu;
+    const bool menu = board_last(cab_live())->menu && !cab.keep.on;
+
+    return !cab.session.demo && !cab_fault() && board_frame(cab_live()) > 0 && !menu;
 }
 
 /* Other settings than these are read where they are used. */
@@ -53,8 +55,8 @@ void cab_asked(enum board_ask what)
         open_asked(what);
 }
 
-/* Who goes away does not want to play: a change from focus to none stops, and so does a window that is made small; a host
- * that never has focus runs. */
+/* Who goes away does not want to play: a change from focus to none stops, and so does a window that is made small. A
+ * host that never has focus runs. */
 static void heed_focus(const struct plat_input *in)
 {
     const bool here = in->focus && !in->hidden, left = cab.here && !here;
