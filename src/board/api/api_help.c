@@ -56,9 +56,22 @@ static const char *type_words(const struct api_param *p)
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 
-static void help_param(const struct api_param *p, void (*line)(const char *))
+/* "thing: bullet, shot or enemy", of a mask of kinds. */
+static void thing_words(unsigned kinds, char *out, size_t size)
 {
-    char text[320], range[80] = "", def[80] = "";
+    size_t n = (size_t)snprintf(out, size, "thing");
+
+    for (int k = 1, left; k < HANDLES && n < size; k++) {
+        if (!(kinds >> k & 1))
+            continue;
+        left = kinds >> (k + 1) != 0;
+        n += (size_t)snprintf(out + n, size - n, "%s%s", n == 5 ? ": " : left ? ", " : " or ", api_things[k]->name);
+    }
+}
+
+void api_param_words(const struct api_param *p, char *out, size_t size)
+{
+    char range[80] = "", def[80] = "", thing[160];
     bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX || p->type == A_SPAN;
 
     if (ranged)
@@ -70,7 +83,16 @@ static void help_param(const struct api_param *p, void (*line)(const char *))
         snprintf(def, sizeof def, " = %s", p->def);
     else if (!p->optional)
         snprintf(def, sizeof def, " (required)");
-    snprintf(text, sizeof text, "    %-10s %s%s%s", p->name, type_words(p), range, def);
+    thing_words(p->type == A_THING ? (unsigned)p->lo : 0, thing, sizeof thing);
+    snprintf(out, size, "%s%s%s", p->type == A_THING ? thing : type_words(p), range, def);
+}
+
+static void help_param(const struct api_param *p, void (*line)(const char *))
+{
+    char text[320], words[280];
+
+    api_param_words(p, words, sizeof words);
+    snprintf(text, sizeof text, "    %-10s %s", p->name, words);
     line(text);
 }
 
@@ -147,7 +169,7 @@ static const struct {
     { "hud.banks", "palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm" },
     { "hud.cols", "cells of the screen in a row, of 8 px each" },
     { "hud.rows", "rows of cells of the screen" },
-    { "hud.banner(lines, frames)", "shows a list of texts in the middle of the field; without lines, ends that" },
+    { "hud.banner(lines?, frames?)", "shows a list of texts in the middle of the field; without lines, ends that" },
     { "hud.centre(row, text, bank?, first?, cols?)", "puts a text, in the run's language, in the middle of the screen, "
                                                      "or of cols cells from first on; returns the row "
                                                      "below" },
@@ -158,6 +180,14 @@ static const struct {
 };
 
 enum { VALUES = sizeof values / sizeof *values };
+
+const char *api_plain(int i, const char **help)
+{
+    if (i >= VALUES)
+        return NULL;
+    *help = values[i].help;
+    return values[i].name;
+}
 
 static bool help_values(const char *name, size_t n, void (*line)(const char *))
 {
@@ -240,19 +270,38 @@ bool api_help_calls(const char *name, char *out, size_t size)
     return c.n > 0 && c.n <= NEAR_CALLS;
 }
 
+bool api_ends(enum handle_kind kind)
+{
+    return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
+}
+
+void api_property_words(const struct api_prop *p, char *out, size_t size)
+{
+    struct api_param value = p->value;
+
+    value.optional = OPT;
+    if (value.type == A_THING)
+        thing_words((unsigned)value.lo, out, size);
+    else if (p->write != PROP_WRITE) /* its range is what a write takes */
+        snprintf(out, size, "%s", type_words(&value));
+    else
+        api_param_words(&value, out, size);
+}
+
 static bool help_thing(int kind, void (*line)(const char *))
 {
     const struct api_thing *t = api_things[kind];
-    char text[400];
+    char text[400], words[200];
 
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
-    if (!handle_kind_group((enum handle_kind)kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE)
+    if (api_ends((enum handle_kind)kind))
         line("    alive      read  is it there?");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];
-        snprintf(text, sizeof text, "    %-10s %-5s %s", p->value.name, p->write == PROP_WRITE ? "write" : "read",
-                 p->help);
+        api_property_words(p, words, sizeof words);
+        snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->value.name, p->write == PROP_WRITE ? "write" : "read",
+                 p->help, words);
         line(text);
     }
     return true;
