@@ -2,9 +2,8 @@
 # luacheck.sh - `curtain help lua --luacheck`: luacheck, with these names, finds no unknown one in all scripts of the
 # repository, and finds those that are planted.
 #
-# Settings beside the names: lines may be long (tests/house has its own rule), arguments and loop variables may be
-# unused (a task's function gets its owner, whatever it needs), and `local x <close>` is a use, which luacheck does not
-# know. What else it finds in scripts that recordings rest on is the list `known`: it may not grow, and what is mended
+# Settings beside it: lines may be long (tests/house has its own rule), and `local x <close>` is a use, which luacheck
+# does not know. What else it finds in scripts that recordings rest on is the list `known`: it may not grow, and what is mended
 # goes.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
@@ -14,7 +13,6 @@ rc=$scratch/luacheckrc
 check "the settings are Lua" "${LUAC:-luac5.4}" -p "$rc"
 cat >>"$rc" <<'END'
 max_line_length = false
-unused_args = false
 files["**/scripts/**"] = { std = "curtain_library" }
 END
 
@@ -81,6 +79,8 @@ echo 'hud.put(1, 1, "x") function hud.more() end' >"$scratch/std/hud.lua"
 check "in place of the library, all of it" within lone std/hud.lua
 echo 'hud.put(1, 1, rng.fyre)' >"$scratch/std/hud.lua"
 refuse "and no more than it" "undefined field 'fyre'" within lone std/hud.lua
+"$curtain" help lua --annotations >"$scratch/.curtain.lua"
+check "what is written for editors is passed over" lone "$scratch/.curtain.lua"
 refuse "with annotations" "--luacheck does not go with --annotations" "$curtain" help lua --annotations --luacheck
 refuse "without lua" "--luacheck: expected curtain help lua --luacheck" "$curtain" help config --luacheck
 finish

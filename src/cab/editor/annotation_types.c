@@ -163,8 +163,8 @@ static void functions(const struct api_entry *e, const struct api_param *p, char
 }
 
 /* What is in the parameter, if it has an entry of its own: the `steps` of motion.def are a list of "motion.def step",
- * the `cast` of boss.def of what is "one of the cast", a `list` of the only part there is; `emit` of a step is a "motion.def emit".
- * It may be another table too, for some hold several things. */
+ * the `cast` of boss.def of what is "one of the cast", a `list` of the only part there is; `emit` of a step is a
+ * "motion.def emit". It may be another table too, for some hold several things. */
 static bool parts(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
 {
     const size_t n = strcspn(e->name, " ");

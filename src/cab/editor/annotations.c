@@ -305,6 +305,7 @@ void annotations_print(void)
     printf("---@meta curtain\n");
     printf("-- Curtain %s: what games call, for the Lua language server. Made by curtain help lua --annotations.\n\n",
            CURTAIN_VERSION);
+    printf("-- luacheck: ignore\n");
     annotation_aliases();
     argument_classes();
     for (int k = 1; k < HANDLES; k++)
