@@ -2,9 +2,8 @@
 # luacheck.sh - `curtain help lua --luacheck`: luacheck, with these names, finds no unknown one in all scripts of the
 # repository, and finds those that are planted.
 #
-# Settings beside it: lines may be long (tests/house has its own rule), and `local x <close>` is a use, which luacheck
-# does not know. What else it finds in scripts that recordings rest on is the list `known`: it may not grow, and what is mended
-# goes.
+# `local x <close>` is a use, which luacheck does not know. What else it finds in scripts that recordings rest on is the
+# list `known`: it may not grow, and what is mended goes.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 rc=$scratch/luacheckrc
@@ -12,7 +11,6 @@ rc=$scratch/luacheckrc
 "$curtain" help lua --luacheck >"$rc"
 check "the settings are Lua" "${LUAC:-luac5.4}" -p "$rc"
 cat >>"$rc" <<'END'
-max_line_length = false
 files["**/scripts/**"] = { std = "curtain_library" }
 END
 

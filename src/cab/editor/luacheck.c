@@ -129,6 +129,7 @@ void luacheck_print(void)
     standard(&s, "curtain", false);
     standard(&s, "curtain_library", true);
     printf("std = \"curtain\"\n");
+    printf("max_line_length = false\n");
     printf("unused_args = false -- a task's function gets its owner, whatever it needs\n");
     printf("files[\"**/std/**\"] = { std = \"curtain_library\" } -- in place of the library\n");
     name_set_close(&s);
