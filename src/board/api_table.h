@@ -143,7 +143,8 @@ extern const int api_module_count;
 /* The words of a sprite's `layer`, by LAYER_. */
 extern const char *const api_layers[];
 
-/* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
+/* "curtain help lua": every entry; the one of that name; those of that table; or what has the word `name` in its name
+ * or text. Calls line for each line. False: none. */
 bool api_help(const char *name, void (*line)(const char *));
 
 /* The entry whose name is nearest to that; NULL: none is near. */

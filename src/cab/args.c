@@ -52,8 +52,9 @@ static const struct {
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
-    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME]]", 0, 2,
-                       "this; of a command; of the settings and their file; of the Lua API" },
+    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
+                       "this; of a command; of the settings and their file; of the Lua API, and what has a word in "
+                       "it" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
 };
