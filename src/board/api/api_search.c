@@ -5,7 +5,6 @@
  * A name has a word anywhere ("turn" in bullet:turn), a text where one of its words begins so ("turn" in "turns", not
  * in "returns"), for texts have many words. Each thing is shown once, where it fits best.
  */
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include "api_parts.h"
@@ -14,7 +13,12 @@ enum rank { RANK_NAME, RANK_PART, RANK_TEXT, RANKS };
 
 static char lower(char c)
 {
-    return (char)tolower((unsigned char)c);
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+static bool is_letter(char c)
+{
+    return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9');
 }
 
 static bool begins(const char *text, const char *word)
@@ -34,7 +38,7 @@ static bool same(const char *text, const char *word)
 static bool has(const char *text, const char *word, bool at_words)
 {
     for (const char *at = text; *at; at++)
-        if (begins(at, word) && !(at_words && at > text && isalnum((unsigned char)at[-1])))
+        if (begins(at, word) && !(at_words && at > text && is_letter(at[-1])))
             return true;
     return false;
 }
@@ -42,10 +46,10 @@ static bool has(const char *text, const char *word, bool at_words)
 /* How well it fits, by its last word ("turn" of "bullet:turn"), its name and its text; RANKS: not at all. */
 static enum rank rank_of(const char *name, const char *text, const char *word)
 {
+    const char *last, *arguments = strchr(name, '(');
     char plain[64];
-    const char *last;
 
-    snprintf(plain, sizeof plain, "%.*s", (int)strcspn(name, "("), name);
+    snprintf(plain, sizeof plain, "%.*s", (int)(arguments ? (size_t)(arguments - name) : strlen(name)), name);
     last = strpbrk(plain, ".:");
     if (same(last ? last + 1 : plain, word) || same(plain, word))
         return RANK_NAME;
