@@ -13,18 +13,30 @@ Made by `tools/apidoc.sh` from the table that checks the arguments (`curtain hel
 named arguments, `thing:name()` is a method, `-> what` is what it returns; the words after an argument are its type, its
 range and `=` its default.
 END
+properties() { "$curtain" help lua "$1" | sed -n '/^properties of/,$p'; } # THING
+heading() {
+    local lines
+    printf '\n## %s\n' "$1"
+    lines=$(properties "$1")
+    [ -z "$lines" ] || printf '\n```\n%s\n```\n' "$lines"
+}
 # An entry is a line that does not begin with a blank.
+entries=$("$curtain" help lua | grep '^[^ ]' | sed 's/   .*//')
 section=
-"$curtain" help lua | sed 's/   .*//' | while IFS= read -r entry; do
+while IFS= read -r entry; do
     name=$(printf '%s\n' "$entry" | sed -E 's/^([A-Za-z_0-9]+([.:][A-Za-z_0-9]+)?).*/\1/')
     space=${name%%[.:]*}
     if [ "$space" != "$section" ]; then
         section=$space
-        printf '\n## %s\n' "$space"
-        properties=$("$curtain" help lua "$space" | sed -n '/^properties of/,$p')
-        [ -z "$properties" ] || printf '\n```\n%s\n```\n' "$properties"
+        heading "$space"
     fi
     printf '\n### %s\n\n```\n' "$name"
     "$curtain" help lua "$name"
     printf '```\n'
+done <<<"$entries"
+# Things that have properties and no functions.
+sed -n 's/.* -> \([a-z]*\).*/\1/p' <<<"$entries" | sort -u | while read -r thing; do
+    if ! grep -q "^$thing[.:]" <<<"$entries" && [ -n "$(properties "$thing" 2>/dev/null)" ]; then
+        heading "$thing"
+    fi
 done

@@ -41,6 +41,7 @@ for what; do
         header libfixmath/fix16.h || need libfixmath-dev
         header mpfr.h || need libmpfr-dev
         have luac5.4 || need lua5.4
+        have luacheck || need lua-check
         python3 -c 'import ctypes' 2>/dev/null || need python3
         have clang-format || need clang-format
         have git || need git

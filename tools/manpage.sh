@@ -181,6 +181,14 @@ Pictures of four moments of a stage on one sheet, without a window:
 curtain render mygame \-\-stage one \-\-frames 60:240:60 \-\-sheet one.png
 .RE
 .fi
+.PP
+An editor that knows the API, with the Lua language server, in a game's folder:
+.PP
+.nf
+.RS
+curtain help lua \-\-annotations >.curtain.lua
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;

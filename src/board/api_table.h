@@ -6,6 +6,7 @@
 #define BOARD_API_TABLE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 #include "handle.h"
 
@@ -142,7 +143,8 @@ extern const int api_module_count;
 /* The words of a sprite's `layer`, by LAYER_. */
 extern const char *const api_layers[];
 
-/* "curtain help lua": every entry, or those whose name begins with `name`; calls line for each line. False: none. */
+/* "curtain help lua": every entry; the one of that name; those of that table; or what has the word `name` in its name
+ * or text. Calls line for each line. False: none. */
 bool api_help(const char *name, void (*line)(const char *));
 
 /* The entry whose name is nearest to that; NULL: none is near. */
@@ -154,6 +156,22 @@ const struct api_entry *api_entry(int i);
 
 /* An argument's default as a number. */
 double api_default(const struct api_param *p);
+
+/* What an argument may be, in words: "whole number from 0 to 15 = 0"; with what it is by default, or "(required)". */
+void api_param_words(const struct api_param *p, char *out, size_t size);
+
+/* The same of a property: what it reads as, with the range of what is written to it. */
+void api_property_words(const struct api_prop *p, char *out, size_t size);
+
+/* The words that an argument of that type takes, *n of them; NULL: it is not of the types of a few words. */
+const char *const *api_type_list(enum api_type type, int *n);
+
+/* The i-th name that is no function of the table, "rom.title", or a function of @std's without a check of its
+ * arguments, "hud.banner(lines, frames)"; NULL: there are no more. */
+const char *api_plain(int i, const char **help);
+
+/* Does that kind of thing end, so that it has `alive`? */
+bool api_ends(enum handle_kind kind);
 
 /* The message for a reserved name: one that is kept for a later feature. */
 #define NOT_YET "is not there yet; the name is kept for it"

@@ -26,6 +26,7 @@ enum {
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_SOUND = 1 << COMMAND_SOUND,
+    FOR_HELP = 1 << COMMAND_HELP,
     FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND
 };
 
@@ -51,8 +52,9 @@ static const struct {
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
-    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME]]", 0, 2,
-                       "this; of a command; of the settings and their file; of the Lua API" },
+    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
+                       "this; of a command; of the settings and their file; of the Lua API, and what has a word in "
+                       "it" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
 };
@@ -93,6 +95,8 @@ enum option {
     OPTION_JSON,
     OPTION_REPLAYS,
     OPTION_NULL,
+    OPTION_ANNOTATIONS,
+    OPTION_LUACHECK,
     OPTION_VERBOSE,
     OPTION_HELP,
     OPTION_VERSION,
@@ -163,6 +167,10 @@ static const struct {
                          "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
                          "end" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
+    [OPTION_ANNOTATIONS] = { "--annotations", NULL, FOR_HELP,
+                             "help lua: print the API as definitions for editors (LuaLS, the Lua language server)" },
+    [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP,
+                          "help lua: print the API's names as a .luacheckrc, the settings of luacheck" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
                          "moment and buttons of a difference too (also -v, --traceback)" },
@@ -513,6 +521,10 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->no_resume);
     case OPTION_NULL:
         return set_switch(&a->null);
+    case OPTION_ANNOTATIONS:
+        return set_switch(&a->annotations);
+    case OPTION_LUACHECK:
+        return set_switch(&a->luacheck);
     case OPTION_VERBOSE:
         return set_switch(&a->verbose);
     default:
@@ -643,6 +655,20 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
+/* Both are of the whole API. */
+static bool check_help(const struct args *a, char *err, size_t err_size)
+{
+    const char *option = a->annotations ? "--annotations" : "--luacheck";
+
+    if (!a->annotations && !a->luacheck)
+        return true;
+    if (a->annotations && a->luacheck)
+        return err_set(err, err_size, "--luacheck does not go with --annotations");
+    if (a->n_words != 1 || strcmp(a->words[0], "lua") != 0)
+        return err_set(err, err_size, "%s: expected curtain help lua %s", option, option);
+    return true;
+}
+
 static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     char with[64];
@@ -744,7 +770,8 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     } else if (a->n_words && !check_command(a, seen, err, err_size)) {
         return false;
     }
-    return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size);
+    return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size) &&
+           check_help(a, err, err_size);
 }
 
 /* ---- help ---- */
@@ -795,7 +822,7 @@ void args_help(int command, void (*line)(const char *))
     line(text);
     snprintf(text, sizeof text, "  %s", commands[command].help);
     line(text);
-    if (!(FOR_ALL >> command & 1))
+    if (!((FOR_ALL | FOR_HELP) >> command & 1))
         return;
     line("");
     help_options(1u << command, line);

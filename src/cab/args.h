@@ -65,7 +65,7 @@ struct args {
     int n_traces;
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
-    bool json, resume, no_resume, replays;
+    bool json, resume, no_resume, replays, annotations, luacheck;
     int scale;                 /* 0: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     uint32_t every;            /* 1: not given */

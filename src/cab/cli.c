@@ -17,6 +17,8 @@
 #include "check/check.h"
 #include "host/config.h"
 #include "host/files.h"
+#include "editor/annotations.h"
+#include "editor/luacheck.h"
 #include "game.h"
 #include "headless.h"
 #include "listen.h"
@@ -232,6 +234,10 @@ static enum result help(const struct args *a)
     const char *topic = a->n_words ? a->words[0] : NULL;
     int command = topic ? args_command(topic) : -1;
 
+    if (a->annotations || a->luacheck) {
+        a->annotations ? annotations_print() : luacheck_print();
+        return report_stdout(RESULT_DONE);
+    }
     if (topic && strcmp(topic, "lua") == 0)
         return help_lua(a->n_words > 1 ? a->words[1] : NULL);
     if (topic && strcmp(topic, "config") == 0 && a->n_words == 1) {

@@ -325,7 +325,7 @@ bad 'unknown difficulty, near one' '--difficulty: unknown difficulty "hrd" (did 
 bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected easy, normal or hard)' hash g \
     --difficulty insane
 bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
-bad 'help of no Lua name' 'help lua: there is no "nothing" (curtain help lua lists all names)' help lua nothing
+bad 'help of no Lua name' 'help lua: there is no "xyzzy" (curtain help lua lists all names)' help lua xyzzy
 bad 'help of a Lua name, near one' \
     'help lua: there is no "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
 where() { "$curtain" help lua "$1" | grep -qF "$2"; }

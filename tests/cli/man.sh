@@ -61,13 +61,13 @@ examples() ( # PAGE
     mkdir -p "$scratch/here" && cp -r examples/first "$scratch/here/mygame" && cd "$scratch/here" || return
     curtain() {
         [ "$1" != play ] || set -- hash "${@:2}" --frames 60
-        "$program" "$@" >/dev/null
+        "$program" "$@"
     }
     while read -r line; do
-        eval "$line" || { echo "$line"; return 1; }
+        eval "$line" >"$scratch/.ran" || { echo "$line"; return 1; }
         n=$((n + 1))
     done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
-    [ $n = 3 ] && [ -s one.png ]
+    [ $n = 4 ] && [ -s one.png ] && [ -s .curtain.lua ]
 )
 program=$(realpath "$curtain")
 check "its examples run" examples "$page"

@@ -328,6 +328,14 @@ static const struct word_list {
               [A_DOWN] = { downs, 2 },
               [A_ASK] = { asks, ASKS } };
 
+const char *const *api_type_list(enum api_type type, int *n)
+{
+    const bool has = (size_t)type < sizeof WORDS / sizeof *WORDS && WORDS[type].n > 0;
+
+    *n = has ? WORDS[type].n : 0;
+    return has ? WORDS[type].words : NULL;
+}
+
 /* One word of the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {

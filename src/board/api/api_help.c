@@ -56,9 +56,22 @@ static const char *type_words(const struct api_param *p)
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 
-static void help_param(const struct api_param *p, void (*line)(const char *))
+/* "thing: bullet, shot or enemy", of a mask of kinds. */
+static void thing_words(unsigned kinds, char *out, size_t size)
 {
-    char text[320], range[80] = "", def[80] = "";
+    size_t n = (size_t)snprintf(out, size, "thing");
+
+    for (int k = 1, left; k < HANDLES && n < size; k++) {
+        if (!(kinds >> k & 1))
+            continue;
+        left = kinds >> (k + 1) != 0;
+        n += (size_t)snprintf(out + n, size - n, "%s%s", n == 5 ? ": " : left ? ", " : " or ", api_things[k]->name);
+    }
+}
+
+void api_param_words(const struct api_param *p, char *out, size_t size)
+{
+    char range[80] = "", def[80] = "", thing[160];
     bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX || p->type == A_SPAN;
 
     if (ranged)
@@ -70,7 +83,16 @@ static void help_param(const struct api_param *p, void (*line)(const char *))
         snprintf(def, sizeof def, " = %s", p->def);
     else if (!p->optional)
         snprintf(def, sizeof def, " (required)");
-    snprintf(text, sizeof text, "    %-10s %s%s%s", p->name, type_words(p), range, def);
+    thing_words(p->type == A_THING ? (unsigned)p->lo : 0, thing, sizeof thing);
+    snprintf(out, size, "%s%s%s", p->type == A_THING ? thing : type_words(p), range, def);
+}
+
+void api_help_param(const struct api_param *p, void (*line)(const char *))
+{
+    char text[320], words[280];
+
+    api_param_words(p, words, sizeof words);
+    snprintf(text, sizeof text, "    %-10s %s", p->name, words);
     line(text);
 }
 
@@ -108,11 +130,11 @@ static void help_parts(const struct api_entry *e, void (*line)(const char *))
         snprintf(text, sizeof text, "  each %s:", part->name + n + 1);
         line(text);
         for (int k = 0; k < part->count; k++)
-            help_param(&part->params[k], line);
+            api_help_param(&part->params[k], line);
     }
 }
 
-static void help_entry(const struct api_entry *e, bool whole, void (*line)(const char *))
+void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const char *))
 {
     char text[400], signature[200];
 
@@ -126,7 +148,7 @@ static void help_entry(const struct api_entry *e, bool whole, void (*line)(const
     snprintf(text, sizeof text, "  %s%s", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
     line(text);
     for (int i = e->flags & API_METHOD ? 1 : 0; i < e->count; i++)
-        help_param(&e->params[i], line);
+        api_help_param(&e->params[i], line);
     if (e->flags & API_FIRE)
         line("    ...        and every argument of bullet.fire, or shot.fire");
     help_parts(e, line);
@@ -147,7 +169,7 @@ static const struct {
     { "hud.banks", "palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm" },
     { "hud.cols", "cells of the screen in a row, of 8 px each" },
     { "hud.rows", "rows of cells of the screen" },
-    { "hud.banner(lines, frames)", "shows a list of texts in the middle of the field; without lines, ends that" },
+    { "hud.banner(lines?, frames?)", "shows a list of texts in the middle of the field; without lines, ends that" },
     { "hud.centre(row, text, bank?, first?, cols?)", "puts a text, in the run's language, in the middle of the screen, "
                                                      "or of cols cells from first on; returns the row "
                                                      "below" },
@@ -158,6 +180,14 @@ static const struct {
 };
 
 enum { VALUES = sizeof values / sizeof *values };
+
+const char *api_plain(int i, const char **help)
+{
+    if (i >= VALUES)
+        return NULL;
+    *help = values[i].help;
+    return values[i].name;
+}
 
 static bool help_values(const char *name, size_t n, void (*line)(const char *))
 {
@@ -180,20 +210,6 @@ static size_t name_length(const char *name)
     const char *arguments = strchr(name, '(');
 
     return arguments ? (size_t)(arguments - name) : strlen(name);
-}
-
-/* Those whose name behind the dot is that word: "centre". */
-static bool help_value_word(const char *word, void (*line)(const char *))
-{
-    const size_t n = strlen(word);
-    bool any = false;
-
-    for (size_t i = 0; i < VALUES; i++) {
-        const char *last = strchr(values[i].name, '.');
-        if (last && name_length(last + 1) == n && !strncmp(last + 1, word, n))
-            any |= help_values(values[i].name, strlen(values[i].name), line);
-    }
-    return any;
 }
 
 enum { NEAR_CALLS = 3 };
@@ -240,50 +256,41 @@ bool api_help_calls(const char *name, char *out, size_t size)
     return c.n > 0 && c.n <= NEAR_CALLS;
 }
 
+bool api_ends(enum handle_kind kind)
+{
+    return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
+}
+
+void api_property_words(const struct api_prop *p, char *out, size_t size)
+{
+    struct api_param value = p->value;
+
+    value.optional = OPT;
+    if (value.type == A_THING)
+        thing_words((unsigned)value.lo, out, size);
+    else if (p->write != PROP_WRITE) /* its range is what a write takes */
+        snprintf(out, size, "%s", type_words(&value));
+    else
+        api_param_words(&value, out, size);
+}
+
 static bool help_thing(int kind, void (*line)(const char *))
 {
     const struct api_thing *t = api_things[kind];
-    char text[400];
+    char text[400], words[200];
 
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
-    if (!handle_kind_group((enum handle_kind)kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE)
+    if (api_ends((enum handle_kind)kind))
         line("    alive      read  is it there?");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];
-        snprintf(text, sizeof text, "    %-10s %-5s %s", p->value.name, p->write == PROP_WRITE ? "write" : "read",
-                 p->help);
+        api_property_words(p, words, sizeof words);
+        snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->value.name, p->write == PROP_WRITE ? "write" : "read",
+                 p->help, words);
         line(text);
     }
     return true;
-}
-
-/* Where a word lives that no name begins with: "home" in the steps of motion.def, "frozen" in things, "ring" in
- * pattern. */
-static bool help_word(const char *word, void (*line)(const char *))
-{
-    char text[400];
-    bool any = help_value_word(word, line);
-
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *e = api_entry(i);
-        const char *last = strpbrk(e->name, ".:"), *part = strchr(e->name, ' ');
-        if (!(e->flags & API_SYS) && last && !strcmp(last + 1, word))
-            help_entry(e, false, line), any = true;
-        for (int k = 0; part && k < e->count; k++)
-            if (!strcmp(e->params[k].name, word)) {
-                snprintf(text, sizeof text, "in each%s of %.*s:", part, (int)(part - e->name), e->name);
-                line(text), help_param(&e->params[k], line), any = true;
-            }
-    }
-    for (int kind = 1; kind < HANDLES; kind++)
-        for (int i = 0; api_things[kind] && i < api_things[kind]->n; i++)
-            if (!strcmp(api_things[kind]->props[i].value.name, word)) {
-                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind],
-                         api_things[kind]->props[i].help);
-                line(text), any = true;
-            }
-    return any;
 }
 
 const char *api_help_near(const char *name)
@@ -300,22 +307,53 @@ const char *api_help_near(const char *name)
     return found;
 }
 
-bool api_help(const char *name, void (*line)(const char *))
+/* Is it a table of the API, "bullet", or the beginning of a name in one, "bullet.f"? */
+static bool is_table(const char *name)
 {
-    size_t n = name ? strlen(name) : 0;
-    bool exact = name && api_find(name), any = false;
+    const size_t n = strlen(name);
+    const char *help, *plain;
 
     for (int i = 0; i < api_count(); i++) {
         const struct api_entry *e = api_entry(i);
-        if (e->flags & API_SYS || (exact && strcmp(e->name, name)) || (n && strncmp(e->name, name, n)))
+        if (!(e->flags & API_SYS) && !strncmp(e->name, name, n) && (strpbrk(name, ".:") || strchr(".:", e->name[n])))
+            return true;
+    }
+    for (int i = 0; (plain = api_plain(i, &help)); i++)
+        if (!strncmp(plain, name, n) && (strchr(name, '.') || plain[n] == '.' || !plain[n]))
+            return true;
+    return false;
+}
+
+static bool help_all(const char *name, bool exact, void (*line)(const char *))
+{
+    const size_t n = strlen(name);
+    bool any = false;
+
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        if (e->flags & API_SYS || (exact && strcmp(e->name, name)) || strncmp(e->name, name, n))
             continue;
-        help_entry(e, exact, line);
+        api_help_entry(e, exact, line);
         any = true;
     }
     if (!exact)
         any |= help_values(name, n, line);
-    for (int k = 1; name && !exact && k < HANDLES; k++)
+    return any;
+}
+
+bool api_help(const char *name, void (*line)(const char *))
+{
+    const bool exact = name && api_find(name);
+    bool any = false;
+
+    if (!name) {
+        api_help_tasks(line);
+        return help_all("", false, line);
+    }
+    if (exact || is_table(name))
+        any = help_all(name, exact, line);
+    for (int k = 1; !exact && k < HANDLES; k++)
         if (api_things[k] && !strcmp(api_things[k]->name, name))
             any = help_thing(k, line);
-    return any || (name && help_word(name, line));
+    return any || api_help_search(name, line);
 }

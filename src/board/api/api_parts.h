@@ -192,6 +192,14 @@ void api_add_space(lua_State *L, const char *name);
  * not there. */
 void api_no_field(lua_State *L, const char *of, const char *name);
 
+/* Parts of the help: an argument, and an entry with its arguments or (not whole) on a line. */
+void api_help_param(const struct api_param *p, void (*line)(const char *));
+void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const char *));
+
+/* All that has the word in its name or text, the nearest first; false: nothing has. And what to begin with. */
+bool api_help_search(const char *word, void (*line)(const char *));
+void api_help_tasks(void (*line)(const char *));
+
 /* Is it a word of a motion's step? */
 bool api_step_word(const char *name);
 

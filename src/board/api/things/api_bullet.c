@@ -562,7 +562,7 @@ static const struct api_prop bullet_props[] = {
 };
 static const struct api_prop shot_props[] = {
     FLIGHT_PROPS(A_SHOT_KIND),
-    { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player who fired it, or nil" }
+    { { "by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL }, PROP_READ, "the player who fired it, or nil" }
 };
 
 /* Q32 as a number: exact, for a place or a speed has 48 bits. */

@@ -353,8 +353,8 @@ static const struct api_prop laser_props[] = {
       PROP_READ,
       "\"warn\", \"grow\", \"on\" or \"fade\": only in \"grow\" and \"on\" it hits" },
     { { "form", A_STR, REQ, 0, 0, NULL, NULL }, PROP_READ, "\"beam\", \"bolt\" or \"curve\"" },
-    { { "follow", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "what a beam follows, or nil" },
-    { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player whose it is, or nil" },
+    { { "follow", A_THING, REQ, PLACES, 0, NULL, NULL }, PROP_READ, "what a beam follows, or nil" },
+    { { "by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL }, PROP_READ, "the player whose it is, or nil" },
 };
 
 static const struct api_prop lasers_props[] = {

@@ -287,7 +287,7 @@ enum { P_X, P_Y, P_BY, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS 
 static const struct api_prop props[PROPS] = {
     { { "x", A_FX, REQ, 0, 0, "px", NULL }, PROP_READ, "where it is, px" },
     { { "y", A_FX, REQ, 0, 0, "px", NULL }, PROP_READ, "where it is, px" },
-    { { "by", A_THING, REQ, 0, 0, NULL, NULL }, PROP_READ, "the player it flies with" },
+    { { "by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL }, PROP_READ, "the player it flies with" },
     { { "index", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "its number among the player's, from 1 on" },
     { { "focus", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "does its player fly slowly?" },
     { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came" },

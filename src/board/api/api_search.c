@@ -1,0 +1,189 @@
+/*
+ * api_search.c - `curtain help lua WORD`, where WORD is no entry and no table: all that has the word in its name or its
+ * text, the nearest first; and what `curtain help lua` begins with, the functions by what one wants to do.
+ *
+ * A name has a word anywhere ("turn" in bullet:turn), a text where one of its words begins so ("turn" in "turns", not
+ * in "returns"), for texts have many words. Each thing is shown once, where it fits best.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "api_parts.h"
+
+enum rank { RANK_NAME, RANK_PART, RANK_TEXT, RANKS };
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+static bool is_letter(char c)
+{
+    return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9');
+}
+
+static bool begins(const char *text, const char *word)
+{
+    while (*word && lower(*text) == lower(*word)) {
+        text++;
+        word++;
+    }
+    return !*word;
+}
+
+static bool same(const char *text, const char *word)
+{
+    return strlen(text) == strlen(word) && begins(text, word);
+}
+
+static bool has(const char *text, const char *word, bool at_words)
+{
+    for (const char *at = text; *at; at++)
+        if (begins(at, word) && !(at_words && at > text && is_letter(at[-1])))
+            return true;
+    return false;
+}
+
+/* How well it fits, by its last word ("turn" of "bullet:turn"), its name and its text; RANKS: not at all. */
+static enum rank rank_of(const char *name, const char *text, const char *word)
+{
+    const char *last, *arguments = strchr(name, '(');
+    char plain[64];
+
+    snprintf(plain, sizeof plain, "%.*s", (int)(arguments ? (size_t)(arguments - name) : strlen(name)), name);
+    last = strpbrk(plain, ".:");
+    if (same(last ? last + 1 : plain, word) || same(plain, word))
+        return RANK_NAME;
+    if (has(plain, word, false))
+        return RANK_PART;
+    return has(text, word, true) ? RANK_TEXT : RANKS;
+}
+
+static bool has_argument(const struct api_entry *e, const char *word)
+{
+    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->count; i++)
+        if (same(e->params[i].name, word))
+            return true;
+    return false;
+}
+
+/* An argument's name counts as a word of the text. */
+static enum rank rank_entry(const struct api_entry *e, const char *word)
+{
+    enum rank r = rank_of(e->name, e->help, word);
+
+    return r == RANKS && has_argument(e, word) ? RANK_TEXT : r;
+}
+
+/* A step of motion.def, a phase of boss.def: what stands in a table inside arguments. */
+static bool search_part(const struct api_entry *e, const char *word, enum rank rank, void (*line)(const char *))
+{
+    const char *part = strchr(e->name, ' ');
+    char text[400];
+    bool any = false;
+
+    for (int i = 0; i < e->count; i++)
+        if (rank_of(e->params[i].name, "", word) == rank) {
+            snprintf(text, sizeof text, "in each%s of %.*s:", part, (int)(part - e->name), e->name);
+            line(text);
+            api_help_param(&e->params[i], line);
+            any = true;
+        }
+    return any;
+}
+
+static bool search_entries(const char *word, enum rank rank, void (*line)(const char *))
+{
+    bool any = false;
+
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        if (strchr(e->name, ' '))
+            any |= search_part(e, word, rank, line);
+        else if (!(e->flags & API_SYS) && rank_entry(e, word) == rank) {
+            api_help_entry(e, false, line);
+            any = true;
+        }
+    }
+    return any;
+}
+
+static bool search_plain(const char *word, enum rank rank, void (*line)(const char *))
+{
+    const char *name, *help;
+    char text[400];
+    bool any = false;
+
+    for (int i = 0; (name = api_plain(i, &help)); i++)
+        if (rank_of(name, help, word) == rank) {
+            snprintf(text, sizeof text, "%-46s %s", name, help);
+            line(text);
+            any = true;
+        }
+    return any;
+}
+
+static bool search_properties(const char *word, enum rank rank, void (*line)(const char *))
+{
+    char text[400];
+    bool any = false;
+
+    for (int kind = 1; kind < HANDLES; kind++)
+        for (int i = 0; i < api_things[kind]->n; i++) {
+            const struct api_prop *p = &api_things[kind]->props[i];
+            if (rank_of(p->value.name, p->help, word) != rank)
+                continue;
+            if (rank == RANK_NAME)
+                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->help);
+            else
+                snprintf(text, sizeof text, "property %s of %s: %s", p->value.name, api_thing_names[kind], p->help);
+            line(text);
+            any = true;
+        }
+    return any;
+}
+
+bool api_help_search(const char *word, void (*line)(const char *))
+{
+    bool any = false;
+
+    for (enum rank rank = RANK_NAME; word[0] && rank < RANKS; rank++) {
+        any |= search_entries(word, rank, line);
+        any |= search_plain(word, rank, line);
+        any |= search_properties(word, rank, line);
+    }
+    return any;
+}
+
+/* What a game does most, in the order in which one makes it. Each name is one that `curtain help lua NAME` explains. */
+static const char *const tasks[][2] = {
+    { "declare bullets", "bullet.def" },
+    { "fire bullets", "bullet.fire pattern.ring pattern.fan pattern.spiral pattern.aimed" },
+    { "move them", "motion.def bullet:aim bullet:turn bullet.group" },
+    { "clear them", "bullet.clear bullet.sweep bullet:clear" },
+    { "lasers", "laser.def laser.beam laser.bolt laser.curve" },
+    { "enemies", "enemy.def enemy.spawn enemy:move path.def path.run" },
+    { "ships and shots", "player.def shot.def shot.fire bomb.def option.def" },
+    { "buttons", "pad.down pad.pressed" },
+    { "wait, do two things", "wait wait_until wait_for task.go task.own" },
+    { "stages and bosses", "stage.def stage.wave stage.clear boss.def boss.fight" },
+    { "when something happens", "on.hit on.kill on.graze on.take" },
+    { "items and score", "item.def item.drop score.add score.rule" },
+    { "show text", "text.put text.line say choose hud.banner" },
+    { "show pictures", "sprite.put spark.burst bg.def bg.show screen.shake screen.flash" },
+    { "sound and music", "sound.play music.play" },
+    { "chance and angles", "rng.int rng.chance angle.to query.near" },
+    { "begin the game", "boot.run" },
+};
+
+void api_help_tasks(void (*line)(const char *))
+{
+    char text[160];
+
+    line("  By what to do; curtain help lua NAME explains one, curtain help lua WORD finds a word in names and texts:");
+    for (size_t i = 0; i < sizeof tasks / sizeof *tasks; i++) {
+        snprintf(text, sizeof text, "    %-24s %s", tasks[i][0], tasks[i][1]);
+        line(text);
+    }
+    line("");
+    line("  All there is:");
+}

@@ -1,0 +1,318 @@
+/*
+ * annotations.c - see annotations.h. Nothing is listed twice: all comes from the API table.
+ *
+ * A table of the API, bullet, is a global whose class is "bulletlib"; a kind of handle is the class "bullet", whose
+ * methods stand in a local of the file. Named arguments are a class "bullet.fire.args", those of a method
+ * "bullet.clear.self.args", and what stands in a list of arguments has a class of its own, "motion.def.step". A game
+ * that declares fields adds them by opening the class again (docs/manual.md).
+ */
+#include "annotations.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../board/api_table.h"
+#include "../host/version.h"
+#include "annotation_types.h"
+
+enum { NAME_SIZE = 80, TYPE_SIZE = 240, WORDS_SIZE = 400 };
+
+/* Whose arguments a pattern takes besides its own, by what it fires. */
+static const char *const makers[] = { "bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam" };
+enum { MAKERS = sizeof makers / sizeof *makers };
+
+static bool is_part(const struct api_entry *e)
+{
+    return strchr(e->name, ' ') != NULL;
+}
+
+/* Is it for games? Tables inside arguments are, though nobody calls them. */
+static bool is_public(const struct api_entry *e)
+{
+    return !(e->flags & API_SYS) || is_part(e);
+}
+
+static const struct api_entry *find(const char *name)
+{
+    for (int i = 0; i < api_count(); i++)
+        if (!strcmp(api_entry(i)->name, name))
+            return api_entry(i);
+    return NULL;
+}
+
+static const struct api_param *find_param(const struct api_entry *e, const char *name)
+{
+    for (int i = e->plain; i < e->count; i++)
+        if (!strcmp(e->params[i].name, name))
+            return &e->params[i];
+    return NULL;
+}
+
+/* The class of an entry's named arguments. */
+static void class_name(const struct api_entry *e, char out[NAME_SIZE])
+{
+    const bool part = is_part(e), method = e->flags & API_METHOD;
+
+    snprintf(out, NAME_SIZE, "%s%s%s", e->name, method ? ".self" : "", part ? "" : ".args");
+    for (char *c = out; *c; c++)
+        if (*c == ':' || *c == ' ')
+            *c = '.';
+}
+
+static void field(const struct api_entry *e, const struct api_param *p, bool optional)
+{
+    char type[TYPE_SIZE], words[WORDS_SIZE];
+
+    annotation_type(e, p, type, sizeof type);
+    api_param_words(p, words, sizeof words);
+    printf("---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
+}
+
+/* ---- classes of arguments ---- */
+
+/* Is the parameter one of a maker before that one? */
+static bool fired_before(int maker, const char *name)
+{
+    for (int i = 0; i < maker; i++)
+        if (find_param(find(makers[i]), name))
+            return true;
+    return false;
+}
+
+/* The comment names the first maker that has the parameter. */
+static void fired_field(const struct api_entry *e, const struct api_param *p)
+{
+    struct api_param any = *p;
+    char type[TYPE_SIZE], words[WORDS_SIZE];
+
+    any.optional = 1;
+    api_param_words(&any, words, sizeof words);
+    if (any.type >= A_BULLET_KIND && any.type <= A_OPTION_KIND)
+        any.type = A_STR; /* of whatever is fired */
+    annotation_type(e, &any, type, sizeof type);
+    printf("---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
+}
+
+/* All that a pattern hands on. All is optional here: some things do not take it, and what `each` calls may need none
+ * of it. */
+static void fired(void)
+{
+    printf("\n---what a pattern hands on to what it fires\n---@class fired\n");
+    for (int m = 0; m < MAKERS; m++) {
+        const struct api_entry *e = find(makers[m]);
+        for (int i = e->plain; i < e->count; i++)
+            if (!fired_before(m, e->params[i].name))
+                fired_field(e, &e->params[i]);
+    }
+}
+
+static bool has_table(const struct api_entry *e)
+{
+    return e->count > e->plain || e->flags & API_FIRE;
+}
+
+static void arguments_class(const struct api_entry *e)
+{
+    char name[NAME_SIZE];
+
+    class_name(e, name);
+    printf("\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name, name,
+           e->flags & API_FIRE ? ": fired" : "");
+    for (int i = is_part(e) ? 0 : e->plain; i < e->count; i++)
+        field(e, &e->params[i], e->params[i].optional);
+}
+
+static void argument_classes(void)
+{
+    fired();
+    for (int i = 0; i < api_count(); i++)
+        if (is_public(api_entry(i)) && (is_part(api_entry(i)) || has_table(api_entry(i))))
+            arguments_class(api_entry(i));
+}
+
+/* ---- functions ---- */
+
+static void function_params(const struct api_entry *e)
+{
+    char type[TYPE_SIZE], words[WORDS_SIZE], name[NAME_SIZE];
+
+    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->plain; i++) {
+        const struct api_param *p = &e->params[i];
+        annotation_type(e, p, type, sizeof type);
+        api_param_words(p, words, sizeof words);
+        printf("---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
+    }
+    if (e->flags & API_MORE)
+        printf("---@param ... any\n");
+    if (!has_table(e))
+        return;
+    class_name(e, name);
+    bool must = false;
+    for (int i = e->plain; i < e->count; i++)
+        must = must || !e->params[i].optional;
+    printf("---@param args%s %s\n", must || e->flags & API_FIRE ? "" : "?", name);
+}
+
+/* owner: the local that a kind of handle's methods stand in; NULL: the entry's own name. */
+static void function(const struct api_entry *e, const char *owner)
+{
+    const int first = e->flags & API_METHOD ? 1 : 0;
+    const char *comma = "";
+
+    printf("\n---%s%s\n", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
+    function_params(e);
+    annotation_returns(e->returns);
+    printf("function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
+    for (int i = first; i < e->plain; i++, comma = ", ")
+        printf("%s%s", comma, e->params[i].name);
+    if (e->flags & API_MORE)
+        printf("%s...", comma), comma = ", ";
+    if (has_table(e))
+        printf("%sargs", comma);
+    printf(") end\n");
+}
+
+/* ---- handles ---- */
+
+static void property(const struct api_prop *p)
+{
+    char type[TYPE_SIZE], words[WORDS_SIZE];
+    const bool nil = strstr(p->help, "nil") != NULL, read = p->write != PROP_WRITE;
+
+    annotation_property(p, type, sizeof type);
+    api_property_words(p, words, sizeof words);
+    printf("---@field %s%s %s # %s%s [%s]\n", p->value.name, nil ? "?" : "", type, read ? "read only: " : "", p->help,
+           words);
+}
+
+static void handle(enum handle_kind kind)
+{
+    const struct api_thing *t = api_things[kind];
+    const size_t n = strlen(t->name);
+    char owner[NAME_SIZE];
+
+    printf("\n---@class %s\n", t->name);
+    if (api_ends(kind))
+        printf("---@field alive boolean # read only: is it there?\n");
+    for (int i = 0; i < t->n; i++)
+        property(&t->props[i]);
+    snprintf(owner, sizeof owner, "a_%s", t->name);
+    printf("local %s = {}\n", owner);
+    for (int i = 0; i < api_count(); i++)
+        if (!strncmp(api_entry(i)->name, t->name, n) && api_entry(i)->name[n] == ':' && is_public(api_entry(i)))
+            function(api_entry(i), owner);
+}
+
+/* ---- globals ---- */
+
+/* The table of a name, "bullet" of "bullet.fire"; empty: a global of its own. */
+static void space_of(const char *name, char out[NAME_SIZE])
+{
+    const size_t n = strcspn(name, ".(");
+
+    snprintf(out, NAME_SIZE, "%.*s", name[n] == '.' ? (int)n : 0, name);
+}
+
+/* Values come behind the entries in one order: i from 0 on; NULL: there are no more. */
+static const char *any_name(int i)
+{
+    const char *help;
+
+    if (i >= api_count())
+        return api_plain(i - api_count(), &help);
+    return is_public(api_entry(i)) && !strpbrk(api_entry(i)->name, ": ") ? api_entry(i)->name : "";
+}
+
+static bool space_before(int i, const char *space)
+{
+    char other[NAME_SIZE];
+
+    for (int k = 0; k < i; k++) {
+        space_of(any_name(k), other);
+        if (!strcmp(other, space))
+            return true;
+    }
+    return false;
+}
+
+static void space_fields(const char *space)
+{
+    const char *name, *help;
+    char of[NAME_SIZE];
+
+    for (int i = 0; (name = api_plain(i, &help)); i++) {
+        space_of(name, of);
+        if (strcmp(of, space) || strchr(name, '('))
+            continue;
+        const char *type = annotation_plain(name);
+        printf("---@field %s %s # %s\n", name + strlen(of) + 1, type ? type : "any", help);
+    }
+}
+
+static void spaces(void)
+{
+    char space[NAME_SIZE];
+
+    for (int i = 0; any_name(i); i++) {
+        space_of(any_name(i), space);
+        if (!space[0] || space_before(i, space))
+            continue;
+        printf("\n---@class %slib\n", space);
+        space_fields(space);
+        printf("%s = {}\n", space);
+    }
+}
+
+/* A function without a check: "hud.banner(lines?, frames?)". */
+static void plain_function(const char *name, const char *help)
+{
+    char list[160] = "";
+    size_t n = 0;
+    const char *at = strchr(name, '(') + 1, *returns = strstr(help, "returns the row");
+
+    printf("\n---%s\n", help);
+    while (*at != ')') {
+        char word[32];
+        const size_t length = strcspn(at, "?,)");
+        snprintf(word, sizeof word, "%.*s", (int)length, at);
+        const char *type = annotation_plain(word);
+        printf("---@param %s%s %s\n", word, at[length] == '?' ? "?" : "", type ? type : "any");
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", word);
+        at += length;
+        at += strspn(at, "?, ");
+    }
+    if (returns)
+        annotation_returns("row");
+    printf("function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
+}
+
+/* print and require are Lua's: the server knows them. */
+static void plain_names(void)
+{
+    const char *name, *help;
+
+    for (int i = 0; (name = api_plain(i, &help)); i++) {
+        const char *type = annotation_plain(name);
+        if (strchr(name, '(') && strcspn(name, ".") < strcspn(name, "("))
+            plain_function(name, help);
+        else if (!strpbrk(name, ".("))
+            printf("\n---%s\n---@type %s\n%s = nil\n", help, type ? type : "any", name);
+    }
+}
+
+void annotations_print(void)
+{
+    printf("---@meta curtain\n");
+    printf("-- Curtain %s: what games call, for the Lua language server. Made by curtain help lua --annotations.\n\n",
+           CURTAIN_VERSION);
+    printf("-- luacheck: ignore\n");
+    annotation_aliases();
+    argument_classes();
+    for (int k = 1; k < HANDLES; k++)
+        handle((enum handle_kind)k);
+    spaces();
+    for (int i = 0; i < api_count(); i++)
+        if (any_name(i)[0])
+            function(api_entry(i), NULL);
+    plain_names();
+}

@@ -1,0 +1,12 @@
+/*
+ * annotations.h - `curtain help lua --annotations`: the API table as definitions for LuaLS, the Lua language server, so
+ * that an editor completes names, shows their help, and finds wrong arguments.
+ * floor: cab
+ */
+#ifndef CAB_ANNOTATIONS_H
+#define CAB_ANNOTATIONS_H
+
+/* Prints the file to standard output. It is Lua that an editor reads and no game runs. */
+void annotations_print(void);
+
+#endif

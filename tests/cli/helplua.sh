@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# helplua.sh - `curtain help lua WORD` finds what has the word in its name or its text, the nearest first and each once;
+# `curtain help lua` begins with functions by task, all of which are there.
+. "$(dirname "$0")/../tap.sh"
+curtain=$OUT/curtain-null
+
+find_word() { "$curtain" help lua "$1"; }
+names() { find_word "$1" | grep -oE '^[a-z_]+([.:][a-z_]+)?([({]|  )' | tr -d '({ '; } # entries, in their order
+place() { names "$1" | grep -nxF "$2" | cut -d : -f 1; } # WORD NAME: its line
+before() { # WORD NAME OTHER: the first stands before the other one
+    local a b
+    a=$(place "$1" "$2") b=$(place "$1" "$3")
+    [ -n "$a" ] && [ -n "$b" ] && [ "$a" -lt "$b" ] || { echo "$2: ${a:-not there}, $3: ${b:-not there}"; return 1; }
+}
+lacks() { # WORD NAME
+    [ -n "$(names "$1")" ] && [ -z "$(place "$1" "$2")" ] || { names "$1"; return 1; }
+}
+says() { find_word "$1" | grep -qF -- "$2" || { find_word "$1"; return 1; }; }
+
+check "a method is found, with its line" says turn 'bullet:turn(by)                                it turns by so many'
+check "a name that is the word stands before texts" before turn lasers:turn angle.difference
+check "and before a name that has it" before aim lasers:aim pattern.aimed
+check "a name that has it stands before texts" before aim pattern.aimed bullet.fire
+check "texts have words, not letters" lacks turn board.dip
+check "arguments count as text" before radius query.near item.def
+check "capitals are no matter" before AIM pattern.aimed bullet.fire
+check "a step is found" says turn 'in each step of motion.def:'
+check "a property is found by its text" says clockwise 'property spin of a laser: degrees that it turns'
+check "a function of hud is found by its text" says banner 'hud.banner(lines?, frames?)'
+check "a value is found by its text" says alarm 'hud.banks'
+once() { # WORD: each entry stands there once
+    [ "$(names "$1" | wc -l)" -gt 10 ] && [ -z "$(names "$1" | sort | uniq -d)" ]
+}
+check "each entry once" once place
+same "a table lists what it has, and nothing by its text" "" "$(names rng | grep -v '^rng\.')"
+same "an entry's own name shows it alone" "wait(n)" "$(find_word wait | head -1)"
+refuse "what is nowhere" 'there is no "xyzzy"' find_word xyzzy
+refuse "no word at all" 'there is no ""' find_word ""
+
+tasks() { "$curtain" help lua | sed -n '1,/^$/s/^    .\{24\} //p'; }
+real() { # every name by task is one that is explained
+    local name n=0
+    for name; do
+        n=$((n + 1))
+        find_word "$name" | head -1 | grep -qE "^$name([({ ]|\$)" || { echo "$name is none"; return 1; }
+    done
+    [ $n -gt 40 ] || { echo "only $n names"; return 1; }
+}
+# shellcheck disable=SC2046
+check "the names by task are all there" real $(tasks)
+# shellcheck disable=SC2046
+refuse "planted: one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
+whole() { # what follows is the list of all, from its first entry on
+    [ "$("$curtain" help lua | sed '1,/^  All there is:/d' | grep -c '^[^ ]')" = "$(grep -c '^### ' docs/api.md)" ]
+}
+check "behind them stands the list of all" whole
+finish
