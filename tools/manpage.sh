@@ -181,6 +181,15 @@ Pictures of four moments of a stage on one sheet, without a window:
 curtain render mygame \-\-stage one \-\-frames 60:240:60 \-\-sheet one.png
 .RE
 .fi
+.PP
+A film of a recording, and one of ten seconds of a stage:
+.PP
+.nf
+.RS
+curtain capture mygame \-\-demo my.demo \-o my.mp4
+curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;

@@ -11,37 +11,37 @@ static enum result outcome(struct unseen *r)
 {
     const struct board_out *out = board_last(r->guard.board);
 
-    if (r->again)
+    if (r->outcomes++ < r->told)
         return out->fault ? RESULT_REFUSED : RESULT_DONE;
     report_log(out, "");
     return out->fault ? report_fault(out->fault, r->a->verbose) : RESULT_DONE;
 }
 
-static enum result open_run(struct unseen *r, const struct args *a, bool again)
+static enum result open_run(struct unseen *r, const struct args *a, uint32_t told)
 {
     const char *path = a->n_words > 0 ? a->words[0] : NULL;
     char err[1024];
 
     memset(r, 0, sizeof *r);
     r->a = a;
-    r->again = again;
+    r->told = told;
     if (!game_open(&r->game, path, a, err, sizeof err))
         return report_error(err);
     if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s: %s", path ? path : "the built-in game", err);
-    if (a->record && !again && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
+    if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
         return report_line(RESULT_HOST, "%s", r->writer.err);
     return outcome(r);
 }
 
 enum result unseen_open(struct unseen *r, const struct args *a)
 {
-    return open_run(r, a, false);
+    return open_run(r, a, 0);
 }
 
 enum result unseen_again(struct unseen *r, const struct args *a)
 {
-    return open_run(r, a, true);
+    return open_run(r, a, r->outcomes);
 }
 
 enum result unseen_tick(struct unseen *r)

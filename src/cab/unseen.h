@@ -16,13 +16,13 @@ struct unseen {
     struct guard guard;
     struct demo_writer writer; /* of --record */
     const struct args *a;
-    bool again; /* what it says was said already */
+    uint32_t outcomes, told; /* of power-on and ticks: so far; of these, what was said by the run before */
 };
 
 /* Powers the game of the arguments. Close it either way. */
 enum result unseen_open(struct unseen *r, const struct args *a);
 
-/* The same run once more: it says nothing, and is not recorded. */
+/* The same run once more, after unseen_close: what the first one said, it does not say again. */
 enum result unseen_again(struct unseen *r, const struct args *a);
 
 /* One frame; what is not RESULT_DONE ends the run. */
