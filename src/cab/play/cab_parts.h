@@ -1,7 +1,7 @@
 /*
  * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
  * time, reload), cab_practice.c (the practice menu), cab_show.c (the picture and what is over it), cab_window.c (the
- * window), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
+ * window), cab_film.c (a GIF), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
  * players press).
  * floor: cab
  */
@@ -175,6 +175,7 @@ struct cab {
     struct folder folder;
     uint32_t differs; /* the value of session.differs that was last reported */
     int since_check;  /* frames since the folder was last looked at */
+    bool film_due;    /* the last seconds are filmed in the next frame, once the picture says so */
     bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
     char notice[FILES_PATH + 256];
     int notice_left;     /* frames; -1: until a reload works */
@@ -382,6 +383,12 @@ bool cab_timebar_shown(void);
 /* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
  * number, and says where. */
 void cab_screenshot(struct picture *p);
+
+/* ---- cab_film.c ---- */
+
+/* The last seconds of the play are wanted as a GIF in the user's pictures; and, before the next frame, made one. */
+void cab_film_ask(void);
+void cab_film(void);
 
 /* ---- cab_window.c ---- */
 
