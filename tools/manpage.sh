@@ -153,7 +153,9 @@ take as a demo.
 Twenty are kept.
 .TP
 .I $XDG_PICTURES_DIR/Curtain/GAME-N.png
-Pictures taken with F12.
+Pictures taken with F12; and
+.IR .gif ,
+films of the last seconds, with F6.
 Without
 .BR XDG_PICTURES_DIR ,
 the folder is what

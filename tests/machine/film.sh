@@ -54,8 +54,8 @@ rm -rf "$pictures"
 {
     keys 90 $Z; keys 20 $BACKSPACE; keys 30; keys 1 $COMMA; keys 40; keys 1 $F6; keys 20; keys 1 $P; keys 3; keys 1 $F6
     keys 3; keys 1 $P; keys 20
-} >way
-plays way 'run_ahead = 1\n' <way
+} >there
+plays way 'run_ahead = 1\n' <there
 check 'a run that went back holds' "$curtain" verify g way.demo
 frames_of() { # FILM: its last frame, for which the film is the recording's
     local last
