@@ -1,6 +1,6 @@
 /*
- * process.h - another program that is fed through a pipe, and a terminal that somebody looks at. Hosts that have neither
- * say so.
+ * process.h - another program that is fed through a pipe, and a terminal that somebody looks at. Hosts that have
+ * neither say so.
  * floor: cab
  */
 #ifndef CAB_PROCESS_H

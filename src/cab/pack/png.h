@@ -22,8 +22,8 @@ bool png_write(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 /* The same of full colours: 3 bytes R G B a pixel, rows on end. */
 bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size);
 
-/* For files that are made of chunks elsewhere. A big-endian number of 4 bytes. A chunk of n bytes of data at p, which has
- * room for 12 more; returns its end. Compressed pixels, each row after its filter byte: *out (free it); false: no
+/* For files that are made of chunks elsewhere. A big-endian number of 4 bytes. A chunk of n bytes of data at p, which
+ * has room for 12 more; returns its end. Compressed pixels, each row after its filter byte: *out (free it); false: no
  * memory. */
 void png_be32(uint8_t *p, uint32_t v);
 uint8_t *png_chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t n);

@@ -1,7 +1,7 @@
 /*
  * cab_parts.h - what the files of the cabinet share: cab.c (frame, power), cab_run.c (ticks, attract demos, moving in
  * time, reload), cab_practice.c (the practice menu), cab_show.c (the picture and what is over it), cab_window.c (the
- * window), cab_film.c (a GIF), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
+ * window), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and how
  * players press).
  * floor: cab
  */
@@ -384,11 +384,10 @@ bool cab_timebar_shown(void);
  * number, and says where. */
 void cab_screenshot(struct picture *p);
 
-/* ---- cab_film.c ---- */
-
-/* The last seconds of the play are wanted as a GIF in the user's pictures; and, before the next frame, made one. */
+/* The last seconds of the play are wanted as a GIF in the user's pictures; and, before the next frame, made one, in one
+ * go: nothing of the run is another for it. */
 void cab_film_ask(void);
-void cab_film(void);
+void cab_film(struct picture *p);
 
 /* ---- cab_window.c ---- */
 
