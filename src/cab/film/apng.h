@@ -3,9 +3,9 @@
  * floor: cab
  *
  * Time is counted in sixtieths of a second, which an APNG can say exactly. Every pixel has its exact colour: as an
- * index while all pictures together have 256 colours at most, else in full. Only the rectangle that changed is written, and a
- * picture like the one before makes that one last longer. The animation repeats for ever; a reader that knows no APNG
- * shows its first picture.
+ * index while all pictures together have 256 colours at most, else in full. Only the rectangle that changed is written,
+ * and a picture like the one before makes that one last longer. The animation repeats for ever; a reader that knows no
+ * APNG shows its first picture.
  */
 #ifndef CAB_APNG_H
 #define CAB_APNG_H
