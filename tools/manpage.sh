@@ -188,7 +188,7 @@ A film of a recording, and one of ten seconds of a stage:
 .PP
 .nf
 .RS
-curtain capture mygame \-\-demo my.demo \-o my.mp4
+curtain capture mygame \-\-demo my.demo \-o my.gif
 curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
 .RE
 .fi
