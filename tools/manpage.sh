@@ -153,7 +153,9 @@ take as a demo.
 Twenty are kept.
 .TP
 .I $XDG_PICTURES_DIR/Curtain/GAME-N.png
-Pictures taken with F12.
+Pictures taken with F12; and
+.IR .gif ,
+films of the last seconds, with F6.
 Without
 .BR XDG_PICTURES_DIR ,
 the folder is what
@@ -187,6 +189,15 @@ An editor that knows the API, with the Lua language server, in a game's folder:
 .nf
 .RS
 curtain help lua \-\-annotations >.curtain.lua
+.RE
+.fi
+.PP
+A film of a recording, and one of ten seconds of a stage:
+.PP
+.nf
+.RS
+curtain capture mygame \-\-demo my.demo \-o my.gif
+curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
 .RE
 .fi
 .SH SEE ALSO

@@ -17,12 +17,14 @@
 enum {
     FOR_PLAY = 1 << COMMAND_PLAY,
     FOR_RENDER = 1 << COMMAND_RENDER,
+    FOR_CAPTURE = 1 << COMMAND_CAPTURE,
+    FOR_VIEW = FOR_RENDER | FOR_CAPTURE,
     FOR_HASH = 1 << COMMAND_HASH,
     FOR_VERIFY = 1 << COMMAND_VERIFY,
     FOR_PACK = 1 << COMMAND_PACK,
     FOR_LIST = 1 << COMMAND_LIST,
     FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
-    FOR_HEADLESS = FOR_RENDER | FOR_HASH,
+    FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_SOUND = 1 << COMMAND_SOUND,
@@ -39,6 +41,9 @@ static const struct {
     [COMMAND_RENDER] = { "render", "[ROM]", 0, 1,
                          "run without a window and write frames as DIR/000600.png; frame 0 is the board just powered "
                          "on" },
+    [COMMAND_CAPTURE] = { "capture", "[ROM]", 0, 1,
+                          "run without a window and write a film of it: GIF, animated PNG, y4m, WAV, or MP4 and WebM "
+                          "through ffmpeg" },
     [COMMAND_HASH] = { "hash", "[ROM]", 0, 1, "run without a window and print the state hash of every frame: N HASH" },
     [COMMAND_VERIFY] = { "verify", "ROM DEMO...", 2, 1 << 20,
                          "replay demos and compare hashes; names the first frame and the parts that differ. For DEMO, "
@@ -71,6 +76,8 @@ enum option {
     OPTION_DIFFICULTY,
     OPTION_LANG,
     OPTION_SCALE,
+    OPTION_SPEED,
+    OPTION_FORMAT,
     OPTION_FULLSCREEN,
     OPTION_MUTE,
     OPTION_PRESS,
@@ -119,31 +126,36 @@ static const struct {
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN, "start at this difficulty" },
     [OPTION_LANG] = { "--lang", "NAME", FOR_RUN, "start in this language of the game, lang/NAME.txt" },
-    [OPTION_SCALE] = { "--scale", "N", FOR_PLAY, "window pixels a picture pixel, 1 to 16" },
+    [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE,
+                       "pixels of the window, or of the film, a picture pixel, 1 to 16" },
+    [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, "a film of 1 to 16 times the speed; or slower: 1/2 to 1/16" },
+    [OPTION_FORMAT] = { "--format", "WORD", FOR_CAPTURE,
+                        "gif, apng, y4m, wav, mp4 or webm; without it the end of -o's name says it" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS,
                        "buttons that player 1 holds: fire, or fire,focus, or bomb@200, left@60:90, fire@0:600:8 for "
                        "frames of the run; player 2: 2.fire" },
     [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
-                        "render: 600, or 1,60,600, or 0:600:60 (both ends included); hash: run N frames; with --trace, "
-                        "these frames" },
+                        "render: 600, or 1,60,600, or 0:600:60 (both ends included); capture: 60:600 or 60-600; hash: "
+                        "run N frames; with --trace, these frames" },
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, "print every Nth frame only" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, "print the hash of each part as well" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
                        "print all that these parts hold, a line a slot: bullets,player or all; may be given several "
                        "times" },
-    [OPTION_DIM] = { "--dim", "WORD", FOR_RENDER, "backgrounds darker: none, quarter, half, most (by three quarters)" },
-    [OPTION_FLASHES] = { "--flashes", "WORD", FOR_RENDER, "full, soft: flashes of the screen at a quarter" },
-    [OPTION_COLOURS] = { "--colours", "WORD", FOR_RENDER,
+    [OPTION_DIM] = { "--dim", "WORD", FOR_VIEW, "backgrounds darker: none, quarter, half, most (by three quarters)" },
+    [OPTION_FLASHES] = { "--flashes", "WORD", FOR_VIEW, "full, soft: flashes of the screen at a quarter" },
+    [OPTION_COLOURS] = { "--colours", "WORD", FOR_VIEW,
                          "for eyes that tell fewer apart: normal, protan, deutan, tritan" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_RENDER | FOR_PACK | FOR_SOUND,
-                     "where to write: render: folder (else the current one); pack: ROM file; sound: WAV file" },
+    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SOUND,
+                     "where to write: render: folder (else the current one); capture: the film, - is standard output; "
+                     "pack: ROM file; sound: WAV file" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
                            "begin at the title without asking; a run that was left is kept until another begins" },
@@ -276,6 +288,8 @@ static bool read_span(struct span *s, const char *p, const char *end)
 
     for (bool more = true; more; n++) {
         const char *stop = memchr(p, ':', (size_t)(end - p));
+        if (!stop && n == 0) /* as FIRST-LAST */
+            stop = memchr(p, '-', (size_t)(end - p));
         more = stop != NULL;
         if (n == 3 || !number(p, more ? stop : end, ARGS_MAX_FRAME, &v[n]))
             return false;
@@ -424,6 +438,21 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
     return true;
 }
 
+/* N or 1/N. */
+static bool set_speed(struct args *a, const char *value, char *err, size_t err_size)
+{
+    const bool slower = strncmp(value, "1/", 2) == 0;
+    const char *text = value + (slower ? 2 : 0);
+    uint64_t v;
+
+    if (!number(text, text + strlen(text), ARGS_MAX_SPEED, &v) || v == 0)
+        return err_set(err, err_size, "--speed: expected a whole number from 1 to %d, or 1/2 to 1/%d, got \"%s\"",
+                       ARGS_MAX_SPEED, ARGS_MAX_SPEED, value);
+    a->faster = slower ? 1 : (int)v;
+    a->slower = slower ? (int)v : 1;
+    return true;
+}
+
 static bool set_string(const char **to, enum option o, const char *value, char *err, size_t err_size)
 {
     if (!value[0])
@@ -466,6 +495,10 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_string(&a->sheet, o, value, err, err_size);
     case OPTION_WAV:
         return set_string(&a->wav, o, value, err, err_size);
+    case OPTION_FORMAT:
+        return set_string(&a->format, o, value, err, err_size);
+    case OPTION_SPEED:
+        return set_speed(a, value, err, err_size);
     case OPTION_OUT:
         return set_string(&a->out, o, value, err, err_size);
     case OPTION_DIP:

@@ -15,6 +15,7 @@
 enum command {
     COMMAND_PLAY,
     COMMAND_RENDER,
+    COMMAND_CAPTURE,
     COMMAND_HASH,
     COMMAND_VERIFY,
     COMMAND_PACK,
@@ -36,7 +37,8 @@ enum {
     ARGS_MAX_PRESSES = 64,
     ARGS_MAX_WORD = 900, /* bytes of an argument */
     ARGS_MAX_FRAME = 1 << 23,
-    ARGS_MAX_SCALE = 16
+    ARGS_MAX_SCALE = 16,
+    ARGS_MAX_SPEED = 16
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -55,8 +57,8 @@ struct args {
     enum command command;
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
-    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav; /* NULL: not given */
-    const char *dips[ARGS_MAX_DIPS];                                           /* "NAME=VALUE" */
+    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format; /* NULL: not given */
+    const char *dips[ARGS_MAX_DIPS];                                                    /* "NAME=VALUE" */
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
     int n_registers;
@@ -67,6 +69,7 @@ struct args {
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     bool json, resume, no_resume, replays, annotations, luacheck;
     int scale;                 /* 0: not given */
+    int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     uint32_t every;            /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];
@@ -79,7 +82,7 @@ struct args {
  * command to find out. A first word that is no command is left for COMMAND_PLAY. */
 bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size);
 
-/* Reads "600", "1,60,600", "0:600:60" (both ends included) or several of these joined by commas. */
+/* Reads "600", "1,60,600", "0:600:60", "0-600" (both ends included) or several of these joined by commas. */
 bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
 
 /* The buttons (PAD_) that --press holds in the tick after that frame. */

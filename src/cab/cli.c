@@ -13,6 +13,7 @@
 #include "../board/api_table.h"
 #include "../base/host.h"
 #include "args.h"
+#include "capture.h"
 #include "play/cab.h"
 #include "check/check.h"
 #include "host/config.h"
@@ -299,6 +300,8 @@ static enum result run(int argc, char **argv)
     switch (a.command) {
     case COMMAND_RENDER:
         return headless_render(&a);
+    case COMMAND_CAPTURE:
+        return capture_run(&a);
     case COMMAND_HASH:
         return headless_hash(&a);
     case COMMAND_VERIFY:

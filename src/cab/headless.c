@@ -1,6 +1,5 @@
 /*
- * headless.c - see headless.h. A run is power, then ticks with the demo's pads; the two commands differ in what they do
- * between ticks.
+ * headless.c - see headless.h. The commands differ in what they do between the ticks of a run (unseen.h).
  */
 #include "headless.h"
 
@@ -8,73 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include "host/files.h"
-#include "game.h"
 #include "host/report.h"
 #include "speaker/tape.h"
-#include "run/guard.h"
 #include "pack/png.h"
 #include "pack/shade.h"
 #include "demo/trace.h"
+#include "unseen.h"
 
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
-
-struct run {
-    struct game game;
-    struct guard guard;
-    struct demo_writer writer;
-    const struct args *a;
-};
-
-/* ---- a run ---- */
-
-/* The result of a power-on or tick. */
-static enum result outcome(struct run *r)
-{
-    const struct board_out *out = board_last(r->guard.board);
-
-    report_log(out, "");
-    return out->fault ? report_fault(out->fault, r->a->verbose) : RESULT_DONE;
-}
-
-static enum result run_open(struct run *r, const struct args *a)
-{
-    const char *path = a->n_words > 0 ? a->words[0] : NULL;
-    char err[1024];
-
-    memset(r, 0, sizeof *r);
-    r->a = a;
-    if (!game_open(&r->game, path, a, err, sizeof err))
-        return report_error(err);
-    if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
-        return report_line(RESULT_REFUSED, "%s: %s", path ? path : "the built-in game", err);
-    if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
-        return report_line(RESULT_HOST, "%s", r->writer.err);
-    return outcome(r);
-}
-
-static enum result run_tick(struct run *r)
-{
-    uint16_t pads[PADS];
-
-    args_pressed(r->a, board_frame(r->guard.board), pads);
-    if (r->game.has_demo)
-        demo_pads(&r->game.demo, board_frame(r->guard.board), pads);
-    guard_tick(&r->guard, pads);
-    if (!demo_frame(&r->writer, r->guard.board, pads))
-        return report_line(RESULT_HOST, "%s", r->writer.err);
-    return outcome(r);
-}
-
-/* Ends the run; result is what it came to so far. */
-static enum result run_close(struct run *r, enum result result)
-{
-    if (r->guard.board && !demo_end(&r->writer, r->guard.board) && result == RESULT_DONE)
-        result = report_line(RESULT_HOST, "%s", r->writer.err);
-    demo_free(&r->writer.demo);
-    guard_close(&r->guard);
-    game_close(&r->game);
-    return result;
-}
 
 /* ---- render ---- */
 
@@ -148,7 +88,7 @@ static void studio_close(struct studio *s)
     tape_close(&s->tape);
 }
 
-static enum result studio_open(struct studio *s, const struct run *r)
+static enum result studio_open(struct studio *s, const struct unseen *r)
 {
     int w, h;
 
@@ -182,7 +122,7 @@ static enum result save(const char *path, uint8_t *data, size_t size)
     return ok ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
-static enum result picture(struct studio *s, const struct run *r, uint32_t frame)
+static enum result picture(struct studio *s, const struct unseen *r, uint32_t frame)
 {
     char path[DEMO_PATH];
     const char *dir = r->a->out ? r->a->out : ".";
@@ -200,7 +140,7 @@ static enum result picture(struct studio *s, const struct run *r, uint32_t frame
     return save(path, png, size);
 }
 
-static enum result render_frames(struct studio *s, struct run *r)
+static enum result render_frames(struct studio *s, struct unseen *r)
 {
     uint32_t last = args_last_frame(r->a);
     enum result result = RESULT_DONE;
@@ -210,7 +150,7 @@ static enum result render_frames(struct studio *s, struct run *r)
             result = picture(s, r, f);
         if (f == last || result != RESULT_DONE)
             break;
-        result = run_tick(r);
+        result = unseen_tick(r);
         if (r->a->wav)
             tape_add(&s->tape, r->guard.board);
     }
@@ -235,7 +175,7 @@ static enum result sheet_save(struct studio *s, const char *path)
 
 enum result headless_render(const struct args *a)
 {
-    struct run *r = malloc(sizeof *r);
+    struct unseen *r = malloc(sizeof *r);
     struct studio s = { 0 };
 
     if (!r)
@@ -244,7 +184,7 @@ enum result headless_render(const struct args *a)
         free(r);
         return report_line(RESULT_REFUSED, "render needs --frames (curtain help render)");
     }
-    enum result result = run_open(r, a);
+    enum result result = unseen_open(r, a);
     if (result == RESULT_DONE)
         result = studio_open(&s, r);
     if (result == RESULT_DONE)
@@ -258,7 +198,7 @@ enum result headless_render(const struct args *a)
         result = result == RESULT_DONE ? saved : result;
     }
     studio_close(&s);
-    result = run_close(r, result);
+    result = unseen_close(r, result);
     free(r);
     return result;
 }
@@ -323,7 +263,7 @@ static enum result read_traces(const struct args *a, const struct board *b, uint
     return RESULT_DONE;
 }
 
-static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
+static void print_frame(struct hashing *h, const struct unseen *r, uint32_t f)
 {
     if (f % r->a->every != 0)
         return;
@@ -333,7 +273,7 @@ static void print_frame(struct hashing *h, const struct run *r, uint32_t f)
         trace_frame(stdout, r->guard.board, h->trace);
 }
 
-static enum result hash_frames(struct run *r, uint32_t frames)
+static enum result hash_frames(struct unseen *r, uint32_t frames)
 {
     struct hashing h = { .hash_cache = calloc(1, board_hash_cache_size(r->guard.board)) };
     enum result result =
@@ -343,7 +283,7 @@ static enum result hash_frames(struct run *r, uint32_t frames)
         print_frame(&h, r, f);
         if (f == frames || ferror(stdout))
             break;
-        result = run_tick(r);
+        result = unseen_tick(r);
     }
     free(h.hash_cache);
     return result;
@@ -351,18 +291,18 @@ static enum result hash_frames(struct run *r, uint32_t frames)
 
 enum result headless_hash(const struct args *a)
 {
-    struct run *r;
+    struct unseen *r;
     bool one = a->n_spans == 1 && a->spans[0].first == a->spans[0].last;
 
     if (a->n_spans && !one && !a->n_traces)
         return report_line(RESULT_REFUSED, "--frames: hash takes one number, how many frames to run");
     if ((r = malloc(sizeof *r)) == NULL)
         return report_line(RESULT_HOST, "out of memory");
-    enum result result = run_open(r, a);
+    enum result result = unseen_open(r, a);
     uint32_t frames = a->n_spans ? args_last_frame(a) : r->game.has_demo ? r->game.demo.frames : HASH_FRAMES;
     if (result == RESULT_DONE)
         result = hash_frames(r, frames);
-    result = report_stdout(run_close(r, result));
+    result = report_stdout(unseen_close(r, result));
     free(r);
     return result;
 }

@@ -27,7 +27,7 @@ explains() { # PAGE: what stands behind an option, a key, a setting, an exit cod
     local words text
     text=$(shown "$1")
     for words in '--seed N seed of the random streams, 0 to 2^64 - 1' \
-        'with --stage: nothing hits the player [play, render, hash]' \
+        'with --stage: nothing hits the player [play, render, capture, hash]' \
         'p1.fire z pad.south fire; yes in menus' 'p2.down s kp5 kp2 pad.down pad.ldown the second player' \
         'volume 100 (0 to 100) of everything, percent' '3 the host failed'; do
         case $text in *"$words"*) ;; *) echo "there is no $words"; return 1 ;; esac
@@ -67,7 +67,7 @@ examples() ( # PAGE
         eval "$line" >"$scratch/.ran" || { echo "$line"; return 1; }
         n=$((n + 1))
     done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
-    [ $n = 4 ] && [ -s one.png ] && [ -s .curtain.lua ]
+    [ $n = 6 ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] && [ -s .curtain.lua ]
 )
 program=$(realpath "$curtain")
 check "its examples run" examples "$page"

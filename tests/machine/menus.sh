@@ -24,7 +24,7 @@ boot.run { stages = { "one" }, players = { "ship" } }
 LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua asks/rom.lua
 
-UP=82 DOWN=81 RIGHT=79 LEFT=80 ENTER=40 ESCAPE=41 F1=58 F6=63 CTRL=224 Q=20 M=16 GUIDE=4000
+UP=82 DOWN=81 RIGHT=79 LEFT=80 ENTER=40 ESCAPE=41 F1=58 F7=64 CTRL=224 Q=20 M=16 GUIDE=4000
 conf=data/curtain/curtain.conf
 press() { for key; do echo "$key"; echo; done; } # KEY...: two polls each
 times() { # N KEY: so often
@@ -151,10 +151,10 @@ rm $conf
 # ---- a key by pressing it ----
 
 { keys 50; keys 20 $UP; keys 30; } | plays g up
-{ keys 30; press $F1 $ENTER $F6; keys 1 $ESCAPE; keys 20; keys 20 $F6; keys 30; } | plays g menu
+{ keys 30; press $F1 $ENTER $F7; keys 1 $ESCAPE; keys 20; keys 20 $F7; keys 30; } | plays g menu
 check 'another key is the same button at once' cmp up.demo menu.demo
-same 'and is kept' 'p1.up = up pad.up pad.lup f6' "$(cat $conf)"
-{ keys 50; keys 20 $F6; keys 30; } | plays g menu
+same 'and is kept' 'p1.up = up pad.up pad.lup f7' "$(cat $conf)"
+{ keys 50; keys 20 $F7; keys 30; } | plays g menu
 check 'for the next time' cmp up.demo menu.demo
 rm $conf
 

@@ -80,8 +80,8 @@ static void test_commands(void **state)
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
     for (int i = 0; i < COMMANDS; i++)
-        assert_int_equal(args_command((const char *[]){ "play", "render", "hash", "verify", "pack", "list", "unpack",
-                                                        "check", "sound", "help", "version" }[i]),
+        assert_int_equal(args_command((const char *[]){ "play", "render", "capture", "hash", "verify", "pack", "list",
+                                                        "unpack", "check", "sound", "help", "version" }[i]),
                          i);
     assert_int_equal(args_command("Play"), -1);
 }
@@ -128,6 +128,13 @@ static void test_values(void **state)
     assert_true(a.dim == 0 && a.flashes == 0 && a.colours == 0);
     reads("render game --frames 1 --dim most --flashes soft --colours=deutan");
     assert_true(a.dim == 3 && a.flashes == 1 && a.colours == 2);
+    reads("capture game --frames 60-600 --scale 2 --speed 1/4 --format gif -o -");
+    assert_true(a.command == COMMAND_CAPTURE && a.scale == 2 && a.faster == 1 && a.slower == 4);
+    assert_true(a.n_spans == 1 && a.spans[0].first == 60 && a.spans[0].last == 600 && a.spans[0].step == 1);
+    assert_string_equal(a.format, "gif");
+    assert_string_equal(a.out, "-");
+    reads("capture game --speed 16 -o a.gif");
+    assert_true(a.faster == 16 && a.slower == 1);
     reads("render game --frames 1 --dim none --flashes full --colours normal");
     assert_true(a.dim == 0 && a.flashes == 0 && a.colours == 0);
 }
@@ -193,7 +200,7 @@ static void test_press(void **state)
         assert_non_null(strstr(err, "--press: expected buttons like fire"));
     }
     refuses("hash game --demo d --press fire", "--press does not go with --demo, which holds its own");
-    refuses("play game --press fire", "--press does not go with play (it goes with render, hash)");
+    refuses("play game --press fire", "--press does not go with play (it goes with render, capture, hash)");
 }
 
 static void test_bad_values(void **state)
@@ -219,6 +226,10 @@ static void test_bad_values(void **state)
     refuses("play --scale 0", "--scale: expected a whole number from 1 to 16, got \"0\"");
     refuses("play --scale 17", "--scale: expected a whole number from 1 to 16, got \"17\"");
     refuses("hash game --every 0", "--every: expected a whole number from 1 to 8388608, got \"0\"");
+    refuses("capture g --speed 1.5", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"1.5\"");
+    refuses("capture g --speed 1/", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"1/\"");
+    refuses("capture g --speed 17", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"17\"");
+    refuses("render g --speed 2", "--speed does not go with render (it goes with capture)");
     refuses("play --dip lives", "--dip: expected NAME=VALUE, got \"lives\"");
     refuses("play --dip =3", "--dip: expected NAME=VALUE, got \"=3\"");
     refuses("play --dip lives=", "--dip: expected NAME=VALUE, got \"lives=\"");
@@ -241,8 +252,8 @@ static void test_misfits(void **state)
     refuses("hash g --xyzzy", "unknown option --xyzzy (curtain help lists them)");
     refuses("play -q", "unknown option -q (curtain help lists them)");
     refuses("play g --every 3", "--every does not go with play (it goes with hash)");
-    refuses("play g --dim half", "--dim does not go with play (it goes with render)");
-    refuses("pack g --frames 3", "--frames does not go with pack (it goes with render, hash)");
+    refuses("play g --dim half", "--dim does not go with play (it goes with render, capture)");
+    refuses("pack g --frames 3", "--frames does not go with pack (it goes with render, capture, hash)");
     refuses("hash g --demo d --stage one", "--stage does not go with --demo, which holds its own");
     refuses("hash g --seed 1 --demo d", "--seed does not go with --demo, which holds its own");
     refuses("rendr g --frames 1", "unknown command \"rendr\" (did you mean render?)");

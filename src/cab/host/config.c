@@ -58,6 +58,8 @@ static const struct config_setting settings[] = {
       "the last runs of a game; what has a name is not counted", NULL, "none" },
     { "resume", "go on after leaving", "playing", AT(resume), 0, 1, 1, no_yes, 1,
       "a run you leave is kept, and you are asked next time", NULL, NULL },
+    { "capture_seconds", "seconds filmed", "playing", AT(capture_seconds), 5, 60, 10, NULL, 5,
+      "how much of the play the capture key makes a GIF of", " s", NULL },
     { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording", NULL,
       NULL },
     { "autofire", "autofire", "player 1", AT(autofire[0]), 0, 1, 0, no_yes, 1,

@@ -47,6 +47,7 @@ struct config {
     int away;                                        /* 0 or 1: stop when the window loses the keys */
     int replays;                                     /* 0 to 1000: runs of a game that are kept without a name */
     int resume;                                      /* 0 or 1: a run that is left is kept to go on with */
+    int capture_seconds;                             /* 5 to 60: of the film that a key makes */
     int dim, flashes, colours;                       /* as in views.h */
     int hitbox;                                      /* 0 or 1 */
     int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */

@@ -53,6 +53,7 @@ static const struct action {
     { "quieter", "minus", "volume, ten percent less" },
     { "louder", "equals", "and more" },
     { "screenshot", "f12", "a PNG into the folder of your pictures" },
+    { "capture", "f6", "a GIF of the last seconds, into the same folder" },
     { "full", "f11 alt+enter", "fullscreen, window" },
     { "quit", "ctrl+q", "leave at once" },
     { "menu", "escape pad.guide", "the cabinet's menu" },

@@ -45,6 +45,7 @@ enum cab_key {
     CAB_QUIETER,
     CAB_LOUDER,
     CAB_SCREENSHOT,
+    CAB_CAPTURE,
     CAB_FULLSCREEN,
     CAB_QUIT,
     CAB_MENU,

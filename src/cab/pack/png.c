@@ -111,8 +111,7 @@ static void pieces_free(void)
 
 static const uint8_t signature[8] = { 137, 'P', 'N', 'G', 13, 10, 26, 10 };
 
-/* PNG numbers are big-endian. */
-static void put_be32(uint8_t *p, uint32_t v)
+void png_be32(uint8_t *p, uint32_t v)
 {
     p[0] = (uint8_t)(v >> 24);
     p[1] = (uint8_t)(v >> 16);
@@ -127,13 +126,13 @@ static uint32_t get_be32(const uint8_t *p)
 
 /* ---- writing ---- */
 
-static uint8_t *chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t n)
+uint8_t *png_chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t n)
 {
-    put_be32(p, n);
+    png_be32(p, n);
     memcpy(p + 4, type, 4);
     if (n)
         memcpy(p + 8, data, n);
-    put_be32(p + 8 + n, hash_crc32(p + 4, n + 4));
+    png_be32(p + 8 + n, hash_crc32(p + 4, n + 4));
     return p + 12 + n;
 }
 
@@ -166,42 +165,58 @@ static uint8_t *palette_chunk(uint8_t *p, const uint32_t rgb[256])
         colours[3 * i + 1] = (uint8_t)(rgb[i] >> 8);
         colours[3 * i + 2] = (uint8_t)rgb[i];
     }
-    return chunk(p, "PLTE", colours, sizeof colours);
+    return png_chunk(p, "PLTE", colours, sizeof colours);
 }
 
 static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *packed, uint32_t n)
 {
     uint8_t head[13] = { 0 }, *p = out;
 
-    put_be32(head, (uint32_t)pic->w);
-    put_be32(head + 4, (uint32_t)pic->h);
+    png_be32(head, (uint32_t)pic->w);
+    png_be32(head + 4, (uint32_t)pic->h);
     head[8] = 8;                    /* bits */
     head[9] = pic->palette ? 3 : 2; /* palette or RGB */
     memcpy(p, signature, sizeof signature);
-    p = chunk(p + sizeof signature, "IHDR", head, sizeof head);
+    p = png_chunk(p + sizeof signature, "IHDR", head, sizeof head);
     if (pic->palette)
         p = palette_chunk(p, pic->palette);
-    p = chunk(p, "IDAT", packed, n);
-    p = chunk(p, "IEND", NULL, 0);
+    p = png_chunk(p, "IDAT", packed, n);
+    p = png_chunk(p, "IEND", NULL, 0);
     return (size_t)(p - out);
 }
 
-/* The whole file of rows of raw bytes; NULL: out of memory. */
-static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, int raw_size, size_t *size)
+bool png_deflate(uint8_t *raw, size_t n, uint8_t **out, size_t *size)
 {
-    int n = 0;
-    uint8_t *packed, *out = NULL;
+    int packed_size = 0;
+    uint8_t *packed;
 
+    *out = NULL;
+    if (n > STB_MOST)
+        return false;
     if (setjmp(compressing.full) == 0) {
-        packed = stbi_zlib_compress(raw, raw_size, &n, 8);
-        out = malloc(sizeof signature + 4 * 12 + 13 + 768 + (size_t)n);
-        if (out)
-            *size = assemble(out, pic, packed, (uint32_t)n);
-        pieces_free();
-        return out;
+        packed = stbi_zlib_compress(raw, (int)n, &packed_size, 8);
+        *size = (size_t)packed_size;
+        *out = malloc(*size);
+        if (*out)
+            memcpy(*out, packed, *size);
     }
     pieces_free();
-    return NULL;
+    return *out != NULL;
+}
+
+/* The whole file of rows of raw bytes; NULL: out of memory. */
+static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, size_t raw_size, size_t *size)
+{
+    size_t n;
+    uint8_t *packed, *out = NULL;
+
+    if (!png_deflate(raw, raw_size, &packed, &n))
+        return NULL;
+    out = malloc(sizeof signature + 4 * 12 + 13 + 768 + n);
+    if (out)
+        *size = assemble(out, pic, packed, (uint32_t)n);
+    free(packed);
+    return out;
 }
 
 static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
@@ -214,7 +229,7 @@ static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
         return false;
     uint8_t *raw = rows(pic->from, pic->pitch, stride, pic->h);
     if (raw)
-        *out = compressed_file(pic, raw, (int)(stride + 1) * pic->h, size);
+        *out = compressed_file(pic, raw, (stride + 1) * (size_t)pic->h, size);
     free(raw);
     return *out != NULL;
 }
@@ -377,13 +392,13 @@ static uint8_t *plain_file(const uint8_t *data, const struct layout *l, const ui
     for (uint32_t i = 0; i < 256; i++)
         greys[i] = i * 0x010101u;
     memcpy(p, signature, sizeof signature);
-    p = chunk(p + sizeof signature, "IHDR", data + sizeof signature + 8, 13);
+    p = png_chunk(p + sizeof signature, "IHDR", data + sizeof signature + 8, 13);
     if (l->colour == 3)
         p = palette_chunk(p, greys);
     else if (l->opacity)
-        p = chunk(p, "tRNS", l->opacity, opacities);
-    p = chunk(p, "IDAT", packed, (uint32_t)l->pixels);
-    p = chunk(p, "IEND", NULL, 0);
+        p = png_chunk(p, "tRNS", l->opacity, opacities);
+    p = png_chunk(p, "IDAT", packed, (uint32_t)l->pixels);
+    p = png_chunk(p, "IEND", NULL, 0);
     *size = (size_t)(p - file);
     return file;
 }

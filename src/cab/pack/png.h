@@ -22,6 +22,13 @@ bool png_write(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 /* The same of full colours: 3 bytes R G B a pixel, rows on end. */
 bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size);
 
+/* For files that are made of chunks elsewhere. A big-endian number of 4 bytes. A chunk of n bytes of data at p, which
+ * has room for 12 more; returns its end. Compressed pixels, each row after its filter byte: *out (free it); false: no
+ * memory. */
+void png_be32(uint8_t *p, uint32_t v);
+uint8_t *png_chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t n);
+bool png_deflate(uint8_t *raw, size_t n, uint8_t **out, size_t *size);
+
 /* Reads a PNG file of any kind into *rgba (free it), 4 bytes a pixel, rows on end. False and one sentence, without the
  * file's name, for anything damaged or too large. */
 bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size);

@@ -266,6 +266,7 @@ static bool frame(void)
     struct keys_read k;
     if (!frame_comes())
         return true;
+    cab_film(&cab.picture);
     uint64_t now = plat_usec();
     if (cab.waiting.on)
         return wait_frame(now);

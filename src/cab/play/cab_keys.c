@@ -48,6 +48,8 @@ static void host_keys(const struct keys_read *k)
         reopen();
     if (k->pressed & 1 << CAB_SCREENSHOT)
         cab_screenshot(&cab.picture);
+    if (k->pressed & 1 << CAB_CAPTURE)
+        cab_film_ask();
     sound_keys(k);
 }
 

@@ -175,6 +175,7 @@ struct cab {
     struct folder folder;
     uint32_t differs; /* the value of session.differs that was last reported */
     int since_check;  /* frames since the folder was last looked at */
+    bool film_due;    /* the last seconds are filmed in the next frame, once the picture says so */
     bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
     char notice[FILES_PATH + 256];
     int notice_left;     /* frames; -1: until a reload works */
@@ -382,6 +383,11 @@ bool cab_timebar_shown(void);
 /* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
  * number, and says where. */
 void cab_screenshot(struct picture *p);
+
+/* The last seconds of the play are wanted as a GIF in the user's pictures; and, before the next frame, made one, in one
+ * go: nothing of the run is another for it. */
+void cab_film_ask(void);
+void cab_film(struct picture *p);
 
 /* ---- cab_window.c ---- */
 

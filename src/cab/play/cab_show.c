@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
+#include "../film/last.h"
 #include "../host/files.h"
 #include "../overlay/message.h"
 #include "../overlay/page.h"
@@ -288,12 +289,22 @@ void cab_picture_show(struct picture *p)
         cab_window_show(&p->fb, p->rgb, false);
 }
 
+/* Writes a file of the user's pictures, and says where it is. */
+static void save_picture(const char *name, const uint8_t *bytes, size_t size)
+{
+    char shown[FILES_PATH], err[FILES_ERR];
+
+    const bool good = files_save(name, bytes, size, err, sizeof err);
+    cab_say(good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
+    cab_notice(CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
+}
+
 void cab_screenshot(struct picture *p)
 {
     const struct board *b = board_seen();
     const struct fb *fb = b ? &p->composed : &p->fb;
     const uint32_t *rgb = b ? p->composed_rgb : p->rgb;
-    char name[CAB_NAME], shown[FILES_PATH], err[FILES_ERR];
+    char name[CAB_NAME];
     uint8_t *png;
     size_t size;
 
@@ -304,8 +315,42 @@ void cab_screenshot(struct picture *p)
         plat_log("curtain: no memory for a screenshot");
         return;
     }
-    bool good = files_save(name, png, size, err, sizeof err);
-    cab_say(good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
-    cab_notice(CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
+    save_picture(name, png, size);
     free(png);
+}
+
+static bool can_film(void)
+{
+    return !cab.attracting && !cab_fault() && cab.session.state == SESSION_PLAYING;
+}
+
+void cab_film_ask(void)
+{
+    cab.film_due = can_film();
+    if (cab.film_due)
+        cab_notice(CAB_NOTICE_FRAMES, "filming the last %d seconds", cab.config.capture_seconds);
+    else
+        cab_notice(CAB_NOTICE_FRAMES, "nothing is played that could be filmed");
+}
+
+void cab_film(struct picture *p)
+{
+    char name[CAB_NAME];
+    struct gif gif;
+
+    if (!cab.film_due || cab.waiting.on || !cab.session.now)
+        return;
+    cab.film_due = false;
+    if (!can_film())
+        return;
+    const uint32_t now = board_frame(cab_live()), before = (uint32_t)cab.config.capture_seconds * 60 - 1;
+    if (last_film(&gif, &cab.session.now->guard, now > before ? now - before : 0, &p->composed, p->composed_rgb,
+                  p->scratch)) {
+        cab_free_name(name, "pictures:", "gif");
+        save_picture(name, gif.out.bytes, gif.out.n);
+    } else {
+        cab_say("curtain: the last seconds could not be filmed: too little memory, or a frame took too long");
+        cab_notice(CAB_NOTICE_FRAMES, "the last seconds could not be filmed");
+    }
+    gif_close(&gif);
 }

@@ -250,6 +250,11 @@ static uint32_t fill_apart(const struct rewind *r, uint32_t n, size_t size)
     return n / apart <= most ? apart : n / (uint32_t)most + 1;
 }
 
+const uint16_t *rewind_pads(const struct rewind *r, uint32_t frame)
+{
+    return pads_of(r, frame);
+}
+
 bool rewind_to(struct rewind *r, struct board *b, uint32_t frame, bool count)
 {
     if (r->n == 0 || frame < rewind_first(r) || frame > r->end)

@@ -73,10 +73,16 @@ static void wave_header(uint8_t out[WAVE_HEADER], uint32_t frames)
     bytes_put32(out + 40, 4 * frames);
 }
 
+bool tape_end(struct tape *t)
+{
+    if (!t->failed)
+        wave_header(t->bytes, t->frames);
+    return !t->failed;
+}
+
 bool tape_save(struct tape *t, const char *path, char *err, size_t err_size)
 {
-    if (t->failed)
+    if (!tape_end(t))
         return err_set(err, err_size, "%s: out of memory", path);
-    wave_header(t->bytes, t->frames);
     return files_save(path, t->bytes, t->n, err, err_size);
 }

@@ -26,7 +26,10 @@ void tape_close(struct tape *t);
 /* Adds the sound of the frame that the board has just ticked. */
 void tape_add(struct tape *t, const struct board *b);
 
-/* Writes the file. False and one sentence. */
+/* Makes the file whole: its n bytes. False: out of memory. */
+bool tape_end(struct tape *t);
+
+/* The same, and writes it. False and one sentence. */
 bool tape_save(struct tape *t, const char *path, char *err, size_t err_size);
 
 #endif

@@ -1,0 +1,18 @@
+/*
+ * capture.h - a run as a film: `curtain capture`.
+ * floor: cab
+ *
+ * A film has time of its own: its picture k is shown k / R seconds after its beginning, R being 50 for GIF and 60 for
+ * all others, and is the last frame that began by then. So the frames of a GIF lie at most a sixtieth from their time,
+ * however long it is, and those of the others not at all.
+ */
+#ifndef CAB_CAPTURE_H
+#define CAB_CAPTURE_H
+
+#include "args.h"
+#include "host/result.h"
+
+/* What is not done has been told on plat_log. */
+enum result capture_run(const struct args *a);
+
+#endif

@@ -1,0 +1,68 @@
+/*
+ * unseen.c - see unseen.h.
+ */
+#include "unseen.h"
+
+#include <string.h>
+#include "host/report.h"
+
+/* The result of a power-on or tick. */
+static enum result outcome(struct unseen *r)
+{
+    const struct board_out *out = board_last(r->guard.board);
+
+    if (r->outcomes++ < r->told)
+        return out->fault ? RESULT_REFUSED : RESULT_DONE;
+    report_log(out, "");
+    return out->fault ? report_fault(out->fault, r->a->verbose) : RESULT_DONE;
+}
+
+static enum result open_run(struct unseen *r, const struct args *a, uint32_t told)
+{
+    const char *path = a->n_words > 0 ? a->words[0] : NULL;
+    char err[1024];
+
+    memset(r, 0, sizeof *r);
+    r->a = a;
+    r->told = told;
+    if (!game_open(&r->game, path, a, err, sizeof err))
+        return report_error(err);
+    if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
+        return report_line(RESULT_REFUSED, "%s: %s", path ? path : "the built-in game", err);
+    if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
+        return report_line(RESULT_HOST, "%s", r->writer.err);
+    return outcome(r);
+}
+
+enum result unseen_open(struct unseen *r, const struct args *a)
+{
+    return open_run(r, a, 0);
+}
+
+enum result unseen_again(struct unseen *r, const struct args *a)
+{
+    return open_run(r, a, r->outcomes);
+}
+
+enum result unseen_tick(struct unseen *r)
+{
+    uint16_t pads[PADS];
+
+    args_pressed(r->a, board_frame(r->guard.board), pads);
+    if (r->game.has_demo)
+        demo_pads(&r->game.demo, board_frame(r->guard.board), pads);
+    guard_tick(&r->guard, pads);
+    if (!demo_frame(&r->writer, r->guard.board, pads))
+        return report_line(RESULT_HOST, "%s", r->writer.err);
+    return outcome(r);
+}
+
+enum result unseen_close(struct unseen *r, enum result result)
+{
+    if (r->guard.board && !demo_end(&r->writer, r->guard.board) && result == RESULT_DONE)
+        result = report_line(RESULT_HOST, "%s", r->writer.err);
+    demo_free(&r->writer.demo);
+    guard_close(&r->guard);
+    game_close(&r->game);
+    return result;
+}

@@ -1,0 +1,230 @@
+#!/usr/bin/env bash
+# capture.sh - `curtain capture`: films, read by another program, are the frames that `curtain render` writes, to the
+# last pixel and at the right times; in sizes, speeds and colours of all kinds; and what cannot be filmed is told in a
+# sentence.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+
+film_same() { python3 "$repo/tests/cli/film_same.py" "$@"; }
+# filmed NAME GAME "OPTIONS" FIRST LAST SCALE SPEED: films in three formats, read and compared; $read has what was read
+filmed() {
+    local name=$1 game=$2 options=$3 first=$4 last=$5 scale=$6 speed=$7 kind
+    rm -rf frames film.*
+    # shellcheck disable=SC2086
+    "$curtain" render "$game" $options --frames "$first:$last" -o frames || { not_ok "$name: frames"; return; }
+    read=""
+    for kind in gif png y4m; do
+        # shellcheck disable=SC2086
+        check "$name: a $kind" "$curtain" capture "$game" $options --frames "$first:$last" --scale "$scale" \
+            --speed "$speed" -o film.$kind
+        check "$name: the $kind is the frames" film_same film.$kind frames "$first" "$last" "$scale" "$speed"
+        read="$read$(cat .said);"
+    done
+}
+
+game plain <<'LUA'
+bullet.def("orb", { sprite = "dot", hit = "none" })
+task.go(function()
+  while true do
+    bullet.fire { kind = "orb", x = 32, y = 32, speed = 1, dir = rng.dir() }
+    wait(7)
+  end
+end)
+LUA
+filmed "small" plain "--seed 3" 0 90 1 1
+same "pictures of a change, none but the first a whole one" "gif 76 0 75;apng 91 0 90;y4m 91 0 0;" "$read"
+filmed "from the middle, three times as large, twice as fast" plain "" 31 95 3 2
+filmed "slower" plain "" 20 40 1 1/3
+filmed "one frame" plain "" 30 30 1 1
+same "one frame is one picture" "gif 1 0 0;apng 1 0 0;y4m 1 0 0;" "$read"
+
+# The sizes of upright and wide games.
+for size in "240 320" "384 448"; do
+    read -r w h <<<"$size"
+    cp -r plain "g$w"
+    sed -i "s/w = 64, h = 64/w = $w, h = $h/" "g$w/rom.lua"
+    filmed "$w x $h" "g$w" "" 0 30 1 1
+done
+filmed "a game's stage" "$repo/examples/sandbox" "--stage try --dim half --press left" 100 130 1 1
+
+# Nothing changes: a picture that lasts. Longer than a delay can say, too.
+game still </dev/null
+filmed "nothing changes" still "" 0 59 1 1
+same "nothing is one picture" "gif 1 0 0;apng 1 0 0;y4m 60 0 0;" "$read"
+"$curtain" render still --frames 0 -o long
+python3 -c 'for i in range(1, 4201): __import__("os").link("long/000000.png", "long/%06d.png" % i)'
+for kind in gif png; do
+    "$curtain" capture still --frames 0:4200 --speed 1/16 -o long.$kind
+    check "a $kind that stands still for 18 minutes" film_same long.$kind long 0 4200 1 1/16
+    same "... has a pixel more for what a delay cannot say" "2 1" "$(cut -d ' ' -f 2,4 .said)"
+done
+
+# Colours change in the middle: a palette of its own for a picture of a GIF. So many that an APNG has them in full.
+game colours <<'LUA'
+bullet.def("orb", { sprite = "dot", hit = "none" })
+task.go(function()
+  bullet.fire { kind = "orb", x = 8, y = 8, speed = 1, dir = 45 }
+  wait(20)
+  for i = 0, 15 do palette.set(i, 0x203040 + i * 0x0b0703) end
+  wait(20)
+  for n = 1, 400 do
+    for i = 0, 15 do palette.set(i, (n * 7919 + i * 104729) % 0x1000000) end
+    wait(1)
+  end
+end)
+LUA
+filmed "other colours" colours "" 0 40 1 1
+check "pictures bring their palette" [ "$(cut -d ' ' -f 3 <<<"$read")" -gt 1 ]
+filmed "many colours" colours "" 10 420 1 1
+cp film.png many.png
+kind() { python3 -c 'print(open("'"$1"'", "rb").read()[25])'; }
+same "an APNG of many colours has them in full" 2 "$(kind many.png)"
+"$curtain" capture plain --frames 9 -o few.apng
+same "one of few has indices" 3 "$(kind few.apng)"
+cp -r colours loud
+echo 'task.go(function() while true do print("frame " .. board.frame()) wait(100) end end)' >>loud/main.lua
+"$curtain" capture loud --frames 10:420 -o loud.png 2>err
+same "what scripts print is there once, though the run was gone through twice" 5 "$(grep -c '^frame\|frame [0-9]' err)"
+
+echo 'task.go(function() wait(350) error("late") end)' >>loud/main.lua
+"$curtain" capture loud --frames 10:420 --record l.demo -o loud.png 2>err
+same "a fault of the second time is told" "2 1" "$? $(grep -c 'late' err)"
+check "... and the recording is all of the run" grep -q "holds, 351 frames" <("$curtain" verify loud l.demo)
+
+# A demo to its end, without --frames; the sound as render gives it; standard output.
+game music <<'LUA'
+music.play("tide")
+LUA
+"$curtain" hash music --frames 100 --seed 9 --record m.demo >/dev/null
+"$curtain" render music --demo m.demo --frames 0:100 -o song --wav song.wav
+"$curtain" capture music --demo m.demo -o film.gif
+check "a demo is filmed to its end" film_same film.gif song 0 100
+"$curtain" capture music --demo m.demo -o film.wav
+check "its sound is what render writes" cmp song.wav film.wav
+"$curtain" capture music --demo m.demo --frames 51:100 -o part.wav
+check "a part of it" cmp <(tail -c $((50 * 3200)) song.wav) <(tail -c +45 part.wav)
+for kind in gif apng y4m wav; do
+    "$curtain" capture music --demo m.demo --format $kind -o whole.$kind
+    "$curtain" capture music --demo m.demo --format $kind -o - >out.$kind 2>err
+    check "the same $kind on standard output" cmp whole.$kind out.$kind
+    same "... and nothing else" "" "$(cat err)"
+done
+"$curtain" capture plain -o ten.y4m
+same "without a demo it is ten seconds" 601 "$(grep -ao FRAME ten.y4m | wc -l)"
+rm ten.y4m
+
+# A run that ends in a fault is filmed up to there.
+game faulty <<'LUA'
+task.go(function() wait(30) error("enough") end)
+LUA
+"$curtain" capture faulty --frames 0:60 -o fault.gif 2>err
+same "a fault is told" "2 1" "$? $(grep -c 'main.lua:1: enough' err)"
+"$curtain" render faulty --frames 0:30 -o upto
+check "... and what was before it is there" film_same fault.gif upto 0 30
+refuse "a fault before the first frame" "enough" "$curtain" capture faulty --frames 50:60 -o none.gif
+refuse "... leaves no file" "No such file" ls none.gif
+
+# The encoder gives the same bytes whatever the compiler made of it.
+cat >twice.c <<'C'
+#include <stdio.h>
+#include "gif.h"
+int main(void)
+{
+    enum { W = 77, H = 53 };
+    static uint8_t pix[W * H];
+    uint32_t rgb[256], seed = 1;
+    struct gif g;
+    gif_open(&g, W, H);
+    for (uint32_t k = 0; k < 40; k++) {
+        for (int i = 0; i < 256 && k % 9 == 0; i++)
+            rgb[i] = (seed = seed * 1664525 + 1013904223) >> 8;
+        for (int i = 0; i < W * H; i++)
+            pix[i] = (seed = seed * 1664525 + 1013904223) >> 30 || k > 20 ? pix[i] : (uint8_t)(seed >> 20);
+        gif_add(&g, pix, rgb, 2 * k);
+    }
+    gif_end(&g, 80);
+    fwrite(g.out.bytes, 1, g.out.n, stdout);
+    gif_close(&g);
+    return 0;
+}
+C
+film=$repo/src/cab/film
+for level in -O0 -O2; do
+    ${CC:-cc} -std=c11 $level -I "$film" -o twice$level twice.c "$film"/{gif,lzw,change,reel}.c
+    ./twice$level >twice$level.gif
+done
+check "-O0 and -O2 make the same bytes" cmp twice-O0.gif twice-O2.gif
+same "which ImageMagick reads, too" "23 77x53" "$(identify -format '%W %H\n' twice-O0.gif | awk '{ n++ }
+    END { print n, $1 "x" $2 }')"
+
+# MP4 and WebM are another program's work: what it is given.
+mkdir bin
+cat >bin/ffmpeg <<'SH'
+#!/bin/sh
+cat >fed.y4m
+for word; do
+    case $word in file:*.wav) cp "${word#file:}" fed.wav ;; esac
+    last=$word
+done
+echo "$*" >fed.words
+[ ! -e broken ] || exit 1
+echo film >"${last#file:}"
+SH
+chmod +x bin/ffmpeg
+PATH=$scratch/bin:$PATH "$curtain" capture music --demo m.demo -o "it's one.mp4"
+same "an MP4 is written" film "$(cat "it's one.mp4")"
+check "ffmpeg gets the pictures" film_same fed.y4m song 0 100
+check "and the sound, from frame 0 on" cmp <(tail -c +45 song.wav) <(tail -c +$((45 + 3200)) fed.wav)
+check "in a film's formats" grep -q 'libx264.* -pix_fmt yuv420p\|-pix_fmt yuv420p .*libx264' fed.words
+same "nothing else is left" "it's one.mp4" "$(ls it*)"
+rm fed.*
+PATH=$scratch/bin:$PATH "$curtain" capture music --demo m.demo --speed 2 -o fast.webm
+check "a faster film has its pictures" film_same fed.y4m song 0 100 1 2
+refuse "... and no sound" "No such file" ls fed.wav
+touch broken
+refuse "ffmpeg fails" "x.mp4: ffmpeg could not make it" env PATH="$scratch/bin:$PATH" "$curtain" capture plain -o x.mp4
+refuse "... and leaves nothing" "No such file" ls x.mp4 x.mp4.part x.mp4.part.wav
+mkdir none && ln -s "$(command -v sh)" none/sh
+refuse "no ffmpeg" "mp4 is made by ffmpeg, which is not there" env PATH="$scratch/none" \
+    "$curtain" capture plain -o x.mp4
+
+# A sentence for each slip.
+slip() { # WHY WORDS OPTIONS...
+    local why=$1 words=$2
+    shift 2
+    refuse "$why" "curtain: $words" "$curtain" capture plain "$@"
+    same "... in one line" 1 "$(wc -l <.said)"
+}
+slip "no file" "capture needs -o"
+slip "no format" '-o: "film.avi" ends in none of .gif .apng .png' -o film.avi
+slip "standard output" "-o - needs --format" -o -
+slip "an unknown format" '--format: expected gif, apng, y4m, wav, mp4 or webm, got "avi"' --format avi -o film
+slip "a film to standard output" "-o - does not go with webm" --format webm -o -
+slip "sound enlarged" "--scale does not go with wav" --scale 2 -o a.wav
+slip "sound made faster" "--speed does not go with wav" --speed 2 -o a.wav
+slip "pieces" "--frames: a film is of one piece" --frames 1,2 -o a.gif
+slip "steps" "--frames: a film is of one piece" --frames 0:60:2 -o a.gif
+slip "a speed" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "0"' --speed 0 -o a.gif
+slip "another" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "1/17"' --speed 1/17 -o a.gif
+slip "a scale" "--scale: expected a whole number from 1 to 16" --scale 17 -o a.gif
+slip "a folder that is a file" "plain/main.lua/a.gif: cannot be written" --frames 1 -o plain/main.lua/a.gif
+slip "the same of y4m" "plain/main.lua/a.y4m: cannot be written" --frames 1 -o plain/main.lua/a.y4m
+sed 's/w = 64, h = 64/w = 384, h = 448/' plain/rom.lua >rom.lua && mv rom.lua plain/rom.lua
+slip "too large" "--scale: a film of 6144 x 7168 pixels is too large" --scale 16 --frames 0 -o a.gif
+
+# No room on the disk.
+mknod full c 1 7 2>/dev/null || ln -s /dev/full full # root would lose /dev/full to a program that replaces it
+for kind in gif apng y4m wav; do
+    slip "a full disk, $kind" "full: cannot be written (No space left on device)" --frames 0:9 --format $kind -o full
+    "$curtain" capture plain --frames 0:9 --format $kind -o - >/dev/full 2>err
+    same "full standard output, $kind" 3 $?
+done
+
+# On a terminal it says how far it is; elsewhere nothing.
+cp -r g384 slow
+echo 'task.go(function() while true do for i = 1, 100000 do local x = i * i end wait(1) end end)' >>slow/main.lua
+script -qec "$curtain capture slow --frames 0:1500 -o slow.gif" /dev/null >told 2>&1 </dev/null
+check "on a terminal it tells how far it is" grep -qE 'frame [0-9]+ of 1500, [0-9]+:[0-9]{2} left' told
+"$curtain" capture slow --frames 0:1500 -o slow.gif >told 2>&1
+same "elsewhere it does not" "" "$(cat told)"
+finish
