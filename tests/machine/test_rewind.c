@@ -24,6 +24,7 @@ static void *scarce(size_t n)
 #define rewind_to     lean_to
 #define rewind_drop   lean_drop
 #define rewind_forget lean_forget
+#define rewind_pads   lean_pads
 #include "../../src/cab/run/rewind.c"
 #undef malloc
 #undef rewind_open
@@ -34,6 +35,7 @@ static void *scarce(size_t n)
 #undef rewind_to
 #undef rewind_drop
 #undef rewind_forget
+#undef rewind_pads
 
 /* ---- a run ---- */
 

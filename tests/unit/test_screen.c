@@ -680,7 +680,7 @@ static void what_is_said_is_of_one_row(void **state)
 
     open_list(b, "  ");
     tap(b, DOWN);
-    const int second = ink(b);
+    const uint32_t second = ink(b);
     tap(b, UP);
     screens_say(&b->s, "%s", "of the first");
     tap(b, DOWN);
