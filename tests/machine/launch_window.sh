@@ -50,7 +50,7 @@ echo 'local x = = 3' >g/main.lua
 settings=$("$curtain" help config | sed -n 's/^    \(.*curtain.conf\)$/\1/p')
 mkdir -p "${settings%/*}"
 title_at() { # CROP: the page's title, in its yellow, is in that part of the window
-    window_png "$scratch/seen.png" 2>/dev/null || return 1
+    shot "png24:$scratch/seen.png" || return 1
     convert "$scratch/seen.png" -crop "$1" +repage -fill black +opaque '#ffe050' -format '%[fx:maxima>0]' info: |
         grep -qx 1
 }
