@@ -301,7 +301,7 @@ bad 'seed below 0' "$seed \"-1\"" hash g --seed -1
 bad 'seed of 65 bits' "$seed \"18446744073709551616\"" hash g --seed 18446744073709551616
 bad 'every 0' '--every: expected a whole number from 1 to 8388608, got "0"' hash g --every 0
 bad 'scale' '--scale: expected a whole number from 1 to 16, got "99"' play g --scale 99
-bad 'an option of another command' '--scale does not go with hash (it goes with play)' hash g --scale 2
+bad 'an option of another command' '--scale does not go with hash (it goes with play, capture)' hash g --scale 2
 bad 'an option twice' '--frames is given twice' hash g --frames 1 --frames 2
 bad 'a switch with a value' '--verbose takes no value, got "1"' hash g --traceback=1
 bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g \

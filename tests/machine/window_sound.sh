@@ -145,7 +145,7 @@ check "a sound is over by itself" "$OUT/curtain" sound g hit --play
 check "and was played" played 20000
 if start "curtain: tide" "$OUT/curtain" sound g tide --play; then
     check "a piece goes on" soon played 200000
-    stop
+    stop Escape
 fi
 
 # ---- none of it is seen in a demo ----
