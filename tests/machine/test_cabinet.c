@@ -439,7 +439,7 @@ static void one_run(uint64_t seed, unsigned mode, int polls)
 
 static void many(unsigned mode)
 {
-    const int n = rig_long() ? 40 : 4;
+    const int n = rig_long() ? 40 : 2;
 
     for (int i = 0; i < n; i++)
         one_run((uint64_t)i * 8 + mode, mode, 2500);
