@@ -214,6 +214,12 @@ unset KEYS_WHOLE
 check 'settings, which a game asked for' grep -qx 'scale = 1' $conf
 same 'while they are open the game stands' "$(($(wc -l <ask) - 1 + 100))" \
     "$("$curtain" verify asks menu.demo | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')"
+
+# The tick that asked is gone back over and stepped through: it asks nothing again.
+B=5 P=19 DOT=55
+{ cat ask; press $RIGHT; keys 1 $ESCAPE; keys 5; times 12 $B; times 12 $DOT; press $P; keys 100; } | plays asks stepped
+check 'stepping through what asked opens nothing' \
+    [ "$("$curtain" verify asks stepped.demo | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')" -gt "$(($(wc -l <ask) + 90))" ]
 keys 170 | watches asks back menu.demo
 same 'a playback opens nothing' "$(tail -n 1 menu)" \
     "$(part back "$(($(wc -l <ask) - 1 + 100))" "$(($(wc -l <ask) + 99))")"

@@ -191,10 +191,11 @@ if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute 
     rounds 40
     xdotool keyup z keyup Left
     stop
-    "$curtain" hash "$play_rom" --demo keys.demo --parts | tail -1 >parts
+    "$curtain" hash "$play_rom" --demo keys.demo --parts >parts
     "$curtain" hash "$play_rom" --parts --frames 1 | tail -1 >idle
-    check "keys start the game and fire" [ "$(grep -o ' shots=[0-9a-f]*' parts)" \
-        != "$(grep -o ' shots=[0-9a-f]*' idle)" ]
-    check "a player is in it" [ "$(grep -o ' player=[0-9a-f]*' parts)" != "$(grep -o ' player=[0-9a-f]*' idle)" ]
+    # The last shots may have left the field before the window was gone.
+    check "keys start the game and fire" grep -qv "$(grep -o ' shots=[0-9a-f]*' idle)" parts
+    check "a player is in it" \
+        [ "$(tail -1 parts | grep -o ' player=[0-9a-f]*')" != "$(grep -o ' player=[0-9a-f]*' idle)" ]
 fi
 finish

@@ -174,8 +174,9 @@ static void attract_tick(void)
 
 /* ---- forward ---- */
 
-/* Handles the output of the last tick. */
-static void handle_output(void)
+/* Handles the output of the last tick. fresh: the player has just made it; else it was recorded, and what it asked of
+ * the cabinet then is not done again. */
+static void handle_output(bool fresh)
 {
     const struct board_out *out = board_last(cab_live());
 
@@ -186,9 +187,9 @@ static void handle_output(void)
         cab_report_fault();
     else if (out->request == REQUEST_QUIT)
         cab.quit = true;
-    else if (out->request == REQUEST_ATTRACT && !cab.session.demo)
+    else if (out->request == REQUEST_ATTRACT && fresh)
         attract_begin(out->attract);
-    else if (out->request == REQUEST_ASK)
+    else if (out->request == REQUEST_ASK && fresh)
         cab_asked(out->ask);
 }
 
@@ -233,7 +234,7 @@ void cab_tick(void)
     cab_check_recording(session_tick(&cab.session, pads));
     report_difference();
     cab_keep_tick();
-    handle_output();
+    handle_output(!cab.session.demo);
 }
 
 void cab_step(void)
@@ -242,7 +243,7 @@ void cab_step(void)
         return;
     if (board_frame(cab_live()) < session_last(&cab.session)) {
         session_replay_tick(&cab.session);
-        handle_output();
+        handle_output(false);
     } else {
         cab_mark_assisted();
         cab_tick();
