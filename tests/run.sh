@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# run.sh - runs test programs, two at a time, and counts every single test case.
+# run.sh - runs test programs, as many at a time as there are cores, and counts every single test case.
 #
 #     OUT=build/release tests/run.sh [all|unit|torture|sanitizer]
 #
 # all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; unit: the
 # C programs below $OUT/unit; torture: only what has torture in its name, at length; sanitizer: the C programs, where
-# any finding ends the program. Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as
-# failed. One line a program; the output of a program stays in $OUT/results, and is shown when something in it failed.
+# any finding ends the program. Those with a window of their own mostly wait: two of them run beside the others. Every
+# program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
+# output of a program stays in $OUT/results, and is shown when something in it failed.
 # Exit 1: something failed. No verdict depends on the time: what hangs is told from what is slow by its own progress.
 set -u
 cd "$(dirname "$0")/.." || exit 2
@@ -103,7 +104,23 @@ if [ ${#programs[@]} = 0 ]; then
     echo "0 passed, 1 failed"
     exit 1
 fi
-printf '%s\0' "${programs[@]}" | xargs -0 -n 1 -P 2 "$0" --one
+# at_once N PROGRAM...
+at_once() {
+    local n=$1
+    shift
+    [ $# = 0 ] || printf '%s\0' "$@" | xargs -0 -n 1 -P "$n" "$0" --one
+}
+windows=() others=()
+for program in "${programs[@]}"; do
+    case $program in
+    *.sh) if grep -q '/xserver\.sh"$' "$program"; then windows+=("$program"); else others+=("$program"); fi ;;
+    *) others+=("$program") ;;
+    esac
+done
+cores=$(nproc)
+at_once 2 "${windows[@]}" &
+at_once "$((cores > 2 ? cores : 2))" "${others[@]}"
+wait
 # A program whose count is missing was lost with its runner.
 for program in "${programs[@]}"; do
     name=${program#"$OUT/"}

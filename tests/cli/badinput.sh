@@ -105,7 +105,9 @@ sed -i '/sheets =\|sprites =/d' small/rom.lua
 size=$(stat -c %s small.rom)
 cp small.rom cut.rom
 wrong=
-for ((n = size - 1; n >= 0; n--)); do
+# where SIZE: every byte of the ends, every 17th between; test_readers.c cuts at each
+where() { seq "$(($1 - 1))" -1 0 | awk -v size="$1" '$1 < 80 || $1 >= size - 40 || $1 % 17 == 0'; }
+for n in $(where "$size"); do
     truncate -s "$n" cut.rom
     line=$("$curtain" list cut.rom 2>&1)
     code=$?
@@ -113,7 +115,7 @@ for ((n = size - 1; n >= 0; n--)); do
         else want="curtain: cut.rom: $n bytes long, but its header says $size"; fi
     [ "$code $line" = "2 $want" ] || wrong+="at $n: $code $line"$'\n'
 done
-same "ROM cut short, at each of its $size bytes" '' "$wrong"
+same "ROM cut short, of its $size bytes" '' "$wrong"
 
 # ---- manifests ----
 
@@ -258,7 +260,7 @@ bad 'not a demo' 'g/rom.lua: not a demo' hash g --demo g/rom.lua
 # Cut at every byte: refused in its header, then played as far as it goes, and never said to hold.
 size=$(stat -c %s a.demo)
 wrong= refused=0 played=0
-for ((n = size - 1; n >= 0; n -= 1)); do
+for n in $(where "$size"); do
     head -c "$n" a.demo >cut.demo
     line=$("$curtain" verify g cut.demo 2>&1)
     code=$?
@@ -268,7 +270,7 @@ for ((n = size - 1; n >= 0; n -= 1)); do
     *) wrong+="at $n: $code $line"$'\n' ;;
     esac
 done
-same "demo cut short, at each of its $size bytes" '1 1 ' "$refused $played $wrong"
+same "demo cut short, of its $size bytes" '1 1 ' "$refused $played $wrong"
 head -c $((size - 90)) a.demo >cut.demo
 says 'a demo cut short plays as far as it goes' 0 \
     'curtain: cut.demo: cut short (no end mark); playing the 180 frames it has' hash g --demo cut.demo
