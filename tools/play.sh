@@ -17,6 +17,7 @@ echo "$said"
 frames=$(echo "$said" | sed -n 's/.*holds, \([0-9]*\) frames.*/\1/p')
 rm -rf $out
 mkdir -p $out
-build/curtain render $game --demo $demo --frames $((frames / 24)):"$frames":$((frames / 12)) -o $out --sheet $out/sheet.png
+build/curtain render $game --demo $demo --frames $((frames / 24)):"$frames":$((frames / 12)) -o $out \
+    --sheet $out/sheet.png
 echo "$(ls $out/0*.png | wc -l) frames and a contact sheet of them, $out/sheet.png:"
 ls $out/*.png

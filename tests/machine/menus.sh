@@ -38,7 +38,7 @@ plays() { # GAME OUT ARGUMENT...: standard input are the keys; the recording is 
 watches() { # GAME OUT DEMO
     ./player play "$1" --demo "$3" >"$2" 2>err
 }
-frames() { "$curtain" verify g "$1" | sed -n 's/.*, \([0-9]*\) frames.*/\1/p'; } # DEMO
+frames() { "$curtain" verify "${2:-g}" "$1" | sed -n 's/.*, \([0-9]*\) frames.*/\1/p'; } # DEMO [GAME]
 flags() { # DEMO: of all its records F; 4: assisted
     python3 "$repo/tests/cli/demo_read.py" "$1" | sed -n "s/^flags //p"
 }
@@ -213,13 +213,13 @@ unset KEYS_WHOLE
 { cat ask; press $RIGHT; keys 60; keys 1 $ESCAPE; keys 100; } | plays asks menu
 check 'settings, which a game asked for' grep -qx 'scale = 1' $conf
 same 'while they are open the game stands' "$(($(wc -l <ask) - 1 + 100))" \
-    "$("$curtain" verify asks menu.demo | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')"
+    "$(frames menu.demo asks)"
 
 # The tick that asked is gone back over and stepped through: it asks nothing again.
 B=5 P=19 DOT=55
 { cat ask; press $RIGHT; keys 1 $ESCAPE; keys 5; times 12 $B; times 12 $DOT; press $P; keys 100; } | plays asks stepped
 check 'stepping through what asked opens nothing' \
-    [ "$("$curtain" verify asks stepped.demo | sed -n 's/.*: holds, \([0-9]*\) frames.*/\1/p')" -gt "$(($(wc -l <ask) + 90))" ]
+    [ "$(frames stepped.demo asks)" -gt "$(($(wc -l <ask) + 90))" ]
 keys 170 | watches asks back menu.demo
 same 'a playback opens nothing' "$(tail -n 1 menu)" \
     "$(part back "$(($(wc -l <ask) - 1 + 100))" "$(($(wc -l <ask) + 99))")"
