@@ -55,6 +55,23 @@ wrong 'rom.lua' "sed -i 's/screen =/scren =/' g/rom.lua" \
     'rom.lua: scren: unknown name (did you mean "screen"?)'
 wrong 'a script that is not there' 'rm g/main.lua' 'rom.lua: entry: there is no main.lua'
 
+# Settings that cannot be read: the same of their file, and Enter does without it.
+conf=data/curtain/curtain.conf shown_conf=$scratch/data/curtain/curtain.conf
+mkdir -p data/curtain
+waits 'echo "volume = loud" >$conf' 'echo "volume = 50" >$conf'
+same 'settings: it ends well' 0 $code
+same 'settings: the sentence' \
+    "curtain: $shown_conf:1: volume: expected a number from 0 to 100, got \"loud\"" "$(cat err)"
+check 'settings: then the game runs' ran
+echo 'volume = loud' >$conf
+{ keys 30; keys 1 40; keys 100; } | ./player play g --seed 5 >out 2>err
+same 'settings: Enter plays without them' 0 $?
+check 'settings: ... the game runs' ran
+same 'settings: ... and the file is as it was' 'volume = loud' "$(cat $conf)"
+{ keys 30; keys 1 41; keys 100; } | ./player play g --seed 5 >out 2>err
+same 'settings: Escape leaves' '2 30' "$? $(wc -l <out)"
+rm $conf
+
 # A fault at power-on: with its traceback, and nothing is left of that board.
 waits "echo \"print 'here' local function f() nothing() end f()\" >g/main.lua" right --record one.demo
 same 'a fault at power-on: it ends well' 0 $code

@@ -175,10 +175,29 @@ check 'nor one that was taken back to before it began' test ! -e $left
 check 'nor one that was ended in the menu' test ! -e $left
 same 'which is a replay' '0:05 ship normal 2520 left' "$(list | head -1)"
 
+# ---- two programs at once ----
+
+# The later one has the place; the first says so, once, and lets the later one's file be.
+rm -rf data
+mkfifo hands
+./player play g --seed 5 <hands >out 2>first &
+first=$!
+exec 3>hands
+{ begin; keys 200 $Z; } >&3
+until [ "$(wc -l <out)" -ge 200 ] || ! kill -0 $first 2>/dev/null; do sleep 0.05; done
+{ begin; keys 250 $Z; } | plays second --no-resume --seed 6
+cp $left later.demo
+{ keys 200 $Z; ends; } >&3
+exec 3>&-
+wait $first
+same 'two at once: the first says it' \
+    "curtain: where you stand is not kept from here on: $scratch/$left: another program has written it" "$(cat first)"
+check '... and the file is the second one'"'"'s' cmp later.demo $left
+same '... both are replays, the first also as the second found it' 3 "$(list | wc -l)"
+
 # ---- a kill, a full disk ----
 
 rm -rf data
-mkfifo hands
 ./player play g --seed 5 <hands >out 2>err &
 killed=$!
 exec 3>hands # open, so that the keys have no end

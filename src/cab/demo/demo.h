@@ -116,14 +116,16 @@ const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf,
 
 /*
  * Recording. Every call is harmless on a zeroed or ended writer, so a caller need not ask whether it is recording.
- * False, once: the file could not be written, and w->err says so; recording goes on in memory only, and what is in the
- * file stays readable. (Out of memory is the same, but stops the recording altogether.)
+ * False, once: the file could not be written, or another program has written it since, and w->err says so; recording
+ * goes on in memory only, and what is in the file stays as it is. (Out of memory is the same, but stops the recording
+ * altogether.)
  */
 struct demo_file {
     char path[DEMO_PATH]; /* "": none, kept in memory only */
     uint32_t written;     /* frames in the file */
     uint32_t told;        /* markers in the file */
     uint32_t crc;         /* of the last record written */
+    size_t size;          /* bytes in the file; 0: nothing written yet */
 };
 struct demo_writer {
     struct demo demo; /* as recorded so far; demo.pads and demo.frames are good for going back to any frame */
@@ -151,6 +153,9 @@ bool demo_keep(struct demo_writer *w, const char *path);
 /* The same of a second file beside that one, or instead; NULL: no more, and the file stays as it is. That it cannot be
  * written, now or later, is no failure: spare_err says so, and the spare is given up. */
 void demo_spare(struct demo_writer *w, const char *path);
+
+/* No more of it, and the file goes too, unless another program has written it since. */
+void demo_spare_remove(struct demo_writer *w);
 
 /* Adds flags. */
 bool demo_flag(struct demo_writer *w, unsigned flags);

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../../platform/platform.h"
 #include "demo_parts.h"
 #include "../host/files.h"
 
@@ -25,13 +26,26 @@ static bool out_of_memory(struct demo_writer *w)
     return false;
 }
 
+/* Is the file as it was left, as far as its size tells? Two programs that play one game have one spare file. */
+static bool is_ours(const struct demo_file *f)
+{
+    return f->size == 0 || plat_size(f->path) == (long)f->size;
+}
+
 /* Hands bytes to a file (whole: as its new content). */
 static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, char *err)
 {
-    if (!f->path[0] || (whole ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR))
-        return true;
-    f->path[0] = 0;
-    return false;
+    char shown[FILES_PATH];
+    bool good = is_ours(f);
+
+    if (good)
+        good = (whole ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
+    else
+        snprintf(err, DEMO_ERR, "%s: another program has written it", files_shown(f->path, shown));
+    f->size = (whole ? 0 : f->size) + s->n;
+    if (!good)
+        f->path[0] = 0;
+    return good;
 }
 
 /* What a file gets: its bytes are put into the sink by the file's own state. */
@@ -152,7 +166,15 @@ void demo_spare(struct demo_writer *w, const char *path)
 {
     w->spare_err[0] = 0;
     snprintf(w->spare.path, sizeof w->spare.path, "%s", path && w->on ? path : "");
+    w->spare.size = 0;
     write_one(w, &w->spare, put_all, true, w->spare_err);
+}
+
+void demo_spare_remove(struct demo_writer *w)
+{
+    if (w->spare.path[0] && is_ours(&w->spare))
+        plat_remove(w->spare.path);
+    demo_spare(w, NULL);
 }
 
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,

@@ -366,6 +366,7 @@ bool cab_power(void)
 {
     const struct cab_options *o = &cab.options;
 
+    cab.result = RESULT_DONE; /* what was waited for is there */
     cab.start = o->start;
     if (!cab.start.lang[0] && !o->demo)
         cab_take_lang(&cab.start);
@@ -399,26 +400,34 @@ bool cab_power(void)
     return true;
 }
 
-enum result cab_play(const struct cab_options *options)
+void cab_begin(void)
 {
-    char err[FILES_ERR + CONFIG_LINE];
-    memset(&cab, 0, sizeof cab);
-    cab.options = *options;
-    if (!config_load(&cab.config, err, sizeof err)) {
-        cab_say("curtain: %s", err);
-        return RESULT_REFUSED;
-    }
+    const struct cab_options *o = &cab.options;
+
     cab.kept = cab.config;
-    speaker_open(&cab.speaker, cab.config.volume, options->mute || cab.config.mute, !cab.config.resample);
+    speaker_open(&cab.speaker, cab.config.volume, o->mute || cab.config.mute, !cab.config.resample);
     speaker_levels(&cab.speaker, cab.config.music, cab.config.sounds);
     cab.slow = 1 << cab.config.speed;
     take_options();
     cab_pads_open();
     pace_open(&cab.pace, plat_usec());
-    if (options->cart)
+    if (o->cart)
         cab_power();
     else
-        cab.quit = !cab_wait(options->wrong, "");
+        cab.quit = !cab_wait(o->wrong, "");
+}
+
+enum result cab_play(const struct cab_options *options)
+{
+    char err[FILES_ERR + CONFIG_LINE];
+    memset(&cab, 0, sizeof cab);
+    cab.options = *options;
+    if (config_load(&cab.config, err, sizeof err)) {
+        cab_begin();
+    } else {
+        cab_pads_open();
+        cab.quit = !cab_wait_settings(err);
+    }
     if (!cab.quit)
         plat_loop(frame);
     else

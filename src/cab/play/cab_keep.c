@@ -178,12 +178,7 @@ static void keep_run(enum card_end end)
 
 static void drop_spare(void)
 {
-    char path[CAB_NAME];
-
-    demo_spare(writer(), NULL);
-    cab_resume_path(path);
-    if (cab.keep.spare)
-        plat_remove(path);
+    demo_spare_remove(writer());
     cab.keep.spare = false;
 }
 

@@ -72,10 +72,11 @@ struct cab_window {
     bool has_side;
 };
 
-/* A folder that is waited for. */
+/* A folder, or the settings' file, that is waited for. */
 struct waiting {
     bool on;
-    bool looks; /* it has changed: it is read in the next frame, once the picture says so */
+    bool settings; /* it is their file */
+    bool looks;    /* it has changed: it is read in the next frame, once the picture says so */
     char why[FILES_ERR], more[sizeof((struct board_fault *)0)->trace];
     int top, most; /* lines scrolled, and the most */
 };
@@ -191,6 +192,9 @@ extern struct cab cab;
  * tells; or it is waited for. */
 bool cab_power(void);
 
+/* Begins with the settings there are: powers on, or waits for a folder. */
+void cab_begin(void);
+
 /* Powers on from this start: what the player had chosen and seen of the run before is forgotten. */
 void cab_powered(const struct board_start *start);
 
@@ -209,7 +213,11 @@ void cab_save_nvram(void);
 /* Shows why the game's folder cannot be played, and waits for a change of it. False: there is no window. */
 bool cab_wait(const char *why, const char *more);
 
-/* A frame of that. */
+/* Shows why the settings cannot be read, and waits for a change of their file, or for a word to do without it; then
+ * cab_begin. False: there is no window. */
+bool cab_wait_settings(const char *why);
+
+/* A frame of either. */
 void cab_wait_frame(void);
 
 /* ---- cab_report.c ---- */

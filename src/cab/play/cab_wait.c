@@ -1,6 +1,6 @@
 /*
- * cab_wait.c - a game's folder that cannot be played as it is, from the start: the window says why, in full, and the
- * game begins as soon as the folder is right.
+ * cab_wait.c - a game's folder that cannot be played as it is, from the start, or settings that cannot be read: the
+ * window says why, in full, and the game begins as soon as the folder or the file is right.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,8 @@ enum {
     PAGE_W = 400, /* px: there is no game yet that would say how large the picture is */
     PAGE_H = 300,
     LOOK_EVERY = 15, /* frames between two looks at the folder */
-    ESCAPE = 41      /* the key's usage: the page names it, whatever the settings say */
+    ENTER = 40,      /* the keys' usages: the page names them, whatever the settings say */
+    ESCAPE = 41
 };
 
 static bool open_page(void)
@@ -50,13 +51,26 @@ static void tell(const char *why, const char *more)
         plat_log(w->more);
 }
 
+static bool show(const char *why, const char *more)
+{
+    tell(why, more);
+    cab.result = RESULT_REFUSED;
+    return cab.picture.memory || open_page();
+}
+
+bool cab_wait_settings(const char *why)
+{
+    struct waiting *w = &cab.waiting;
+
+    w->on = w->settings = show(why, "");
+    return w->on;
+}
+
 bool cab_wait(const char *why, const char *more)
 {
     struct waiting *w = &cab.waiting;
 
-    tell(why, more);
-    cab.result = RESULT_REFUSED;
-    if (!cab.picture.memory && !open_page())
+    if (!show(why, more))
         return false;
     if (!w->on)
         folder_open(&cab.folder, cab.options.path);
@@ -72,11 +86,17 @@ static void draw(void)
     struct waiting *w = &cab.waiting;
     struct canvas canvas;
     struct page page = { title, w->why, w->more,
-                         w->looks ? "looking at what changed"
-                                  : "Waiting for a change in the game's folder. Escape leaves.",
+                         w->settings
+                             ? "Waiting for a change in the file. Enter plays with the standard settings and keeps "
+                               "the file as it is; Escape leaves."
+                         : w->looks ? "looking at what changed"
+                                    : "Waiting for a change in the game's folder. Escape leaves.",
                          .top = w->top };
 
-    snprintf(title, sizeof title, "%s cannot be played yet", cab.options.path);
+    if (w->settings)
+        snprintf(title, sizeof title, "The settings cannot be read");
+    else
+        snprintf(title, sizeof title, "%s cannot be played yet", cab.options.path);
     memset(p->composed_rgb, 0, sizeof p->composed_rgb);
     fb_fill(&p->composed, 0);
     canvas_open(&canvas, &p->composed, p->composed_rgb);
@@ -84,6 +104,24 @@ static void draw(void)
     page_draw(&canvas, &page);
     w->most = page.most;
     cab_window_show(&p->composed, p->composed_rgb, false);
+}
+
+/* The settings are right, or those that are standard do. */
+static void end_settings(void)
+{
+    cab.waiting.on = cab.waiting.settings = false;
+    cab_begin();
+}
+
+/* Looks at the settings' file again. */
+static void try_settings(void)
+{
+    char err[FILES_ERR + CONFIG_LINE];
+
+    if (config_load(&cab.config, err, sizeof err))
+        end_settings();
+    else if (strcmp(err, cab.waiting.why) != 0)
+        tell(err, "");
 }
 
 static void poll(void)
@@ -102,6 +140,8 @@ static void poll(void)
         cab.quit = !plat_open(&cab.want) || cab.quit;
     }
     cab_scroll(&cab.waiting.top, cab.waiting.most, k.pads[0], in.wheel);
+    if (cab.waiting.settings && !cab.quit && (plat_key(&in, ENTER) || k.pads[0] & PAD_START))
+        end_settings();
 }
 
 /* The folder has changed: the game, or another sentence. */
@@ -112,7 +152,6 @@ static void try_again(void)
 
     if (opened == CAB_OPENED) {
         cab.start = cab.options.start;
-        cab.result = RESULT_DONE;
         cab.waiting.on = !cab_power();
     } else if (opened == CAB_WRONG)
         cab.quit = !cab_wait(err, "") || cab.quit;
@@ -122,20 +161,38 @@ static void try_again(void)
     }
 }
 
-void cab_wait_frame(void)
+static void look_at_folder(void)
 {
     struct waiting *w = &cab.waiting;
 
-    poll();
-    if (w->looks && !cab.quit) {
+    if (w->looks) {
         w->looks = false;
         try_again();
-        if (!w->on)
-            return;
     } else if (++cab.since_check >= LOOK_EVERY) {
         cab.since_check = 0;
         w->looks = folder_changed(&cab.folder);
     }
-    if (!cab.quit)
+}
+
+static void look_at_settings(void)
+{
+    if (++cab.since_check < LOOK_EVERY)
+        return;
+    cab.since_check = 0;
+    try_settings();
+}
+
+void cab_wait_frame(void)
+{
+    const struct waiting *w = &cab.waiting;
+
+    poll();
+    if (w->on && !cab.quit) {
+        if (w->settings)
+            look_at_settings();
+        else
+            look_at_folder();
+    }
+    if (w->on && !cab.quit)
         draw();
 }
