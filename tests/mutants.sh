@@ -90,6 +90,7 @@ mkdir "$base"
 git ls-files -co --exclude-standard -z | while IFS= read -r -d '' f; do
     [ ! -f "$f" ] || cp -a --parents "$f" "$base"
 done
+git init -q "$base" # tests list the tree's files by git
 # What is built already need not be built again: the same objects, by the same flags.
 mkdir -p build/mutant
 cp -a build/mutant --parents "$base"
@@ -97,14 +98,19 @@ make --no-print-directory -s -j2 -C "$base" CONFIG=$CONFIG programs >"$base/said
 rm -rf build/mutant
 cp -a "$base/build/mutant" build/
 echo "without a fault:"
-for program in $( (programs && grep -E '^[a-z]' tests/mutants.list | grep -oE ' [a-z]+/[a-z_]+\.sh') | sort -u); do
+numbers=("$@")
+[ ${#numbers[@]} != 0 ] || mapfile -t numbers < <(seq "$(count)")
+named() { # the scripts that are named with these faults
+    grep -E '^[a-z]' tests/mutants.list | awk -v only="${numbers[*]}" '
+        BEGIN { n = split(only, list, " "); for (i = 1; i <= n; i++) wanted[list[i]] = 1 }
+        NR in wanted' | grep -oE ' [a-z]+/[a-z_]+\.sh'
+}
+for program in $( (programs && named) | sort -u); do
     run "$base" "$program" || { echo "$program fails without a fault:"; grep -av '^ok ' "$base/said" | head -20
         echo "$program" >>"$base/broken"; }
 done
 [ ! -f "$base/broken" ] || [ -n "${MUTANTS_ANYWAY:-}" ] || exit 1
-echo "planting $(count) faults"
-numbers=("$@")
-[ ${#numbers[@]} != 0 ] || mapfile -t numbers < <(seq "$(count)")
+echo "planting ${#numbers[@]} faults"
 printf '%s\n' "${numbers[@]}" | xargs -n 1 -P 2 --process-slot-var=SLOT "$0" --one "$base"
 killed=$(cat "$base"/result-* | grep -c '^killed')
 survived=$((${#numbers[@]} - killed))
