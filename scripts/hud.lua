@@ -95,18 +95,18 @@ local function add(rows, first, middle, last)
   end
 end
 
--- A bar of `cells` characters, in eighths where the font has them; never empty while something is left.
-function hud.bar(value, full, cells)
-  local eighths = math.min(value, full) * cells * 8 // full
+-- A bar of `length` characters, in eighths where the font has them; never empty while something is left.
+function hud.bar(value, full, length)
+  local eighths = math.min(value, full) * length * 8 // full
   if value > 0 and eighths < 1 then eighths = 1 end
   local whole, rest = eighths // 8, eighths % 8
   if hud.glyph(136, "") == "" then
-    whole = math.min(cells, (eighths + 7) // 8)
-    return ("="):rep(whole) .. ("-"):rep(cells - whole)
+    whole = math.min(length, (eighths + 7) // 8)
+    return ("="):rep(whole) .. ("-"):rep(length - whole)
   end
   local s = string.char(136):rep(whole)
   if rest > 0 then s = s .. string.char(128 + rest) end
-  return s .. string.char(128):rep(cells - #s)
+  return s .. string.char(128):rep(length - #s)
 end
 
 -- The k-th register that player i shows, as its ship says. A bar leaves room for the other player's.

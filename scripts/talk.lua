@@ -108,11 +108,11 @@ function sys.say(who, words, args)
     sys.unknown("say", ('"%s": face'):format(a.who or "nobody"), a.face, talker and talker.list or {})
   end
   expect_side("say", a.side)
-  local words = text.lang(a.text)
-  if talk.look.font and sys.cells(words) > LINE then
-    sys.fail("say", ("text: expected at most %d characters in a font, got %d"):format(LINE, sys.cells(words)))
+  local said = text.lang(a.text)
+  if talk.look.font and sys.cells(said) > LINE then
+    sys.fail("say", ("text: expected at most %d characters in a font, got %d"):format(LINE, sys.cells(said)))
   end
-  within(function(t) t.say(talker, words, a) end)
+  within(function(t) t.say(talker, said, a) end)
 end
 
 function sys.choose(list, args)

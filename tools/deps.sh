@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [--say] [null] [play] [test] [fuzz] [nightly] [bench] [cross]
+#     tools/deps.sh [--say] [null] [play] [test] [docs] [fuzz] [nightly] [bench] [cross]
 #
 # null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
 # too. Without arguments: all but nightly and cross. With --say
@@ -23,6 +23,13 @@ library() { # NAME HEADER: the Makefile asks pkg-config for it
 need() { # PACKAGE...: these are missing
     missing="$missing $*"
 }
+pages() { # Python's own, or the system's, has what tools/docs/docs.py reads and colours pages with
+    local python
+    for python in python3 /usr/bin/python3; do
+        if "$python" -c 'import markdown_it, pygments' 2>/dev/null; then return; fi
+    done
+    need python3-markdown-it python3-pygments
+}
 
 for what; do
     case $what in
@@ -42,6 +49,7 @@ for what; do
         header mpfr.h || need libmpfr-dev
         have luac5.4 || need lua5.4
         have luacheck || need lua-check
+        pages
         python3 -c 'import ctypes' 2>/dev/null || need python3
         have clang-format || need clang-format
         have git || need git
@@ -61,6 +69,7 @@ for what; do
         have pcf2bdf || need pcf2bdf
         [ -e /usr/share/fonts/X11/misc/f12.pcf.gz ] || need xfonts-efont-unicode
         ;;
+    docs) pages ;;
     fuzz)
         have clang || need clang
         header cmocka.h || need libcmocka-dev
@@ -71,6 +80,8 @@ for what; do
     nightly)
         have valgrind || need valgrind
         have cppcheck || need cppcheck
+        have chromium || need chromium
+        have chromedriver || need chromium-driver
         ;;
     bench)
         header libfixmath/fix16.h || need libfixmath-dev
@@ -99,7 +110,7 @@ for what; do
         have git || need git
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, fuzz, nightly, bench, cross" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, fuzz, nightly, bench, cross" >&2
         exit 2
         ;;
     esac

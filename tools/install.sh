@@ -3,7 +3,8 @@
 #
 #     DESTDIR=... PREFIX=/usr/local tools/install.sh install|uninstall
 #
-# One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own.
+# One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own. The
+# documents as one file are there after `make docs` only.
 set -eu
 cd "$(dirname "$0")/.."
 root=${DESTDIR:-}${PREFIX:-/usr/local}
@@ -23,13 +24,15 @@ list() {
     for page in README.md CHANGELOG.md LICENSE docs/*.md docs/*.txt; do
         echo "644 $page $doc/${page##*/}"
     done
-    find docs/accuracy docs/images docs/speed -type f | sort | sed "s,^docs/\(.*\),644 & $doc/\1,"
+    echo "644 build/curtain.html $doc/curtain.html"
+    find docs/accuracy docs/images docs/sound docs/speed -type f | sort | sed "s,^docs/\(.*\),644 & $doc/\1,"
     find examples roms -type f | sort | sed "s,.*,644 & $data/&,"
 }
 
 case ${1:-} in
 install)
     list | while read -r mode file target; do
+        [ "$file" != build/curtain.html ] || [ -e "$file" ] || continue
         install -d "$root/${target%/*}"
         install -m "$mode" "$file" "$root/$target"
     done

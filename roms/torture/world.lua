@@ -421,8 +421,8 @@ local function pictures()
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
     if n % 30 == 7 then
       local e = enemy.spawn { kind = "shade", x = 50, y = 50 }
-      local s = sprite.put { sprite = "steps", follow = n % 60 == 7 and e or player.nearest(1, 1), dx = n % 9, dy = 3 }
-      if s.alive then s.dx, s.dy = s.dx + 1, s.dy - 1 end
+      local tied = sprite.put { sprite = "steps", follow = n % 60 == 7 and e or player.nearest(1, 1), dx = n % 9, dy = 3 }
+      if tied.alive then tied.dx, tied.dy = tied.dx + 1, tied.dy - 1 end
       spark.trail { kind = "ping", follow = e, every = 5 }
       spark.burst { kind = "ping", from = e, n = 6, radius = 9, speed = 1 }
       spark.burst { kind = "ping", from = e, n = 4, to_x = 9, to_y = 9 }

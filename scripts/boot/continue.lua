@@ -39,18 +39,17 @@ return function(game, players, n, stand, screen)
       wait(1)
       for p = 1, players do
         local left = sys.continues(p)
-        if left == 0 or player.get(p).alive then
-          -- it flies, or it is over
-        elseif not anyone(players) then
+        local asks = left ~= 0 and not player.get(p).alive -- it neither flies, nor is it over
+        if asks and not anyone(players) then
           forget()
           stand(function()
             local yes = (screen or sys.read("screens/continue"))(p, left)
             if yes then go_on(p) else sys.continues(p, 0) end
           end)
           break
-        elseif pad.take("start", 0, p) then
+        elseif asks and pad.take("start", 0, p) then
           go_on(p)
-        else
+        elseif asks then
           remind(p, left)
         end
       end

@@ -31,7 +31,8 @@ local function between(before, name, n, behind) return n > 1 and before .. " " .
 -- What stands above a page. In a low one the chapter shares the head's row.
 local function titles(a, c, name, n, age)
   local chapter = #a.chapters > 1 and between(UP, a.chapters[c], #a.chapters, DOWN)
-  local head, row = text.lang(a.head), nil
+  local head = text.lang(a.head)
+  local row
   if page.low and chapter then
     local both = head .. "  " .. chapter
     row = page.head(sys.cells(both) <= page.cols - 2 and both or chapter, age)

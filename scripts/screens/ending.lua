@@ -19,10 +19,10 @@ end
 return function(run)
   local row = page.row + page.rows // 2
   page.begin()
-  local ships, top = put_ships(run.ships, row), nil
+  local ships = put_ships(run.ships, row)
   for age = 0, OVER do
     if page.opening(age, 6) then
-      top = page.head("ALL STAGES CLEAR", age)
+      local top = page.head("ALL STAGES CLEAR", age)
       if not page.low then top = top + 2 end
       page.centre(top, "CONGRATULATIONS!", page.bank(1, age, hud.banks.bright) or hud.banks.faint)
       page.centre(top + 2, menu.label(run.difficulty), hud.banks.plain)

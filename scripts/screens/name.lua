@@ -97,9 +97,9 @@ end
 -- entries: { p, points, rank? } of each player who enters one. Returns a list of names, of 3 to 8 signs; who does not
 -- come to an end in time has what stands there.
 return function(entries)
-  local list, row, names = begin(entries), nil, {}
+  local list, names = begin(entries), {}
   page.begin()
-  row = page.head("YOUR NAME?", 0) + (page.low and 1 or 3)
+  local row = page.head("YOUR NAME?", 0) + (page.low and 1 or 3)
   for _, e in ipairs(list) do e.plate = put_plate(e, row) end
   for age = 0, SECONDS * 60 do
     if page.opening(age, 0) then

@@ -126,7 +126,7 @@ end
 
 -- Until all are ready; false for back, or when nobody answers.
 local function choose(columns, ships)
-  local top, idle, done = page.head("YOUR SHIP?", 0), 0, nil
+  local top, idle = page.head("YOUR SHIP?", 0), 0
   local room = page.row + page.rows - (page.low and 5 or 7) - top
   measure(ships, columns[1].cols, room)
   top = top + math.max(1, (room - ships.rows) // 3)
@@ -139,7 +139,7 @@ local function choose(columns, ships)
       page.head("YOUR SHIP?", age)
       page.foot("FIRE: OK  BOMB: BACK", age)
     end
-    done = true
+    local done = true
     for _, c in ipairs(columns) do
       if page.opening(c.age, 4) then draw(c, ships, top, #columns > 1) end
       draw_picture(c, ships, top)

@@ -9,8 +9,8 @@ local DROP = 24 -- px from above that the logo comes
 
 -- The name of a game without a logo, its letters apart where there is room.
 local function draw_name(row, age)
-  local name, apart = rom.title:upper(), nil
-  apart = name:gsub("[%g]", "%0 "):gsub(" $", "")
+  local name = rom.title:upper()
+  local apart = name:gsub("[%g]", "%0 "):gsub(" $", "")
   if #name == sys.cells(name) and #apart <= page.cols - 4 then name = apart end
   page.rule(row - 2, age)
   local below = page.centre(row, name, hud.banks.bright)

@@ -43,8 +43,8 @@ return function(list, find, a)
     open = open or not needs
   end
   if not open then sys.fail("boot.run", "players: expected at least one that needs no unlock") end
-  for _, list in ipairs { a.modes or {}, a.music or {} } do
-    for _, m in ipairs(list) do
+  for _, part in ipairs { a.modes or {}, a.music or {} } do
+    for _, m in ipairs(part) do
       if m.needs then find("boot.run", m.needs) end
     end
   end

@@ -18,6 +18,10 @@ done
 makes() { make --no-print-directory -s -C "$tree" "$@"; }
 
 check 'make install' makes install DESTDIR="$scratch/root" PREFIX=/usr
+check 'without the documents as one file' test ! -e "$scratch/root/usr/share/doc/curtain/curtain.html"
+echo '<p>all of it' >"$tree/build/curtain.html"
+check 'and with it, once make docs has made it' makes install DESTDIR="$scratch/root" PREFIX=/usr
+check 'it is beside the pages' cmp "$tree/build/curtain.html" "$scratch/root/usr/share/doc/curtain/curtain.html"
 share=$scratch/root/usr/share/curtain
 installed=$scratch/root/usr/bin/curtain-null
 check 'the program is there' "$installed" version
