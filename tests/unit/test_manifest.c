@@ -453,7 +453,7 @@ static void test_art_errors(void **state)
     entry_refused("blends = { a = { mix = 50, of = 1 } }", "blends.a.of: unknown name");
     entry_refused("blends = { a = { mixx = 50 } }", "blends.a.mixx: unknown name (did you mean \"mix\"?)");
     entry_refused("sheets = { a = 'x.png' }", "sheets.a: expected a table, got \"x.png\"");
-    entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\"");
+    entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\" (or .ase, .aseprite)");
     entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",
                   "sheets.a.bank: expected a whole number from 0 to 15, got 16");
     entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected a sheet's name, got nil");

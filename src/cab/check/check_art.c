@@ -7,8 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../art/sheet.h"
-#include "../pack/art.h"
+#include "../pack/sheet.h"
 
 static void refuse(struct check *c, const char *file, int line, const char *why)
 {

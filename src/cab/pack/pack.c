@@ -20,7 +20,6 @@
 #include "../../board/script.h"
 #include "../../board/std.h"
 #include "../../snd/tune.h"
-#include "../art/sheet.h"
 #include "art.h"
 #include "blend.h"
 #include "bdf.h"
@@ -29,6 +28,7 @@
 #include "../host/files.h"
 #include "map.h"
 #include "shade.h"
+#include "sheet.h"
 #include "../mml/mml.h"
 #include "../sound/recording.h"
 #include "tree.h"
@@ -914,6 +914,12 @@ static void ignore_entry(void *user, const struct plat_file *file)
 
 bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
 {
+    return rom_image_load_told(path, nearest, NULL, NULL, out, err, err_size);
+}
+
+bool rom_image_load_told(const char *path, bool nearest, void (*warn)(void *context, const char *sentence),
+                         void *context, struct rom_image *out, char *err, size_t err_size)
+{
     char why[PATH + 256];
 
     memset(out, 0, sizeof *out);
@@ -923,7 +929,7 @@ bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char 
         files_absent(path, "file or folder", err, err_size);
         return false;
     }
-    if (!pack_folder(path, nearest, &out->bytes, &out->size, why, sizeof why)) {
+    if (!pack_folder_told(path, nearest, warn, context, &out->bytes, &out->size, why, sizeof why)) {
         memset(out, 0, sizeof *out);
         return err_set(err, err_size, "%s: %s", path, why);
     }

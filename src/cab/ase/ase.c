@@ -10,7 +10,6 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../pack/png.h"
 
 enum {
     FILE_MAGIC = 0xa5e0,
@@ -33,6 +32,7 @@ struct reader {
     size_t n, at; /* n: of the chunk */
     bool past;    /* something behind the end was asked for */
     struct ase *a;
+    ase_inflate *inflate;
     bool opacities, groups; /* the header's flags: layers, and groups, have a valid opacity */
     bool new_palette;
     bool group_shown[MAX_LEVEL + 1]; /* of the groups round the layer that comes next, by level */
@@ -209,7 +209,7 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
     r->at = r->n;
     if (!packed && left >= size)
         memcpy(i->pix, from, size);
-    else if (!packed || !png_inflate(from, left, i->pix, size))
+    else if (!packed || !r->inflate(from, left, i->pix, size))
         return refuse(r, "frame %d, layer \"%s\": its pixels are damaged", frame, a->layers[layer].name);
     return true;
 }
@@ -492,9 +492,9 @@ static bool finish(struct reader *r)
     return true;
 }
 
-bool ase_read(struct ase *a, const uint8_t *data, size_t n, char *err, size_t err_size)
+bool ase_read(struct ase *a, const uint8_t *data, size_t n, ase_inflate *inflate, char *err, size_t err_size)
 {
-    struct reader r = { .a = a, .level = -1, .err = err, .err_size = err_size };
+    struct reader r = { .a = a, .inflate = inflate, .level = -1, .err = err, .err_size = err_size };
     int frames = 0;
 
     memset(a, 0, sizeof *a);

@@ -15,8 +15,8 @@
 #define CAB_ASE_SPRITE_H
 
 #include "../../board/rom/cart.h"
-#include "../pack/art.h"
-#include "ase.h"
+#include "../ase/ase.h"
+#include "art.h"
 
 /* A sprite as art_make_sprite takes it: its frames as a strip, and nothing in it left to be looked up. */
 struct ase_sprite {

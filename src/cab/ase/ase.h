@@ -101,8 +101,11 @@ struct ase {
     int n_layers, n_images, n_cels, n_frames, n_tags, n_keys;
 };
 
+/* Inflates zlib data to just that size, into memory of a byte more; false: it is damaged. png_inflate is one. */
+typedef bool ase_inflate(const uint8_t *packed, size_t n, uint8_t *out, size_t size);
+
 /* Reads a whole file. False and one sentence, without the file's name; close it either way. */
-bool ase_read(struct ase *a, const uint8_t *data, size_t n, char *err, size_t err_size);
+bool ase_read(struct ase *a, const uint8_t *data, size_t n, ase_inflate *inflate, char *err, size_t err_size);
 void ase_close(struct ase *a);
 
 /* Merges the layers of a frame (from 0 on) into rgba, w * h * 4 bytes, and where index is not NULL the palette indices

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../pack/png.h"
+#include "png.h"
 
 bool sheet_read_png(struct art_picture *picture, const uint8_t *data, size_t n, bool by_index, char *err,
                     size_t err_size)
@@ -26,7 +26,7 @@ bool sheet_read(struct sheet *s, const struct art_sheet *asked, const uint8_t *d
     memset(s, 0, sizeof *s);
     s->is_ase = art_is_ase(asked->file);
     if (s->is_ase)
-        return ase_read(&s->ase, data, n, err, err_size);
+        return ase_read(&s->ase, data, n, png_inflate, err, err_size);
     return sheet_read_png(&s->picture, data, n, asked->by_index, err, err_size);
 }
 
