@@ -325,9 +325,9 @@ static enum result run(int argc, char **argv)
     case COMMAND_SOUND:
         return listen_run(&a);
     case COMMAND_ART:
-        return art_run(&a);
+        return art_run(a.words[0], a.nearest, a.atlas);
     case COMMAND_PALETTE:
-        return palette_run(&a);
+        return art_run_palette(a.words[0], a.bank, a.out);
     case COMMAND_HELP:
         return help(&a);
     case COMMAND_VERSION:

@@ -19,7 +19,8 @@ def chunk(kind, data):
 
 
 class Layer:
-    def __init__(self, name, visible=True, kind=IMAGE, level=0, blend=0, opacity=255, background=False, reference=False):
+    def __init__(self, name, visible=True, kind=IMAGE, level=0, blend=0, opacity=255, background=False,
+                 reference=False):
         self.name, self.visible, self.kind, self.level = name, visible, kind, level
         self.blend, self.opacity, self.background, self.reference = blend, opacity, background, reference
 

@@ -100,7 +100,8 @@ def png_chunk(kind, data):
 def png(path, rows):
     raw = b"".join(b"\0" + b"".join(bytes(p) for p in row) for row in rows)
     with open(path, "wb") as f:
-        f.write(b"\x89PNG\r\n\x1a\n" + png_chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 6, 0, 0, 0))
+        head = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 6, 0, 0, 0)
+        f.write(b"\x89PNG\r\n\x1a\n" + png_chunk(b"IHDR", head)
                 + png_chunk(b"IDAT", zlib.compress(raw)) + png_chunk(b"IEND", b""))
 
 

@@ -1,5 +1,5 @@
 /*
- * art_run.c - see art_run.h: `curtain art`. Hit shapes are those of the kinds that the game's scripts declare when it is
+ * art_run.c - see art_run.h: `curtain art`. Hit shapes are those of the kinds that the scripts declare when the game is
  * powered, so nothing of them is guessed; a script that faults takes them away and nothing else.
  */
 #include "art_run.h"
@@ -141,21 +141,21 @@ static enum result write_atlas(const struct art_game *g, const char *file)
     return saved ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
-enum result art_run(const struct args *a)
+enum result art_run(const char *path, bool nearest, const char *atlas)
 {
     struct art_game g = { 0 };
     char err[1024];
 
-    if (!rom_image_load(a->words[0], a->nearest, &g.image, err, sizeof err))
+    if (!rom_image_load(path, nearest, &g.image, err, sizeof err))
         return report_error(err);
     enum result result = RESULT_REFUSED;
     if (!cart_open(&g.cart, &g.image.rom, err, sizeof err))
-        report_line(result, "%s: %s", a->words[0], err);
+        report_line(result, "%s: %s", path, err);
     else {
-        result = find_shapes(&g, a->words[0]);
+        result = find_shapes(&g, path);
         enum result shown = RESULT_DONE;
-        if (g.powered && a->atlas)
-            shown = write_atlas(&g, a->atlas);
+        if (g.powered && atlas)
+            shown = write_atlas(&g, atlas);
         else if (g.powered)
             print_sprites(&g);
         result = shown > result ? shown : result;

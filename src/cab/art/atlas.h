@@ -1,5 +1,5 @@
 /*
- * atlas.h - all sprites of a game on one picture: as large as hands and eyes want them, with name, origin and what hits.
+ * atlas.h - all sprites of a game on one picture: large enough to be looked at, with name, origin and what hits.
  * floor: cab
  */
 #ifndef CAB_ATLAS_H

@@ -64,7 +64,7 @@ static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE
 }
 
 /* A list into a palette: one that is there keeps its other banks. */
-static enum result import(const struct args *a, const char *from)
+static enum result import(const char *from, int bank, const char *out)
 {
     uint8_t rgb[CART_PALETTE], *text;
     struct swatch s;
@@ -78,44 +78,42 @@ static enum result import(const struct args *a, const char *from)
     free(text);
     if (!good)
         return report_line(RESULT_REFUSED, "%s", err);
-    if (files_size(a->out) < 0)
+    if (files_size(out) < 0)
         art_default_palette(rgb);
-    else if (!load_palette(a->out, rgb, err, sizeof err))
+    else if (!load_palette(out, rgb, err, sizeof err))
         return report_error(err);
-    const int last = swatch_put(&s, a->bank, rgb);
+    const int last = swatch_put(&s, bank, rgb);
     if (last > 15)
         return report_line(RESULT_REFUSED, "%s: %d colours from bank %d on need bank %d, and 15 is the last", from, s.n,
-                           a->bank, last);
-    const enum result result = save_palette(a->out, rgb);
+                           bank, last);
+    const enum result result = save_palette(out, rgb);
     if (result != RESULT_DONE)
         return result;
-    printf(last > a->bank ? "%s: %d colour%s in banks %d to %d\n" : "%s: %d colour%s in bank %d\n", a->out, s.n,
-           s.n == 1 ? "" : "s", a->bank, last);
+    printf(last > bank ? "%s: %d colour%s in banks %d to %d\n" : "%s: %d colour%s in bank %d\n", out, s.n,
+           s.n == 1 ? "" : "s", bank, last);
     return report_stdout(RESULT_DONE);
 }
 
 /* A bank of a palette into a list. */
-static enum result export(const struct args *a, const char *from) {
+static enum result export(const char *from, int bank, const char *out) {
     uint8_t rgb[CART_PALETTE]; char text[SWATCH_TEXT], err[FILES_ERR];
 
     if (!load_palette(from, rgb, err, sizeof err)) return report_error(err);
-    const size_t n = swatch_write(rgb, a->bank, ends_in(a->out, ".gpl"), text);
-    return files_save(a->out, text, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    const size_t n = swatch_write(rgb, bank, ends_in(out, ".gpl"), text);
+    return files_save(out, text, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
-enum result palette_run(const struct args *a)
+enum result art_run_palette(const char *from, int bank, const char *out)
 {
-    const char *from = a->words[0];
-
-    if (!a->out)
+    if (!out)
         return report_line(RESULT_REFUSED, "palette: expected -o FILE.png, the palette to put the colours into, or of "
                                            "a .png -o FILE.gpl or FILE.hex");
-    if (a->bank < 0)
+    if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
-    if (is_list(from) && ends_in(a->out, ".png"))
-        return import(a, from);
-    if (ends_in(from, ".png") && is_list(a->out))
-        return export(a, from);
+    if (is_list(from) && ends_in(out, ".png"))
+        return import(from, bank, out);
+    if (ends_in(from, ".png") && is_list(out))
+        return export(from, bank, out);
     return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl and -o FILE.png, or a .png and -o FILE.gpl or "
                                        "FILE.hex");
 }

@@ -3,7 +3,8 @@
  * floor: cab
  *
  * .hex: a colour a line, six hexadecimal digits, with or without a # before them. .gpl, GIMP's: a first line `GIMP
- * Palette`, lines `Name:` and `Columns:`, remarks behind #, and a colour a line: red, green, blue from 0 to 255, a name.
+ * Palette`, lines `Name:` and `Columns:`, remarks behind #, and a colour a line: red, green, blue from 0 to 255, and a
+ * name.
  */
 #ifndef CAB_SWATCH_H
 #define CAB_SWATCH_H

@@ -195,8 +195,8 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
     if (r->past)
         return true;
     if (w < 1 || h < 1 || size > ASE_MAX_BYTES - r->bytes)
-        return refuse(r, "frame %d, layer \"%s\": a picture of %dx%d pixels is %s", frame, a->layers[layer].name, w, h,
-                      w < 1 || h < 1 ? "none" : "too large");
+        return refuse(r, "frame %d, layer \"%s\": a picture of %dx%d pixels is too %s", frame, a->layers[layer].name, w,
+                      h, w < 1 || h < 1 ? "small" : "large");
     struct ase_image *i = more(&a->images, a->n_images, sizeof *i);
     if (!i || !(i->pix = malloc(size + 1)))
         return no_memory(r);

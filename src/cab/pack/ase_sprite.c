@@ -302,9 +302,11 @@ bool ase_make_sprite(const struct ase *a, const struct art_sprite *asked, bool b
     out->sprite = *asked;
     at.w = asked->w ? asked->w : a->w - asked->x;
     at.h = asked->h ? asked->h : a->h - asked->y;
-    if (at.w < 1 || at.h < 1 || at.x + at.w > a->w || at.y + at.h > a->h)
-        return err_set(err, err_size, "%dx%d at %d,%d is not inside the canvas of %dx%d pixels", (int)asked->w,
-                       (int)asked->h, (int)at.x, (int)at.y, a->w, a->h);
+    at.w = at.w < 1 ? 1 : at.w; /* a place outside of the canvas is told as such */
+    at.h = at.h < 1 ? 1 : at.h;
+    if (at.x + at.w > a->w || at.y + at.h > a->h)
+        return err_set(err, err_size, "%dx%d at %d,%d is not inside the canvas of %dx%d pixels", (int)at.w, (int)at.h,
+                       (int)at.x, (int)at.y, a->w, a->h);
     if (at.w > CART_MAX_SIDE || at.h > CART_MAX_SIDE)
         return err_set(err, err_size, "%dx%d pixels, expected at most %d each way (x, y, w, h choose a part)",
                        (int)at.w, (int)at.h, CART_MAX_SIDE);
