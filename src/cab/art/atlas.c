@@ -217,7 +217,7 @@ static void outline(const struct atlas *a, const struct inspect_shape_of *s, int
         for (int j = 0; a->rgb && j < h; j++)
             for (int i = 0; i < w; i++) {
                 const double d = outside(s, (i + 0.5) / ATLAS_SCALE - ox, (j + 0.5) / ATLAS_SCALE - oy) * ATLAS_SCALE;
-                if (fabs(d) < (rim ? 2 : 1))
+                if (d >= (rim ? -2 : -1) && d < (rim ? 2 : 1))
                     dot(a, x + i, y + j, rim ? DARK : colour_for(s));
             }
 }

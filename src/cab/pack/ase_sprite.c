@@ -223,7 +223,7 @@ static void find_origin(const struct ase *a, struct ase_sprite *s, const struct 
             continue;
         s->sprite.ox = k->x + k->px - at->x;
         s->sprite.oy = k->y + k->py - at->y;
-        s->sprite.origin = true;
+        s->sprite.origin = s->sprite.ox != at->w / 2 || s->sprite.oy != at->h / 2; /* else the very middle */
         return;
     }
 }
