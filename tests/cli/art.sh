@@ -32,6 +32,8 @@ check "... is that of the example" cmp moth/art/palette.png "$repo/examples/moth
 check "its colours too" cmp moth/art/moth.hex "$repo/examples/moth/art/moth.hex"
 same "so are its sprites and shapes" "$("$curtain" list "$repo/examples/moth")" "$("$curtain" list moth)"
 check "and nothing is to be said" "$curtain" check moth
+cp moth/art/moth.ase moth/art/draft.aseprite
+refuse "one that is not in use" "art/draft.aseprite: rom.lua does not name it" "$curtain" check moth
 
 # ---- .ase: one sentence for each malformed one ----
 
