@@ -80,6 +80,7 @@ block() { # FILE: runs it as its kind says
         cp "$file" "$game/rom.lua"
         cp "$repo"/examples/tape/music/reel.ogg "$game/music/"
         cp "$repo"/examples/tape/sfx/bell.flac "$game/sfx/"
+        cp "$repo"/examples/moth/art/moth.ase "$game/art/"
         "$bench/build/curtain" pack "$game" -o "$scratch/game.rom"
         ;;
     *.main-error) # without what rom.lua gives room for

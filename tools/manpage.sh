@@ -200,6 +200,15 @@ curtain capture mygame \-\-demo my.demo \-o my.gif
 curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
 .RE
 .fi
+.PP
+All sprites on a picture, and colours from a palette site into a bank:
+.PP
+.nf
+.RS
+curtain art mygame \-\-atlas atlas.png
+curtain palette warm.hex \-\-bank 3 \-o mygame/art/palette.png
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;

@@ -31,6 +31,11 @@ python3 tools/pictures.py 2 docs/images/blends.png "$at"/blends/*.png
 "$curtain" render roms/glasstide --stage one:queen --frames 960 --lang ja -o "$at/talk"
 python3 tools/pictures.py 1 docs/images/talk.png "$at"/talk/*.png
 
+python3 tools/pictures.py 20 docs/images/art_palette.png examples/moth/art/palette.png
+"$curtain" art examples/moth --atlas docs/images/art_atlas.png
+"$curtain" render examples/moth --stage one --invincible --press fire --frames 130,250,1060 -o "$at/moth"
+python3 tools/pictures.py 1 docs/images/art_play.png "$at"/moth/*.png
+
 # Looking inside: a port that a script plays, and three of the pictures it is shown. Keys are USB HID usages.
 ${CC:-cc} -O1 -o "$at/player" tests/machine/port_keys.c $(find build/release/src -name '*.o') build/release/fb/*.o \
     build/release/gen/std.o build/release/gen/no_rom.o build/release/platform/stdio.o \

@@ -162,7 +162,7 @@ uint64_t rom_hash(const struct rom *rom)
 static bool tick_reads(const char *name)
 {
     return strcmp(name, "manifest") == 0 || strncmp(name, "script/", 7) == 0 || strncmp(name, "data/", 5) == 0 ||
-           strncmp(name, "lang/", 5) == 0 || strncmp(name, "tune/", 5) == 0;
+           strncmp(name, "lang/", 5) == 0 || strncmp(name, "tune/", 5) == 0 || strncmp(name, "hit/", 4) == 0;
 }
 
 uint64_t rom_game_hash(const struct rom *rom)

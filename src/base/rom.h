@@ -54,7 +54,7 @@ int rom_first(const struct rom *rom, const char *prefix);
 /* All lumps: names and bytes. */
 uint64_t rom_hash(const struct rom *rom);
 
-/* The lumps that tick can read: manifest, script/, data/, lang/ and music/. Art, sounds and demos are left out. */
+/* The lumps that tick can read: manifest, script/, data/, lang/, tune/ and hit/. Art, sounds and demos are left out. */
 uint64_t rom_game_hash(const struct rom *rom);
 
 /* May this be a lump's name? 1 to ROM_NAME - 1 printable ASCII characters. */

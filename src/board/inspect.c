@@ -215,6 +215,11 @@ static void measure(const struct shape_columns *k, uint32_t i, struct inspect_sh
         h = a + fx_abs(k->y[i]);
     }
     *out = (struct inspect_shape_of){ .shape = shape_words[k->shape[i]], .x0 = -w, .y0 = -h, .x1 = w, .y1 = h };
+    out->r = a;
+    if (k->shape[i] == SHAPE_CAPSULE) {
+        out->bar_x = k->b[i] + k->x[i];
+        out->bar_y = k->y[i];
+    }
     if (k->shape[i] != SHAPE_CIRCLES)
         return;
     out->x0 = out->y0 = FX_MAX;
@@ -224,6 +229,31 @@ static void measure(const struct shape_columns *k, uint32_t i, struct inspect_sh
         out->x1 = fx_max(out->x1, k->x[row] + k->a[row]);
         out->y0 = fx_min(out->y0, k->y[row] - k->a[row]);
         out->y1 = fx_max(out->y1, k->y[row] + k->a[row]);
+        out->circle[out->n].x = k->x[row];
+        out->circle[out->n].y = k->y[row];
+        out->circle[out->n++].r = k->a[row];
+    }
+}
+
+/* Ships have a circle each. */
+static void ship_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
+                       void *context)
+{
+    const struct player_kinds *k = &b->player_kinds;
+
+    for (uint32_t i = 0; i < k->s.live; i++) {
+        const char *name = api_names_at(b, N_PLAYER, (int)i);
+        const fx r = k->radius[i];
+        if (name)
+            each(context, &(struct inspect_shape_of){ .of = "player",
+                                                      .name = name,
+                                                      .shape = INSPECT_CIRCLE,
+                                                      .r = r,
+                                                      .x0 = -r,
+                                                      .y0 = -r,
+                                                      .x1 = r,
+                                                      .y1 = r,
+                                                      .sprite = cart_sprite_name(&b->cart, k->sprite[i]) });
     }
 }
 
@@ -269,6 +299,7 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
             kind.ramp = all[what].flags ? ramp_of(b, all[what].flags[i]) : NULL;
             each(context, &kind);
         }
+    ship_kinds(b, each, context);
 }
 
 /* ---- gauges ---- */

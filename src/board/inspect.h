@@ -41,12 +41,18 @@ void inspect_bodies(const struct board *b, void (*each)(void *context, const str
  * is not in the game, or hidden. */
 bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
 
-/* What a kind of bullets, shots or enemies touches with, and the picture that it shows. */
+/* What a kind of bullets, shots, enemies or players touches with, and the picture that it shows. */
 struct inspect_shape_of {
     const char *of, *name;    /* "bullet", "orb" */
     enum inspect_shape shape; /* not INSPECT_NONE */
-    int32_t x0, y0, x1, y1;   /* the box round it, from its place; as the picture is drawn, not turned */
-    bool turns;               /* the picture turns; a box does not turn with it */
+    int32_t r, bar_x, bar_y;  /* a circle's radius; a capsule: all within r of a bar from its place by (-bar_x, -bar_y)
+                                 to (bar_x, bar_y) */
+    int n;                    /* circles */
+    struct {
+        int32_t x, y, r;
+    } circle[SHAPE_PARTS];
+    int32_t x0, y0, x1, y1; /* the box round it, from its place; as the picture is drawn, not turned */
+    bool turns;             /* the picture turns; a box does not turn with it */
     const char *sprite;
     int bank;
     const char *ramp; /* the blend it is drawn with, if that is one of ramps; else NULL */

@@ -28,8 +28,11 @@ enum {
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_SOUND = 1 << COMMAND_SOUND,
+    FOR_ART = 1 << COMMAND_ART,
+    FOR_PALETTE = 1 << COMMAND_PALETTE,
     FOR_HELP = 1 << COMMAND_HELP,
-    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND
+    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND | FOR_ART,
+    FOR_ALL = FOR_GAMES | FOR_PALETTE
 };
 
 static const struct {
@@ -57,6 +60,12 @@ static const struct {
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
+    [COMMAND_ART] = { "art", "ROM", 1, 1,
+                      "list the sprites of a game: size, bank, origin, frames and what hits; or show them all on one "
+                      "picture" },
+    [COMMAND_PALETTE] = { "palette", "FILE", 1, 1,
+                          "put the colours of a .hex or .gpl into a bank of the palette -o; or a bank of a palette "
+                          "into such a file" },
     [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
                        "this; of a command; of the settings and their file; of the Lua API, and what has a word in "
                        "it" },
@@ -92,6 +101,8 @@ enum option {
     OPTION_WAV,
     OPTION_NOTES,
     OPTION_PLAY,
+    OPTION_ATLAS,
+    OPTION_BANK,
     OPTION_OUT,
     OPTION_RESUME,
     OPTION_NO_RESUME,
@@ -153,13 +164,16 @@ static const struct {
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SOUND,
+    [OPTION_ATLAS] = { "--atlas", "F.png", FOR_ART,
+                       "all sprites, three times as large, with names, banks, origins and hit shapes" },
+    [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, "the bank, 0 to 15" },
+    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SOUND | FOR_PALETTE,
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; sound: WAV file" },
+                     "pack: ROM file; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
                            "begin at the title without asking; a run that was left is kept until another begins" },
-    [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
+    [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
                         "verify --bisect A B: compare what hash printed of two runs (--parts or --trace); names the "
@@ -472,6 +486,16 @@ static bool set_word(int *to, enum option o, const char *const *words, const cha
     return err_set(err, err_size, "%s: expected %s, got \"%s\"", options[o].name, list, value);
 }
 
+static bool set_bank(struct args *a, const char *value, char *err, size_t err_size)
+{
+    uint64_t bank;
+
+    if (!number_from("--bank", value, 0, 15, &bank, err, err_size))
+        return false;
+    a->bank = (int)bank;
+    return true;
+}
+
 static bool set_switch(bool *to)
 {
     *to = true;
@@ -495,6 +519,10 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_string(&a->sheet, o, value, err, err_size);
     case OPTION_WAV:
         return set_string(&a->wav, o, value, err, err_size);
+    case OPTION_ATLAS:
+        return set_string(&a->atlas, o, value, err, err_size);
+    case OPTION_BANK:
+        return set_bank(a, value, err, err_size);
     case OPTION_FORMAT:
         return set_string(&a->format, o, value, err, err_size);
     case OPTION_SPEED:
@@ -780,7 +808,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     uint64_t seen = 0;
     bool only_words = false;
 
-    *a = (struct args){ .words = argv, .every = 1 };
+    *a = (struct args){ .words = argv, .every = 1, .bank = -1 };
     if (!short_enough(argc, argv, err, err_size))
         return false;
     for (int i = 1; i < argc; i++) {

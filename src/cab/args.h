@@ -23,6 +23,8 @@ enum command {
     COMMAND_UNPACK,
     COMMAND_CHECK,
     COMMAND_SOUND,
+    COMMAND_ART,
+    COMMAND_PALETTE,
     COMMAND_HELP,
     COMMAND_VERSION,
     COMMANDS
@@ -58,6 +60,8 @@ struct args {
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
     const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format; /* NULL: not given */
+    const char *atlas;                                                                  /* the same */
+    int bank;                                                                           /* -1: not given */
     const char *dips[ARGS_MAX_DIPS];                                                    /* "NAME=VALUE" */
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */

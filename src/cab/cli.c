@@ -13,6 +13,7 @@
 #include "../board/api_table.h"
 #include "../base/host.h"
 #include "args.h"
+#include "art/art_run.h"
 #include "capture.h"
 #include "play/cab.h"
 #include "check/check.h"
@@ -139,6 +140,13 @@ static enum result play(const struct args *a, bool named)
 
 /* ---- ROMs ---- */
 
+/* What is allowed when packing and hardly meant. */
+static void warn(void *context, const char *sentence)
+{
+    (void)context;
+    report_line(RESULT_DONE, "%s", sentence);
+}
+
 static enum result pack(const struct args *a)
 {
     struct rom_image image;
@@ -148,7 +156,7 @@ static enum result pack(const struct args *a)
 
     if (plat_size(dir) >= 0)
         return report_line(RESULT_REFUSED, "%s: is a file; pack takes a game's folder", dir);
-    if (!rom_image_load(dir, a->nearest, &image, err, sizeof err))
+    if (!rom_image_load_told(dir, a->nearest, warn, NULL, &image, err, sizeof err))
         return report_error(err);
     enum result result = RESULT_DONE;
     if (!cart_open(&cart, &image.rom, err, sizeof err))
@@ -316,6 +324,10 @@ static enum result run(int argc, char **argv)
         return check_game(a.words[0], a.nearest);
     case COMMAND_SOUND:
         return listen_run(&a);
+    case COMMAND_ART:
+        return art_run(a.words[0], a.nearest, a.atlas);
+    case COMMAND_PALETTE:
+        return art_run_palette(a.words[0], a.bank, a.out);
     case COMMAND_HELP:
         return help(&a);
     case COMMAND_VERSION:

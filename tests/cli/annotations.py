@@ -199,7 +199,8 @@ LISTS = {"up down left right fire bomb focus special start select": "button_word
          "settings, replays, practice or keys": "ask_word"}
 HITS = [("{ circle =", "{ circle: number }"), ("{ box =", "{ box: number[] }"),
         ("{ capsule =", "{ capsule: number[] }"), ("{ circles =", "{ circles: number[][] }"),
-        ("{ share =", "{ share: number }"), ('"none"', '"none"')]
+        ("{ share =", "{ share: number }"), ("{ sprite =", "{ sprite: sprite_name }"),
+        ('"none"', '"none"')]
 RETURNS = {"boolean": "boolean", "count": "integer", "integer": "integer", "frames": "integer", "row": "integer",
            "degrees": "number", "number": "number", "share": "number", "list": "any[]", "name": "string",
            "name or nil": "string?", "string": "string", "value": "any", "tries": "integer", "captures": "integer",

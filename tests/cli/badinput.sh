@@ -192,8 +192,9 @@ art() { # NAME LINE COMMAND...: run in the game's folder
     rm -rf bad
 }
 dotted() { python3 "$repo/tests/cli/png_make.py" art/all.png 16 16 ffffff 3 2 123456; }
+by_index='match = "index" in rom.lua goes by the places in the palette of an indexed picture'
 art 'colour that is not in its bank' \
-    'art/all.png: pixel 3,2: colour #123456 is not in bank 0 (--nearest takes the nearest)' dotted
+    "art/all.png: pixel 3,2: colour #123456 is not in bank 0 (--nearest takes the nearest; $by_index)" dotted
 idle | game near
 (cd near && dotted)
 says 'and --nearest takes it' 0 '' hash near --nearest --frames 1

@@ -59,6 +59,7 @@ fi
 examples() ( # PAGE
     local line n=0
     mkdir -p "$scratch/here" && cp -r examples/first "$scratch/here/mygame" && cd "$scratch/here" || return
+    echo ff8844 >warm.hex
     curtain() {
         [ "$1" != play ] || set -- hash "${@:2}" --frames 60
         "$program" "$@"
@@ -67,7 +68,7 @@ examples() ( # PAGE
         eval "$line" >"$scratch/.ran" || { echo "$line"; return 1; }
         n=$((n + 1))
     done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
-    [ $n = 6 ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] && [ -s .curtain.lua ]
+    [ $n = 8 ] && [ -s atlas.png ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] && [ -s .curtain.lua ]
 )
 program=$(realpath "$curtain")
 check "its examples run" examples "$page"

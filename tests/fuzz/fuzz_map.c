@@ -21,7 +21,7 @@ static void check_cells(const struct map_cells *c)
 static void make(const struct map_cells *c)
 {
     static uint8_t rgba[64 * 64 * 4], rgb[CART_PALETTE];
-    const struct art_picture sheet = { rgba, 64, 64 };
+    const struct art_picture sheet = { .rgba = rgba, .w = 64, .h = 64 };
     char err[256] = "";
     uint8_t *lump = NULL;
     size_t size = 0;

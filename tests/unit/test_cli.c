@@ -80,15 +80,23 @@ static void test_commands(void **state)
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
     for (int i = 0; i < COMMANDS; i++)
-        assert_int_equal(args_command((const char *[]){ "play", "render", "capture", "hash", "verify", "pack", "list",
-                                                        "unpack", "check", "sound", "help", "version" }[i]),
-                         i);
+        assert_int_equal(
+            args_command((const char *[]){ "play", "render", "capture", "hash", "verify", "pack", "list", "unpack",
+                                           "check", "sound", "art", "palette", "help", "version" }[i]),
+            i);
     assert_int_equal(args_command("Play"), -1);
 }
 
 static void test_values(void **state)
 {
     (void)state;
+    reads("art game --atlas a.png --nearest");
+    assert_string_equal(a.atlas, "a.png");
+    assert_int_equal(a.bank, -1);
+    reads("palette warm.hex --bank 15 -o p.png");
+    assert_int_equal(a.bank, 15);
+    refuses("palette warm.hex --bank -1", "--bank: expected a whole number from 0 to 15, got \"-1\"");
+    refuses("palette", "palette: expected FILE (curtain help palette)");
     reads("play game --record r --scale 3 --fullscreen --mute --stage one:mark --difficulty=hard --lang de");
     assert_string_equal(a.record, "r");
     assert_int_equal(a.scale, 3);

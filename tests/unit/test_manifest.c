@@ -453,7 +453,7 @@ static void test_art_errors(void **state)
     entry_refused("blends = { a = { mix = 50, of = 1 } }", "blends.a.of: unknown name");
     entry_refused("blends = { a = { mixx = 50 } }", "blends.a.mixx: unknown name (did you mean \"mix\"?)");
     entry_refused("sheets = { a = 'x.png' }", "sheets.a: expected a table, got \"x.png\"");
-    entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\"");
+    entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\" (or .ase, .aseprite)");
     entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",
                   "sheets.a.bank: expected a whole number from 0 to 15, got 16");
     entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected a sheet's name, got nil");
@@ -466,6 +466,38 @@ static void test_art_errors(void **state)
     entry_refused(
         "sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', w = 1, h = 1, origin = { 1, 9999 } } }",
         "sprites.a.origin[2]: expected a whole number from -1024 to 1024, got 9999");
+}
+
+/* By index: said of one, of all, of all but one. And what a sprite of an .ase leaves to its file. */
+static void test_index_and_tags(void **state)
+{
+    struct result *r = read_good(
+        "return { match = 'index', sheets = { a = { file = 'a.ase' }, b = { file = 'b.png', match = 'colour' } },"
+        "fonts = { f = { file = 'f.png', cell = { 4, 4 }, chars = 'x' } },"
+        "maps = { m = { tiles = 't.png', rows = { { 1 } } } },"
+        "sprites = { s = { sheet = 'a', tag = 'fly', sizes = { 50 } }, t = { sheet = 'b', w = 3, h = 4 } } }");
+
+    (void)state;
+    assert_true(r->art.by_index && r->art.sheets[0].by_index && r->art.fonts[0].by_index && r->art.maps[0].by_index);
+    assert_false(r->art.sheets[1].by_index);
+    const struct art_sprite *s = &r->art.sprites[1], *cut = &r->art.sprites[2];
+    assert_string_equal(s->name, "s_50");
+    assert_string_equal(s->tag, "fly");
+    assert_true(s->w == 0 && s->h == 0 && s->frames == 0 && s->every == 0 && s->percent == 50);
+    assert_true(cut->w == 3 && cut->h == 4 && cut->frames == 1 && cut->every == 6 && cut->tag[0] == '\0');
+    free(r);
+    r = read_good("return { sheets = { a = { file = 'a.aseprite', match = 'index' } },"
+                  "maps = { m = { tiles = 't.png', match = 'index', rows = { { 1 } } } } }");
+    assert_true(r->art.sheets[0].by_index && r->art.maps[0].by_index && !r->art.by_index);
+    free(r);
+    assert_true(art_is_ase("a/b.ase") && art_is_ase("b.aseprite") && !art_is_ase("ase") && !art_is_ase("a.ase/b.png"));
+    entry_refused("match = true", "match: expected \"colour\" or \"index\", got a boolean");
+    entry_refused("maps = { m = { tiles = 't.png', match = 'color', rows = { { 1 } } } }",
+                  "maps.m.match: expected \"colour\" or \"index\", got \"color\"");
+    entry_refused("sheets = { a = { file = 'a.ase' } }, sprites = { s = { sheet = 'a', w = 2000 } }",
+                  "sprites.s.w: expected a whole number from 1 to 1024, got 2000");
+    entry_refused("sheets = { a = { file = 'a.ase' } }, sprites = { s = { sheet = 'a', tag = 3 } }",
+                  "sprites.s.tag: expected a tag's name, got 3");
 }
 
 static void test_not_a_manifest(void **state)
@@ -804,31 +836,19 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),
-        cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),
-        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_sounds),
-        cmocka_unit_test(test_recordings),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors),
-        cmocka_unit_test(test_not_a_manifest),
-        cmocka_unit_test(test_bombs),
-        cmocka_unit_test(test_many_sprites),
-        cmocka_unit_test(test_pack),
-        cmocka_unit_test(test_maps),
-        cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old),
-        cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),
-        cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_defaults),       cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),           cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_sounds),         cmocka_unit_test(test_recordings),
+        cmocka_unit_test(test_numbers),        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),          cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors),     cmocka_unit_test(test_index_and_tags),
+        cmocka_unit_test(test_not_a_manifest), cmocka_unit_test(test_bombs),
+        cmocka_unit_test(test_many_sprites),   cmocka_unit_test(test_pack),
+        cmocka_unit_test(test_maps),           cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old),     cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_check),          cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_sizes),          cmocka_unit_test(test_paths),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -174,7 +174,7 @@ static void test_tmx_bad(void **state)
  * corner. */
 static struct art_picture sheet_of(const uint8_t *rgb)
 {
-    struct art_picture p = { calloc(16 * 8, 4), 16, 8 };
+    struct art_picture p = { .rgba = calloc(16 * 8, 4), .w = 16, .h = 8 };
 
     for (int y = 0; y < 8; y++)
         for (int x = 0; x < 8; x++) {

@@ -630,7 +630,8 @@ static void test_foreign_colour(void **state)
     put_game(art_manifest);
     put_palette("p.png");
     put_sheet("art/s.png", (const char *const[]){ "........", ".aaaaaa.", ".aaaa#a." }, 8, 3);
-    refused("art/s.png: pixel 5,2: colour #ff00aa is not in bank 3 (--nearest takes the nearest)");
+    refused("art/s.png: pixel 5,2: colour #ff00aa is not in bank 3 (--nearest takes the nearest; "
+            "match = \"index\" in rom.lua goes by the places in the palette of an indexed picture)");
     image = packed(true);
     assert_int_equal(sprite(&image.rom, "two").pix[3 * 8 + 1], 0x3f); /* #30003f is nearest to #ff00aa */
     rom_image_free(&image);
@@ -779,7 +780,8 @@ static void test_font(void **state)
     rom_image_free(&image);
     argb[3] = 0xff123456;
     put_picture("font.png", argb, 128, 16);
-    refused("font.png: pixel 3,0: colour #123456 is not in bank 0 (--nearest takes the nearest)");
+    refused("font.png: pixel 3,0: colour #123456 is not in bank 0 (--nearest takes the nearest; "
+            "match = \"index\" in rom.lua goes by the places in the palette of an indexed picture)");
     put_picture("font.png", argb, 120, 16);
     refused("font.png: 120x16 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row");
     put_picture("font.png", argb, 128, 12);

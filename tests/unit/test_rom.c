@@ -273,16 +273,13 @@ static void test_directory(void **state)
 
 static void test_hashes(void **state)
 {
-    struct lump lumps[] = { TEXT("data/a.txt", "alpha"),
-                            TEXT("demo/d", "demo"),
-                            TEXT("font", "font"),
-                            TEXT("gfx/b", "pix"),
-                            TEXT("manifest", "m"),
-                            TEXT("palette/main", "p"),
-                            TEXT("script/main.lua", "return 1"),
+    struct lump lumps[] = { TEXT("data/a.txt", "alpha"), TEXT("demo/d", "demo"),
+                            TEXT("font", "font"),        TEXT("gfx/b", "pix"),
+                            TEXT("hit/b", "shape"),      TEXT("manifest", "m"),
+                            TEXT("palette/main", "p"),   TEXT("script/main.lua", "return 1"),
                             TEXT("shades", "s") };
-    const bool in_game[] = { true, false, false, false, true, false, true, false };
-    struct block b = make(lumps, 8);
+    const bool in_game[] = { true, false, false, false, true, true, false, true, false };
+    struct block b = make(lumps, 9);
     struct rom rom;
     uint64_t all, game;
 
@@ -291,11 +288,11 @@ static void test_hashes(void **state)
     all = rom_hash(&rom);
     game = rom_game_hash(&rom);
     free(b.p);
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 9; i++) {
         struct lump was = lumps[i];
         lumps[i].data = bytes("x");
         lumps[i].size = 1;
-        b = make(lumps, 8);
+        b = make(lumps, 9);
         opened(&rom, b);
         assert_true(rom_hash(&rom) != all);
         assert_int_equal(rom_game_hash(&rom) != game, in_game[i]);
@@ -500,6 +497,82 @@ static void test_cart_shades(void **state)
     assert_string_equal(err, "lump \"shades\": 769 bytes long, expected 768");
 }
 
+/* Opens a cart with the hit shape for the sprite of that name, in `size` bytes. */
+static bool open_hit(const struct cart_hit *hit, const char *name, uint32_t size, char *err, size_t err_size)
+{
+    uint8_t lump[CART_HIT + 1] = { 0 };
+    struct lump lumps[FULL + 1];
+    struct full f;
+    struct cart cart;
+    struct cart_hit found = { 0 };
+    struct rom rom;
+
+    full_init(&f);
+    cart_hit_pack(hit, lump);
+    for (int i = 0, n = 0; i < FULL; i++) {
+        lumps[n++] = f.lumps[i];
+        if (strcmp(f.lumps[i].name, "gfx/orb") == 0)
+            lumps[n++] = (struct lump){ name, lump, size };
+    }
+    struct block b = make(lumps, FULL + 1);
+    opened(&rom, b);
+    bool good = cart_open(&cart, &rom, err, err_size);
+    if (good) {
+        assert_true(cart_find_hit(&cart, "orb", &found));
+        assert_memory_equal(&found, hit, sizeof found);
+        assert_false(cart_find_hit(&cart, "a", &found));
+    }
+    free(b.p);
+    return good;
+}
+
+static void hit_refused(struct cart_hit hit, const char *name, uint32_t size, const char *sentence)
+{
+    char err[256] = "";
+
+    assert_false(open_hit(&hit, name, size, err, sizeof err));
+    assert_string_equal(err, sentence);
+}
+
+/* A drawn shape has lengths that are none below 0 and within reach, and nothing that it does not use. */
+static void test_cart_hits(void **state)
+{
+    enum { PX = 65536, FAR = 8191 * PX };
+    static const char bad[] = "lump \"hit/orb\": is not a hit shape";
+    const struct cart_hit good[] = { { 1, 1, { { 3 * PX, 0, 0, 0 } } },
+                                     { 1, 1, { { FAR, 0, 0, 0 } } },
+                                     { 2, 1, { { 3 * PX, FAR, 0, 0 } } },
+                                     { 4, 1, { { 3 * PX, 0, 7 * PX, 0 } } },
+                                     { 8, 2, { { PX, 0, -5 * PX, 2 }, { 2 * PX, 0, FAR - 4 * PX, -2 * PX } } },
+                                     { 8, 4, { { PX, 0, 0, 0 }, { PX, 0, 0, 1 }, { PX, 0, 1, 0 }, { 0, 0, 0, 0 } } } };
+    const struct cart_hit wrong[] = { { 0, 1, { { PX, 0, 0, 0 } } },
+                                      { 3, 1, { { PX, 0, 0, 0 } } },
+                                      { 1, 0, { { 0, 0, 0, 0 } } },
+                                      { 1, 2, { { PX, 0, 0, 0 }, { PX, 0, 0, 0 } } },
+                                      { 8, 5, { { PX, 0, 0, 0 } } },
+                                      { 1, 1, { { -1, 0, 0, 0 } } },
+                                      { 1, 1, { { FAR + 1, 0, 0, 0 } } },
+                                      { 1, 1, { { PX, 1, 0, 0 } } },
+                                      { 1, 1, { { PX, 0, 1, 0 } } },
+                                      { 2, 1, { { PX, -1, 0, 0 } } },
+                                      { 2, 1, { { PX, FAR + 1, 0, 0 } } },
+                                      { 2, 1, { { PX, PX, 0, 1 } } },
+                                      { 4, 1, { { PX, PX, 0, 0 } } },
+                                      { 4, 1, { { PX, 0, FAR, 0 } } },
+                                      { 8, 1, { { PX, 0, 0, 0 }, { 0, 0, 1, 0 } } },
+                                      { 8, 2, { { PX, 0, 0, 0 }, { PX, 0, INT32_MIN, 0 } } } };
+    char err[256] = "";
+
+    (void)state;
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++)
+        assert_true(open_hit(&good[i], "hit/orb", CART_HIT, err, sizeof err));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        hit_refused(wrong[i], "hit/orb", CART_HIT, bad);
+    hit_refused(good[0], "hit/orb", CART_HIT - 1, bad);
+    hit_refused(good[0], "hit/orb", CART_HIT + 1, bad);
+    hit_refused(good[0], "hit/other", CART_HIT, "lump \"hit/other\": there is no such sprite");
+}
+
 static void test_cart_without_font(void **state)
 {
     struct full f;
@@ -654,7 +727,7 @@ int main(void)
         cmocka_unit_test(test_cart_lumps),    cmocka_unit_test(test_sprite_size),
         cmocka_unit_test(test_sprite_header), cmocka_unit_test(test_sprite_pixels),
         cmocka_unit_test(test_mutations),     cmocka_unit_test(test_cart_blends),
-        cmocka_unit_test(test_cart_shades),
+        cmocka_unit_test(test_cart_shades),   cmocka_unit_test(test_cart_hits),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

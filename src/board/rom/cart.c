@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../chips/motion.h"
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
 #include "../../snd/adpcm.h"
@@ -249,6 +250,86 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
+/* ---- hit shapes ---- */
+
+void cart_hit_pack(const struct cart_hit *hit, uint8_t out[CART_HIT])
+{
+    bytes_put32(out, hit->shape);
+    bytes_put32(out + 4, hit->rows);
+    for (uint32_t i = 0; i < SHAPE_PARTS; i++) {
+        bytes_put32(out + 8 + 16 * i, (uint32_t)hit->row[i].a);
+        bytes_put32(out + 12 + 16 * i, (uint32_t)hit->row[i].b);
+        bytes_put32(out + 16 + 16 * i, (uint32_t)hit->row[i].x);
+        bytes_put32(out + 20 + 16 * i, (uint32_t)hit->row[i].y);
+    }
+}
+
+static void read_hit(const uint8_t *p, struct cart_hit *hit)
+{
+    hit->shape = bytes_get32(p);
+    hit->rows = bytes_get32(p + 4);
+    for (uint32_t i = 0; i < SHAPE_PARTS; i++) {
+        hit->row[i].a = (int32_t)bytes_get32(p + 8 + 16 * i);
+        hit->row[i].b = (int32_t)bytes_get32(p + 12 + 16 * i);
+        hit->row[i].x = (int32_t)bytes_get32(p + 16 + 16 * i);
+        hit->row[i].y = (int32_t)bytes_get32(p + 20 + 16 * i);
+    }
+}
+
+/* Is that row one of the shape? Lengths are not negative, and what the shape does not have is 0. */
+static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
+    const int64_t x = h->row[i].x, y = h->row[i].y, reach = (x < 0 ? -x : x) + (y < 0 ? -y : y) + a;
+
+    if (i >= h->rows)
+        return a == 0 && b == 0 && x == 0 && y == 0;
+    if (a < 0 || b < 0 || b > most || reach > most)
+        return false;
+    return (h->shape == SHAPE_BOX || b == 0) &&
+           (h->shape == SHAPE_CAPSULE || h->shape == SHAPE_CIRCLES || (x == 0 && y == 0));
+}
+
+static bool hit_ok(const struct cart_hit *h)
+{
+    if (h->shape != SHAPE_CIRCLE && h->shape != SHAPE_BOX && h->shape != SHAPE_CAPSULE && h->shape != SHAPE_CIRCLES)
+        return false;
+    if (h->rows < 1 || h->rows > (h->shape == SHAPE_CIRCLES ? SHAPE_PARTS : 1))
+        return false;
+    for (uint32_t i = 0; i < SHAPE_PARTS; i++)
+        if (!hit_row_ok(h, i))
+            return false;
+    return true;
+}
+
+static bool open_hits(struct cart *c, char *err, size_t err_size)
+{
+    struct cart_hit h;
+    struct lump l;
+    int n, first = range(c->rom, "hit/", "hit0", &n);
+
+    for (int i = 0; i < n; i++) {
+        rom_lump(c->rom, first + i, &l);
+        if (cart_find_sprite(c, l.name + strlen("hit/")) < 0)
+            return err_set(err, err_size, "lump \"%s\": there is no such sprite", l.name);
+        if (l.size == CART_HIT)
+            read_hit(l.data, &h);
+        if (l.size != CART_HIT || !hit_ok(&h))
+            return err_set(err, err_size, "lump \"%s\": is not a hit shape", l.name);
+    }
+    return true;
+}
+
+bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out)
+{
+    struct lump l;
+
+    if (!find_in(cart->rom, "hit/", name, "", &l))
+        return false;
+    read_hit(l.data, out);
+    return true;
+}
+
 static void read_map(const struct lump *l, struct map *m)
 {
     const uint8_t *p = l->data;
@@ -387,7 +468,7 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
            open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_langs(cart, err, err_size) &&
            open_faces(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size) &&
-           open_maps(cart, err, err_size) && open_sounds(cart, err, err_size);
+           open_hits(cart, err, err_size) && open_maps(cart, err, err_size) && open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)

@@ -14,6 +14,9 @@
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
  *                         6 zero bytes), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
+ *         hit/X           the hit shape that was drawn with sprite X, CART_HIT bytes: u32 shape (motion.h), u32 rows,
+ *                         then four times i32 a b x y, as the rows of a kind have them (a capsule: x, y is one end of
+ *                         its bar); rows that are not used are 0. A tick reads it
  *         lang/X          a language: words.h
  *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero
  *                         bytes); columns * rows tile numbers, u16, row by row; a byte a tile, 1 if none of its pixels
@@ -38,6 +41,7 @@
 
 enum {
     CART_GFX_HEADER = 24,
+    CART_HIT = 72,
     CART_PALETTE = 768, /* bytes */
     CART_BLEND = 65536, /* bytes */
     CART_SHADES = 768,  /* bytes */
@@ -126,6 +130,18 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
 void cart_sprite(const struct cart *cart, int i, struct sprite *out);
 const char *cart_sprite_name(const struct cart *cart, int i);
 int cart_find_sprite(const struct cart *cart, const char *name);
+
+/* The hit shape drawn with a sprite: a SHAPE_ and its rows, lengths in fx px from the sprite's origin. */
+struct cart_hit {
+    uint32_t shape, rows;
+    struct {
+        int32_t a, b, x, y;
+    } row[4];
+};
+void cart_hit_pack(const struct cart_hit *hit, uint8_t out[CART_HIT]);
+
+/* Of the sprite of that name; false: none was drawn. */
+bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out);
 
 /* Blend i, 0 <= i < blends: its name without "blend/"; the index of a name, or -1. */
 const char *cart_blend_name(const struct cart *cart, int i);

@@ -100,16 +100,20 @@ struct art_font {
     char also[ART_CHARS];  /* packed even if no text has them */
     bool fixed;            /* all cells are as wide */
     bool shadow;
+    bool by_index;
 };
 
 struct art_sheet {
     char name[ART_NAME], file[ART_FILE];
     int32_t bank;
+    bool by_index; /* shades are the picture's palette indices, not its colours */
 };
 
+/* Of a file of Aseprite's, 0 in w, h, frames or every: as it is there. */
 struct art_sprite {
     char name[ART_NAME];
-    int32_t sheet; /* index */
+    int32_t sheet;      /* index */
+    char tag[ART_NAME]; /* of a file of Aseprite's: which frames; "": all */
     int32_t x, y, w, h;
     int32_t frames, every, rotations;
     int32_t percent; /* of the size on the sheet */
@@ -121,6 +125,7 @@ struct art_sprite {
 struct art_map {
     char name[ART_NAME], tiles[ART_FILE], file[ART_FILE], layer[ART_NAME]; /* file "": rows; layer: of a .tmx */
     int32_t size, bank, first; /* size: px of a tile, 0 if the file says it */
+    bool by_index;
     int32_t cells, cols, rows;
 };
 
@@ -157,8 +162,12 @@ struct art_sound {
 /* Is that the name of a recording's file? Other ones are MML. */
 bool art_is_recording(const char *file);
 
+/* Is it that of a file of Aseprite's, .ase or .aseprite? Other pictures are PNG. */
+bool art_is_ase(const char *file);
+
 struct art {
     char palette[ART_FILE], font[ART_FILE], border[ART_FILE]; /* "": none */
+    bool by_index;                                            /* the font, and what says nothing of its own */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

@@ -565,6 +565,23 @@ static bool get_flag(const struct at *a, const char *key)
     return v;
 }
 
+/* match = "index" or "colour"; where it says neither, as `usual`. */
+static bool get_match(const struct at *a, bool usual)
+{
+    static const char *const ways[] = { "colour", "index" };
+    char path[MAX_PATH];
+
+    path_of(a, "match", path);
+    if (!get(a, "match"))
+        return usual;
+    for (int i = 0; i < 2; i++)
+        if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), ways[i]) == 0) {
+            lua_pop(a->lua, 1);
+            return i == 1;
+        }
+    bad(a->lua, path, "expected \"colour\" or \"index\", got %s", got(a->lua));
+}
+
 /* cell = { w, h }, and what stands in the cells. */
 static void read_cells(const struct at *a, struct art_font *f)
 {
@@ -589,7 +606,7 @@ static void read_cells(const struct at *a, struct art_font *f)
 
 static void read_fonts(const struct at *root, struct art *art)
 {
-    static const char *const names[] = { "file", "cell", "chars", "also", "fixed", "shadow", NULL };
+    static const char *const names[] = { "file", "cell", "chars", "also", "fixed", "shadow", "match", NULL };
     struct at a, one;
 
     if (!get_table(root, "fonts", &a))
@@ -605,6 +622,7 @@ static void read_fonts(const struct at *root, struct art *art)
         get_text(&one, "also", "characters", f->also, sizeof f->also);
         f->fixed = get_flag(&one, "fixed");
         f->shadow = get_flag(&one, "shadow");
+        f->by_index = get_match(&one, art->by_index);
         lua_pop(a.lua, 1);
     }
     lua_pop(a.lua, 1);
@@ -612,7 +630,7 @@ static void read_fonts(const struct at *root, struct art *art)
 
 static void read_sheets(const struct at *root, struct art *art)
 {
-    static const char *const names[] = { "file", "bank", NULL };
+    static const char *const names[] = { "file", "bank", "match", NULL };
     struct at a, one;
 
     if (!get_table(root, "sheets", &a))
@@ -623,8 +641,9 @@ static void read_sheets(const struct at *root, struct art *art)
         get_table(&a, s->name, &one);
         only(&one, names);
         if (!get_file(&one, "file", s->file))
-            bad(a.lua, one.path, "expected file=\"art/NAME.png\"");
+            bad(a.lua, one.path, "expected file=\"art/NAME.png\" (or .ase, .aseprite)");
         get_whole(&one, "bank", 0, 15, &s->bank);
+        s->by_index = get_match(&one, art->by_index);
         lua_pop(a.lua, 1);
     }
     lua_pop(a.lua, 1);
@@ -660,10 +679,47 @@ static void read_origin(const struct at *a, struct art_sprite *s)
     lua_pop(a->lua, 1);
 }
 
+bool art_is_ase(const char *file)
+{
+    const char *dot = strrchr(file, '.');
+
+    return dot != NULL && (strcmp(dot, ".ase") == 0 || strcmp(dot, ".aseprite") == 0);
+}
+
+/* One whose sheet is a file of Aseprite's: what is not said here, its file says. */
+static void read_tagged(const struct at *a, struct art_sprite *s)
+{
+    char path[MAX_PATH];
+
+    get_text(a, "tag", "a tag's name", s->tag, sizeof s->tag);
+    if (get(a, "frames")) {
+        path_of(a, "frames", path);
+        bad(a->lua, path, "the frames of an .ase are those of its tag (tag = \"NAME\"; without one, all of them)");
+    }
+    s->frames = s->every = 0;
+    get_whole(a, "w", 1, 1024, &s->w);
+    get_whole(a, "h", 1, 1024, &s->h);
+    get_whole(a, "every", 1, 3600, &s->every);
+}
+
+static void read_cut(const struct at *a, struct art_sprite *s)
+{
+    char path[MAX_PATH];
+
+    if (get(a, "tag")) {
+        path_of(a, "tag", path);
+        bad(a->lua, path, "only an .ase or .aseprite has tags");
+    }
+    need_whole(a, "w", 1, 1024, &s->w);
+    need_whole(a, "h", 1, 1024, &s->h);
+    get_whole(a, "frames", 1, 256, &s->frames);
+    get_whole(a, "every", 1, 3600, &s->every);
+}
+
 static void read_sprite(const struct at *a, const struct art *art, struct art_sprite *s)
 {
-    static const char *const names[] = { "sheet", "x",         "y",      "w",     "h", "frames",
-                                         "every", "rotations", "origin", "sizes", NULL };
+    static const char *const names[] = { "sheet", "x",         "y",      "w",     "h",   "frames",
+                                         "every", "rotations", "origin", "sizes", "tag", NULL };
 
     only(a, names);
     s->sheet = sheet_index(a, art);
@@ -672,10 +728,10 @@ static void read_sprite(const struct at *a, const struct art *art, struct art_sp
     s->percent = 100;
     get_whole(a, "x", 0, 16383, &s->x);
     get_whole(a, "y", 0, 16383, &s->y);
-    need_whole(a, "w", 1, 1024, &s->w);
-    need_whole(a, "h", 1, 1024, &s->h);
-    get_whole(a, "frames", 1, 256, &s->frames);
-    get_whole(a, "every", 1, 3600, &s->every);
+    if (art_is_ase(art->sheets[s->sheet].file))
+        read_tagged(a, s);
+    else
+        read_cut(a, s);
     get_whole(a, "rotations", 1, 256, &s->rotations);
     s->ox = s->w / 2;
     s->oy = s->h / 2;
@@ -787,7 +843,7 @@ static bool ends(const char *s, const char *tail)
 
 static void read_map(const struct at *a, struct art *art, struct art_map *map)
 {
-    static const char *const names[] = { "tiles", "file", "rows", "layer", "size", "bank", "first", NULL };
+    static const char *const names[] = { "tiles", "file", "rows", "layer", "size", "bank", "first", "match", NULL };
     char path[MAX_PATH];
 
     only(a, names);
@@ -796,6 +852,7 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     if (!get_file(a, "tiles", map->tiles))
         bad(a->lua, a->path, "expected tiles=\"art/NAME.png\"");
     get_whole(a, "bank", 0, 15, &map->bank);
+    map->by_index = get_match(a, art->by_index);
     get_whole(a, "size", 8, 32, &map->size);
     get_whole(a, "first", 0, 1, &map->first);
     get_text(a, "layer", "a layer's name", map->layer, sizeof map->layer);
@@ -1011,11 +1068,11 @@ static void read_sounds(const struct at *root, struct manifest *m, struct art *a
 
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
 {
-    static const char *const names[] = { "id",     "title",   "author",  "version",      "entry",
-                                         "screen", "field",   "board",   "palette",      "palettes",
-                                         "blends", "font",    "fonts",   "sheets",       "sprites",
-                                         "dip",    "players", "extends", "difficulties", "difficulty",
-                                         "maps",   "sounds",  "music",   "border",       NULL };
+    static const char *const names[] = { "id",           "title",      "author",  "version",  "entry",   "screen",
+                                         "field",        "board",      "palette", "palettes", "blends",  "font",
+                                         "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
+                                         "difficulties", "difficulty", "maps",    "sounds",   "music",   "border",
+                                         "match",        NULL };
 
     only(root, names);
     read_texts(root, m);
@@ -1023,6 +1080,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
     read_extends(root, m);
     read_difficulties(root, m);
     read_dips(root, m);
+    art->by_index = get_match(root, false);
     read_palettes(root, art);
     read_blends(root, art);
     read_fonts(root, art);

@@ -7,8 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../pack/art.h"
-#include "../pack/png.h"
+#include "../pack/sheet.h"
 
 static void refuse(struct check *c, const char *file, int line, const char *why)
 {
@@ -16,21 +15,28 @@ static void refuse(struct check *c, const char *file, int line, const char *why)
     c->broken = true;
 }
 
-/* A picture that rom.lua names in that line. False, with a diagnostic: it is not there, or no PNG. */
-static bool load_picture(struct check *c, const char *file, int line, struct art_picture *out)
+/* The bytes of a picture that rom.lua names in that line. False, with a diagnostic: there are none. */
+static bool load_art(struct check *c, const char *file, int line, uint8_t **data, size_t *size)
+{
+    char why[256];
+
+    if (tree_has(&c->files, file))
+        return check_load(c, file, TREE_FILE, data, size);
+    snprintf(why, sizeof why, "there is no %s", file);
+    refuse(c, "rom.lua", line, why);
+    return false;
+}
+
+/* The same of a PNG, read. */
+static bool load_picture(struct check *c, const char *file, int line, bool by_index, struct art_picture *out)
 {
     char why[256];
     uint8_t *data;
     size_t size;
 
-    if (!tree_has(&c->files, file)) {
-        snprintf(why, sizeof why, "there is no %s", file);
-        refuse(c, "rom.lua", line, why);
+    if (!load_art(c, file, line, &data, &size))
         return false;
-    }
-    if (!check_load(c, file, TREE_FILE, &data, &size))
-        return false;
-    bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
+    bool good = sheet_read_png(out, data, size, by_index, why, sizeof why);
     free(data);
     if (!good)
         refuse(c, file, 0, why);
@@ -42,10 +48,10 @@ static bool load_palette(struct check *c, const char *file, int line, uint8_t rg
     struct art_picture picture;
     char why[256];
 
-    if (!load_picture(c, file, line, &picture))
+    if (!load_picture(c, file, line, false, &picture))
         return false;
     bool good = art_make_palette(&picture, rgb, why, sizeof why);
-    free(picture.rgba);
+    art_picture_free(&picture);
     if (!good)
         refuse(c, file, 0, why);
     return good;
@@ -63,18 +69,31 @@ static bool load_palettes(struct check *c, uint8_t rgb[CART_PALETTE])
     return c->art.palette[0] == '\0' || load_palette(c, c->art.palette, CHECK_LINE(c, "palette"), rgb);
 }
 
-static void note_strays(struct check *c, const char *file, int bank, struct art_strays s)
+/* What would do for a picture whose palette was changed. */
+static const char *remedy(const struct art_strays *s)
 {
-    char other[48] = "", count[48] = "";
+    return s->fits ? " (its indices are: match = \"index\" in rom.lua goes by them)" : "";
+}
 
-    if (s.n == 0 || c->nearest)
+static void note_strays(struct check *c, const char *file, int bank, const struct art_picture *picture,
+                        struct art_strays s)
+{
+    char other[48] = "", count[48] = "", place[ART_PLACE];
+
+    if (s.n == 0 || (c->nearest && s.index < 0))
         return;
-    if (s.bank >= 0)
+    art_place(picture, s.x, s.y, place);
+    if (s.bank >= 0 && s.index < 0)
         snprintf(other, sizeof other, " but in bank %d", s.bank);
     if (s.n > 1)
         snprintf(count, sizeof count, "; %ld such pixels in all", s.n);
-    diagnostics_add(&c->found, file, 0, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d%s%s", s.x, s.y, s.c[0],
-                    s.c[1], s.c[2], bank, other, count);
+    if (s.index >= 0)
+        diagnostics_add(&c->found, file, 0, "%s: index %d is in bank %d, expected bank %d%s", place, s.index,
+                        s.index / 16, bank, count);
+    else
+        diagnostics_add(&c->found, file, 0, "%s: colour #%02x%02x%02x is not in bank %d%s%s%s", place, s.c[0], s.c[1],
+                        s.c[2], bank, other, count, remedy(&s));
+    c->broken = c->broken || s.index >= 0; /* no colour is near to one that does not count */
 }
 
 static void check_font(struct check *c, const uint8_t *rgb)
@@ -84,15 +103,15 @@ static void check_font(struct check *c, const uint8_t *rgb)
     uint8_t *data;
     size_t size;
 
-    if (c->art.font[0] == '\0' || !load_picture(c, c->art.font, CHECK_LINE(c, "font"), &picture))
+    if (c->art.font[0] == '\0' || !load_picture(c, c->art.font, CHECK_LINE(c, "font"), c->art.by_index, &picture))
         return;
     if (!art_make_font(&picture, rgb, true, &data, &size, why, sizeof why)) {
         refuse(c, c->art.font, 0, why);
     } else {
         free(data);
-        note_strays(c, c->art.font, 0, art_find_strays(&picture, NULL, 0, rgb));
+        note_strays(c, c->art.font, 0, &picture, art_find_strays(&picture, NULL, 0, rgb));
     }
-    free(picture.rgba);
+    art_picture_free(&picture);
 }
 
 /* The colours of a font's picture; what else is wrong with a font the packer says. */
@@ -100,61 +119,70 @@ static void check_cells(struct check *c, const struct art_font *font, const uint
 {
     struct art_picture picture;
 
-    if (font->w == 0 || !load_picture(c, font->file, CHECK_LINE(c, "fonts", font->name, "file"), &picture))
+    if (font->w == 0 ||
+        !load_picture(c, font->file, CHECK_LINE(c, "fonts", font->name, "file"), font->by_index, &picture))
         return;
-    note_strays(c, font->file, 0, art_find_strays(&picture, NULL, 0, rgb));
-    free(picture.rgba);
-}
-
-/* Marks the pixels of a sprite; false: it is not inside the sheet. */
-static bool mark(const struct art_picture *sheet, const struct art_sprite *s, uint8_t *marked)
-{
-    int64_t w = (int64_t)s->w * s->frames;
-
-    if (s->x + w > sheet->w || s->y + s->h > sheet->h)
-        return false;
-    for (int y = 0; y < s->h; y++)
-        memset(marked + (size_t)(s->y + y) * (size_t)sheet->w + s->x, 1, (size_t)w);
-    return true;
+    note_strays(c, font->file, 0, &picture, art_find_strays(&picture, NULL, 0, rgb));
+    art_picture_free(&picture);
 }
 
 /* What the packer would say of a sprite. */
-static void check_sprite(struct check *c, const struct art_picture *sheet, const struct art_sprite *s, int bank,
-                         const uint8_t *rgb)
+static void check_sprite(struct check *c, const struct sheet *sheet, const struct art_sheet *of,
+                         const struct art_sprite *s, const uint8_t *rgb)
 {
+    struct ase_sprite made;
     char why[256];
     uint8_t *data;
     size_t size;
+    const bool cut = sheet_sprite(sheet, of, s, &made, why, sizeof why);
 
-    if (art_make_sprite(sheet, s, bank, rgb, true, &data, &size, why, sizeof why)) {
+    if (cut && sheet->is_ase)
+        note_strays(c, of->file, of->bank, &made.picture, art_find_strays(&made.picture, NULL, of->bank, rgb));
+    const bool good =
+        cut && art_make_sprite(&made.picture, &made.sprite, of->bank, rgb, true, &data, &size, why, sizeof why);
+    if (cut)
+        sheet_sprite_close(sheet, &made);
+    if (good)
         free(data);
-        return;
+    else if (strstr(why, ": index ") == NULL) { /* of indices note_strays has told */
+        diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
+        c->broken = true;
     }
-    diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
-    c->broken = true;
+}
+
+/* The colours of all sprites of a PNG together. */
+static void check_colours(struct check *c, const struct sheet *sheet, int i, const uint8_t *rgb)
+{
+    const struct art_sheet *of = &c->art.sheets[i];
+    uint8_t *marked = sheet_marked(sheet, &c->art, i);
+
+    c->found.failed = c->found.failed || marked == NULL;
+    if (marked != NULL)
+        note_strays(c, of->file, of->bank, &sheet->picture, art_find_strays(&sheet->picture, marked, of->bank, rgb));
+    free(marked);
 }
 
 /* rgb NULL: the palette is no good. */
 static void check_sheet(struct check *c, int i, const uint8_t *rgb)
 {
-    const struct art_sheet *sheet = &c->art.sheets[i];
-    struct art_picture picture;
+    const struct art_sheet *of = &c->art.sheets[i];
+    struct sheet sheet;
+    char why[256];
+    uint8_t *data;
+    size_t size;
 
-    if (!load_picture(c, sheet->file, CHECK_LINE(c, "sheets", sheet->name, "file"), &picture))
+    if (!load_art(c, of->file, CHECK_LINE(c, "sheets", of->name, "file"), &data, &size))
         return;
-    uint8_t *marked = calloc((size_t)picture.w, (size_t)picture.h);
-    c->found.failed = c->found.failed || marked == NULL;
-    for (int k = 0; rgb != NULL && marked != NULL && k < c->art.n_sprites; k++) {
-        const struct art_sprite *s = &c->art.sprites[k];
-        if (s->sheet != i)
-            continue;
-        mark(&picture, s, marked);
-        check_sprite(c, &picture, s, sheet->bank, rgb);
-    }
-    if (rgb != NULL && marked != NULL)
-        note_strays(c, sheet->file, sheet->bank, art_find_strays(&picture, marked, sheet->bank, rgb));
-    free(marked);
-    free(picture.rgba);
+    const bool good = sheet_read(&sheet, of, data, size, why, sizeof why);
+    free(data);
+    if (!good)
+        refuse(c, of->file, 0, why);
+    if (good && rgb != NULL && !sheet.is_ase)
+        check_colours(c, &sheet, i, rgb);
+    for (int k = 0; good && rgb != NULL && k < c->art.n_sprites; k++)
+        if (c->art.sprites[k].sheet == i)
+            check_sprite(c, &sheet, of, &c->art.sprites[k], rgb);
+    sheet_close(&sheet);
 }
 
 void check_art(struct check *c)

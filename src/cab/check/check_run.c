@@ -86,6 +86,20 @@ static const char *declared(const struct check *c, const char *of, const char *n
     return "rom.lua";
 }
 
+/* The size of a sprite's picture, not turned; of one whose file says it, as it is in the ROM. */
+static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, int *h)
+{
+    struct sprite packed;
+
+    *w = art_resized(s->w, s->percent);
+    *h = art_resized(s->h, s->percent);
+    if (s->w && s->h)
+        return;
+    cart_sprite(&r->cart, cart_find_sprite(&r->cart, s->name), &packed);
+    *w = packed.w;
+    *h = packed.h;
+}
+
 /* A shape that reaches beyond what is seen is hardly meant. */
 static void note_large(void *context, const struct inspect_shape_of *kind)
 {
@@ -93,17 +107,20 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
                                          [INSPECT_BOX] = "hit box",
                                          [INSPECT_CAPSULE] = "hit capsule",
                                          [INSPECT_CIRCLES] = "hit circles, together" };
-    struct check *c = context;
+    const struct run *r = context;
+    struct check *c = r->c;
     int64_t w = (int64_t)kind->x1 - kind->x0, h = (int64_t)kind->y1 - kind->y0;
     int line;
 
     for (int i = 0; i < c->art.n_sprites; i++) {
         const struct art_sprite *s = &c->art.sprites[i];
-        int pic_w = art_resized(s->w, s->percent), pic_h = art_resized(s->h, s->percent),
-            side = pic_w > pic_h ? pic_w : pic_h;
+        if (strcmp(s->name, kind->sprite) != 0)
+            continue;
+        int pic_w, pic_h;
+        drawn_size(r, s, &pic_w, &pic_h);
+        int side = pic_w > pic_h ? pic_w : pic_h;
         bool any_way = kind->turns && kind->shape == INSPECT_BOX;
-        if (strcmp(s->name, kind->sprite) != 0 ||
-            (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16))
+        if (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16)
             continue;
         const char *file = declared(c, kind->of, kind->name, &line);
         diagnostics_add(&c->found, file, line,
@@ -203,7 +220,7 @@ static bool power(struct run *r, const struct board_start *start)
     if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
         note_full(r, board_last(r->guard.board));
         if (!r->measured) {
-            inspect_kinds(r->guard.board, note_large, r->c);
+            inspect_kinds(r->guard.board, note_large, r);
             inspect_kinds(r->guard.board, note_ramp, r);
         }
         r->measured = true;
@@ -544,7 +561,7 @@ static void run_all(struct run *r)
     judge_memory(r);
 }
 
-static void found_in_music(void *context, const char *sentence)
+static void told(void *context, const char *sentence)
 {
     struct check *c = context;
 
@@ -562,7 +579,7 @@ void check_run(struct check *c)
         return;
     }
     r->c = c;
-    if (!pack_folder_told(c->dir, true, found_in_music, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
+    if (!pack_folder_told(c->dir, true, told, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
         r->image.bytes = NULL;
         check_rom_sentence(c, err);
         c->broken = true;

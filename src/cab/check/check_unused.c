@@ -285,7 +285,7 @@ static void unused_files(struct check *c, bool texts)
 {
     for (int i = 0; i < c->files.n; i++) {
         const char *path = c->files.name[i];
-        if (ends_with(path, ".png") && !picture_used(c, path))
+        if ((ends_with(path, ".png") || art_is_ase(path)) && !picture_used(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
         if ((art_is_recording(path) || ends_with(path, ".mml")) && !sound_file(c, path))
             diagnostics_add(&c->found, path, 0, "rom.lua does not name it");

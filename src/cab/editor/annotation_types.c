@@ -98,9 +98,13 @@ static void hits(const struct api_param *p, char *out, size_t size)
 {
     static const struct {
         const char *form, *type;
-    } forms[] = { { "{ circle =", "{ circle: number }" },     { "{ box =", "{ box: number[] }" },
-                  { "{ capsule =", "{ capsule: number[] }" }, { "{ circles =", "{ circles: number[][] }" },
-                  { "{ share =", "{ share: number }" },       { "\"none\"", "\"none\"" } };
+    } forms[] = { { "{ circle =", "{ circle: number }" },
+                  { "{ box =", "{ box: number[] }" },
+                  { "{ capsule =", "{ capsule: number[] }" },
+                  { "{ circles =", "{ circles: number[][] }" },
+                  { "{ share =", "{ share: number }" },
+                  { "{ sprite =", "{ sprite: sprite_name }" },
+                  { "\"none\"", "\"none\"" } };
     char words[320];
     size_t n = 0;
 

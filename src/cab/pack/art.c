@@ -75,21 +75,68 @@ static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off
     return best;
 }
 
+void art_picture_free(struct art_picture *picture)
+{
+    free(picture->rgba);
+    free(picture->index);
+    *picture = (struct art_picture){ 0 };
+}
+
+void art_place(const struct art_picture *p, int x, int y, char out[ART_PLACE])
+{
+    int frame = p->cell ? x / p->cell : 0;
+
+    if (p->cell)
+        snprintf(out, ART_PLACE, "frame %d, pixel %d,%d", p->frames ? p->frames[frame] : frame + 1, x % p->cell, y);
+    else
+        snprintf(out, ART_PLACE, "pixel %d,%d", x, y);
+}
+
+/* Is the index one of the bank, or of a palette of 16? */
+static bool index_fits(int index, int bank)
+{
+    return index < 16 || index / 16 == bank;
+}
+
+static int refuse_index(const struct art_picture *p, int x, int y, int index, int bank, char *err, size_t err_size)
+{
+    char place[ART_PLACE];
+
+    art_place(p, x, y, place);
+    err_set(err, err_size, "%s: index %d is in bank %d, expected one of bank %d (%d to %d) or 0 to 15", place, index,
+            index / 16, bank, bank * 16, bank * 16 + 15);
+    return -1;
+}
+
+static int refuse_colour(const struct art_picture *p, int x, int y, const uint8_t *colour, int bank, char *err,
+                         size_t err_size)
+{
+    char place[ART_PLACE];
+
+    art_place(p, x, y, place);
+    err_set(
+        err, err_size,
+        "%s: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest; match = \"index\" in rom.lua goes "
+        "by the places in the palette of an indexed picture)",
+        place, colour[0], colour[1], colour[2], bank);
+    return -1;
+}
+
 /* art_shade, which every pixel of every sprite goes through. */
 static int shade_of(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
                     size_t err_size)
 {
-    const uint8_t *colour = p->rgba + ((size_t)y * (size_t)p->w + (size_t)x) * 4;
+    const size_t at = (size_t)y * (size_t)p->w + (size_t)x;
+    const uint8_t *colour = p->rgba + at * 4;
     int off, shade;
 
     if (colour[3] < 128)
         return 0;
+    if (p->by_index)
+        return index_fits(p->index[at], bank) ? p->index[at] % 16
+                                              : refuse_index(p, x, y, p->index[at], bank, err, err_size);
     shade = nearest_shade(rgb + bank * 48, colour, &off);
-    if (off == 0 || nearest)
-        return shade;
-    err_set(err, err_size, "pixel %d,%d: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest)", x, y,
-            colour[0], colour[1], colour[2], bank);
-    return -1;
+    return off == 0 || nearest ? shade : refuse_colour(p, x, y, colour, bank, err, err_size);
 }
 
 int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
@@ -135,22 +182,53 @@ static int bank_with(const uint8_t *rgb, const uint8_t *colour)
 struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
                                   const uint8_t rgb[CART_PALETTE])
 {
-    struct art_strays s = { .bank = -1 };
+    struct art_strays s = { .bank = -1, .index = -1, .fits = picture->index != NULL };
 
     for (size_t i = 0; i < (size_t)picture->w * (size_t)picture->h; i++) {
         const uint8_t *colour = picture->rgba + i * 4;
         int off = 0;
         if ((marked != NULL && !marked[i]) || colour[3] < 128)
             continue;
-        nearest_shade(rgb + bank * 48, colour, &off);
+        s.fits = s.fits && index_fits(picture->index[i], bank);
+        if (picture->by_index)
+            off = !index_fits(picture->index[i], bank);
+        else
+            nearest_shade(rgb + bank * 48, colour, &off);
         if (off == 0 || s.n++ > 0)
             continue;
+        s.index = picture->by_index ? picture->index[i] : -1;
         s.x = (int)(i % (size_t)picture->w);
         s.y = (int)(i / (size_t)picture->w);
         memcpy(s.c, colour, 3);
     }
     s.bank = s.n > 0 ? bank_with(rgb, s.c) : -1;
     return s;
+}
+
+struct art_faint art_find_faint(const struct art_picture *picture, const uint8_t *marked)
+{
+    struct art_faint f = { 0 };
+
+    for (size_t i = 0; i < (size_t)picture->w * (size_t)picture->h; i++) {
+        const uint8_t opacity = picture->rgba[i * 4 + 3];
+        if ((marked != NULL && !marked[i]) || opacity == 0 || opacity >= 128 || f.n++ > 0)
+            continue;
+        f.x = (int)(i % (size_t)picture->w);
+        f.y = (int)(i / (size_t)picture->w);
+        f.percent = opacity * 100 / 255;
+    }
+    return f;
+}
+
+void art_faint_say(const struct art_picture *picture, const struct art_faint *f, char *out, size_t size)
+{
+    char place[ART_PLACE], count[48] = "";
+
+    art_place(picture, f->x, f->y, place);
+    if (f->n > 1)
+        snprintf(count, sizeof count, "; %ld such pixels in all", f->n);
+    snprintf(out, size, "%s: painted with %d %% opacity, and what has less than half vanishes%s", place, f->percent,
+             count);
 }
 
 /* Pictures of w x h on end, without padding: picture = frame * rotations + rotation. */

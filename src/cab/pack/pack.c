@@ -28,6 +28,7 @@
 #include "../host/files.h"
 #include "map.h"
 #include "shade.h"
+#include "sheet.h"
 #include "../mml/mml.h"
 #include "../sound/recording.h"
 #include "tree.h"
@@ -192,20 +193,39 @@ static bool refuse_missing(struct packer *p, const char *file)
     return err_set(p->err, p->err_size, "rom.lua: there is no %s", file);
 }
 
-/* A picture of the folder into *out (free rgba). */
-static bool load_picture(struct packer *p, const char *file, struct art_picture *out)
+/* A file that rom.lua names, whole. */
+static bool load_named(struct packer *p, const char *file, size_t most, uint8_t **data, size_t *size)
+{
+    if (!tree_portable(file))
+        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+    if (!tree_has(&p->files, file))
+        return refuse_missing(p, file);
+    return load_in(p, file, most, data, size);
+}
+
+/* Tells of pixels that nobody will see. */
+static void tell_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
+{
+    const struct art_faint f = art_find_faint(picture, marked);
+    char why[128], sentence[ART_FILE + 160];
+
+    if (f.n == 0 || p->warn == NULL)
+        return;
+    art_faint_say(picture, &f, why, sizeof why);
+    snprintf(sentence, sizeof sentence, "%s: %s", file, why);
+    p->warn(p->context, sentence);
+}
+
+/* A picture of the folder into *out (art_picture_free). */
+static bool load_picture(struct packer *p, const char *file, bool by_index, struct art_picture *out)
 {
     char why[256];
     uint8_t *data = NULL;
     size_t size = 0;
 
-    if (!tree_portable(file))
-        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
-    if (!tree_has(&p->files, file))
-        return refuse_missing(p, file);
-    if (!load_in(p, file, TREE_FILE, &data, &size))
+    if (!load_named(p, file, TREE_FILE, &data, &size))
         return false;
-    bool good = png_read(data, size, &out->rgba, &out->w, &out->h, why, sizeof why);
+    bool good = sheet_read_png(out, data, size, by_index, why, sizeof why);
     free(data);
     return good ? true : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
@@ -215,10 +235,10 @@ static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PA
     struct art_picture picture;
     char why[256];
 
-    if (!load_picture(p, file, &picture))
+    if (!load_picture(p, file, false, &picture))
         return false;
     bool good = art_make_palette(&picture, rgb, why, sizeof why);
-    free(picture.rgba);
+    art_picture_free(&picture);
     return good ? true : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
@@ -271,10 +291,11 @@ static bool add_font(struct packer *p)
 
     if (file[0] == '\0')
         return true;
-    if (!load_picture(p, file, &picture))
+    if (!load_picture(p, file, p->art.by_index, &picture))
         return false;
     bool good = art_make_font(&picture, p->palette, p->nearest, &data, &size, why, sizeof why);
-    free(picture.rgba);
+    tell_faint(p, file, &picture, NULL);
+    art_picture_free(&picture);
     return good ? add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
@@ -299,14 +320,15 @@ static bool read_cells(struct packer *p, const struct art_font *font, const stru
     char why[256];
     uint32_t code;
 
-    if (!load_picture(p, font->file, &picture))
+    if (!load_picture(p, font->file, font->by_index, &picture))
         return false;
+    tell_faint(p, font->file, &picture, NULL);
     bool good = faces_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
     if (good && !faces_sort(f, &code)) {
         snprintf(why, sizeof why, "`chars` has U+%04X twice", (unsigned)code);
         good = false;
     }
-    free(picture.rgba);
+    art_picture_free(&picture);
     return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
 }
 
@@ -342,30 +364,61 @@ static bool add_faces(struct packer *p)
     return true;
 }
 
-/* The sprites of one sheet. */
-static bool add_sheet(struct packer *p, int sheet)
+/* Adds what became of a sprite, and its hit shape if one was drawn. */
+static bool add_made(struct packer *p, const struct ase_sprite *made, const struct art_sheet *s)
 {
-    const struct art_sheet *s = &p->art.sheets[sheet];
-    struct art_picture picture;
-    bool good = load_picture(p, s->file, &picture);
+    uint8_t hit[CART_HIT], *data;
+    size_t size;
     char why[256];
 
-    if (!good)
+    if (!art_make_sprite(&made->picture, &made->sprite, s->bank, p->palette, p->nearest, &data, &size, why, sizeof why))
+        return starts_with(why, "pixel")
+                   ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
+                   : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, made->sprite.name, why);
+    if (!add(p, "gfx/", made->sprite.name, data, size))
         return false;
-    for (int i = 0; good && i < p->art.n_sprites; i++) {
-        const struct art_sprite *sprite = &p->art.sprites[i];
-        uint8_t *data;
-        size_t size;
-        if (sprite->sheet != sheet)
-            continue;
-        if (art_make_sprite(&picture, sprite, s->bank, p->palette, p->nearest, &data, &size, why, sizeof why))
-            good = add(p, "gfx/", sprite->name, data, size);
-        else
-            good = starts_with(why, "pixel")
-                       ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
-                       : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
+    cart_hit_pack(&made->hit, hit);
+    return made->hit.rows == 0 || add_copy(p, "hit/", made->sprite.name, hit, sizeof hit);
+}
+
+static bool add_sprite(struct packer *p, const struct sheet *sheet, const struct art_sheet *s,
+                       const struct art_sprite *sprite)
+{
+    struct ase_sprite made;
+    char why[256];
+
+    if (!sheet_sprite(sheet, s, sprite, &made, why, sizeof why))
+        return err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
+    const bool good = add_made(p, &made, s);
+    if (good && sheet->is_ase)
+        tell_faint(p, s->file, &made.picture, NULL);
+    sheet_sprite_close(sheet, &made);
+    return good;
+}
+
+/* The sprites of one sheet. */
+static bool add_sheet(struct packer *p, int i)
+{
+    const struct art_sheet *s = &p->art.sheets[i];
+    struct sheet sheet;
+    char why[256];
+    uint8_t *data = NULL;
+    size_t size = 0;
+
+    if (!load_named(p, s->file, TREE_FILE, &data, &size))
+        return false;
+    bool good =
+        sheet_read(&sheet, s, data, size, why, sizeof why) || err_set(p->err, p->err_size, "%s: %s", s->file, why);
+    free(data);
+    for (int k = 0; good && k < p->art.n_sprites; k++)
+        good = p->art.sprites[k].sheet != i || add_sprite(p, &sheet, s, &p->art.sprites[k]);
+    if (good && !sheet.is_ase && p->warn != NULL) {
+        uint8_t *marked = sheet_marked(&sheet, &p->art, i);
+        if (marked != NULL)
+            tell_faint(p, s->file, &sheet.picture, marked);
+        free(marked);
     }
-    free(picture.rgba);
+    sheet_close(&sheet);
     return good;
 }
 
@@ -415,29 +468,20 @@ static bool add_map(struct packer *p, const struct art_map *m)
 
     if (!load_cells(p, m, &cells))
         return false;
-    if (!load_picture(p, m->tiles, &sheet)) {
+    if (!load_picture(p, m->tiles, m->by_index, &sheet)) {
         free(cells.cell);
         return false;
     }
     bool good = map_make(&cells, cells.side ? cells.side : m->size, &sheet, m->bank, p->palette, p->nearest, &data,
                          &size, why, sizeof why);
-    free(sheet.rgba);
+    tell_faint(p, m->tiles, &sheet, NULL);
+    art_picture_free(&sheet);
     free(cells.cell);
     if (good)
         return add(p, "map/", m->name, data, size);
     return starts_with(why, "pixel")
                ? err_set(p->err, p->err_size, "%s: %s", m->tiles, why)
                : err_set(p->err, p->err_size, "%s: map \"%s\": %s", m->file[0] ? m->file : "rom.lua", m->name, why);
-}
-
-/* A file that rom.lua names, whole. */
-static bool load_named(struct packer *p, const char *file, size_t most, uint8_t **data, size_t *size)
-{
-    if (!tree_portable(file))
-        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
-    if (!tree_has(&p->files, file))
-        return refuse_missing(p, file);
-    return load_in(p, file, most, data, size);
 }
 
 /* Adds what a recording becomes: a tune, and of music its samples. */
@@ -870,6 +914,12 @@ static void ignore_entry(void *user, const struct plat_file *file)
 
 bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
 {
+    return rom_image_load_told(path, nearest, NULL, NULL, out, err, err_size);
+}
+
+bool rom_image_load_told(const char *path, bool nearest, void (*warn)(void *context, const char *sentence),
+                         void *context, struct rom_image *out, char *err, size_t err_size)
+{
     char why[PATH + 256];
 
     memset(out, 0, sizeof *out);
@@ -879,7 +929,7 @@ bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char 
         files_absent(path, "file or folder", err, err_size);
         return false;
     }
-    if (!pack_folder(path, nearest, &out->bytes, &out->size, why, sizeof why)) {
+    if (!pack_folder_told(path, nearest, warn, context, &out->bytes, &out->size, why, sizeof why)) {
         memset(out, 0, sizeof *out);
         return err_set(err, err_size, "%s: %s", path, why);
     }

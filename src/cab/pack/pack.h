@@ -42,12 +42,15 @@ struct rom_image {
  * not in bank 3"). */
 bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size);
 
-/* The same; music that is allowed and not meant is told, a sentence each: "music/tide.mml:12:7: ..." */
+/* The same; what is allowed and hardly meant is told, a sentence each: music ("music/tide.mml:12:7: ..."), and pixels
+ * that vanish, for they are painted with less than half opacity ("art/small.png: pixel 3,4: ..."). */
 bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context, const char *sentence), void *context,
                       uint8_t **image, size_t *size, char *err, size_t err_size);
 
 /* Loads a .rom file, or packs a folder. The sentence about a file starts with its path. */
 bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size);
+bool rom_image_load_told(const char *path, bool nearest, void (*warn)(void *context, const char *sentence),
+                         void *context, struct rom_image *out, char *err, size_t err_size);
 void rom_image_free(struct rom_image *image);
 
 /* Calls each with one line a lump, in order: "script/main.lua 1234 0a1b2c3d" (name, bytes, CRC32). */

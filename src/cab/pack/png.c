@@ -403,8 +403,8 @@ static uint8_t *plain_file(const uint8_t *data, const struct layout *l, const ui
     return file;
 }
 
-/* Greys to the palette's colours. */
-static bool look_up(const struct layout *l, uint8_t *rgba, char *err, size_t err_size)
+/* Greys to the palette's colours; the indices go to `index`, if it is not NULL. */
+static bool look_up(const struct layout *l, uint8_t *rgba, uint8_t *index_of, char *err, size_t err_size)
 {
     for (size_t i = 0; i < (size_t)l->w * l->h; i++, rgba += 4) {
         uint32_t index = rgba[0];
@@ -413,6 +413,8 @@ static bool look_up(const struct layout *l, uint8_t *rgba, char *err, size_t err
                      (unsigned long)(i % l->w), (unsigned long)(i / l->w), index, l->colours - 1);
             return false;
         }
+        if (index_of)
+            index_of[i] = (uint8_t)index;
         memcpy(rgba, l->palette + 3 * index, 3);
         rgba[3] = index < l->opacities ? l->opacity[index] : 255;
     }
@@ -437,8 +439,8 @@ static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size
     return NULL;
 }
 
-static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const uint8_t *packed, char *err,
-                             size_t err_size)
+static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const uint8_t *packed, uint8_t *index,
+                             char *err, size_t err_size)
 {
     size_t size;
     uint8_t *file = plain_file(data, l, packed, &size), *rgba;
@@ -449,18 +451,41 @@ static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const 
     }
     rgba = decode(file, size, err, err_size);
     free(file);
-    if (rgba && l->colour == 3 && !look_up(l, rgba, err, err_size)) {
+    if (rgba && l->colour == 3 && !look_up(l, rgba, index, err, err_size)) {
         free(rgba);
         return NULL;
     }
     return rgba;
 }
 
-bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size)
+/* Reads what `packed` inflates to; the indices, if there are any and they are asked for, into *index. */
+static uint8_t *read_pixels(const uint8_t *data, const struct layout *l, const uint8_t *packed, uint8_t **index,
+                            char *err, size_t err_size)
+{
+    uint8_t *rgba;
+
+    if (!check_pixels(l, packed, err, err_size))
+        return NULL;
+    if (index && l->colour == 3 && !(*index = malloc((size_t)l->w * l->h))) {
+        err_set(err, err_size, "out of memory");
+        return NULL;
+    }
+    rgba = decode_plain(data, l, packed, index ? *index : NULL, err, err_size);
+    if (!rgba && index) {
+        free(*index);
+        *index = NULL;
+    }
+    return rgba;
+}
+
+bool png_read_indexed(const uint8_t *data, size_t n, uint8_t **rgba, uint8_t **index, int *w, int *h, char *err,
+                      size_t err_size)
 {
     struct layout l;
 
     *rgba = NULL;
+    if (index)
+        *index = NULL;
     if (n < sizeof signature || memcmp(data, signature, sizeof signature) != 0)
         return err_set(err, err_size, "not a PNG");
     if (n > PNG_MAX_BYTES)
@@ -471,10 +496,20 @@ bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, cha
     uint8_t *packed = join_pixels(data, &l);
     if (!packed)
         return err_set(err, err_size, "out of memory");
-    if (check_pixels(&l, packed, err, err_size))
-        *rgba = decode_plain(data, &l, packed, err, err_size);
+    *rgba = read_pixels(data, &l, packed, index, err, err_size);
     free(packed);
     *w = (int)l.w;
     *h = (int)l.h;
     return *rgba != NULL;
+}
+
+bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size)
+{
+    return png_read_indexed(data, n, rgba, NULL, w, h, err, err_size);
+}
+
+bool png_inflate(const uint8_t *packed, size_t n, uint8_t *out, size_t size)
+{
+    return n <= INT32_MAX && size < INT32_MAX &&
+           stbi_zlib_decode_buffer((char *)out, (int)size + 1, (const char *)packed, (int)n) == (int)size;
 }

@@ -33,4 +33,12 @@ bool png_deflate(uint8_t *raw, size_t n, uint8_t **out, size_t *size);
  * file's name, for anything damaged or too large. */
 bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size);
 
+/* The same, and of a PNG of palette indices those too, in *index (free it), a byte a pixel; of others NULL. */
+bool png_read_indexed(const uint8_t *data, size_t n, uint8_t **rgba, uint8_t **index, int *w, int *h, char *err,
+                      size_t err_size);
+
+/* Inflates zlib data, which files elsewhere hold too, into `out`, which has room for size + 1 bytes. False: it is
+ * damaged, or does not inflate to just that size. */
+bool png_inflate(const uint8_t *packed, size_t n, uint8_t *out, size_t size);
+
 #endif

@@ -38,9 +38,9 @@ static fx extent(lua_State *L, const char *entry, const char *name, int at)
     return v.f;
 }
 
-#define HIT_MANY "{ circles = { { x, y, r }, .. } }"
+#define HIT_MANY "{ circles = { { x, y, r }, .. } }, { sprite = name }"
 const char *const api_hit_forms[] = {
-    [HIT_PLAYERS] = "{ circle = r }",
+    [HIT_PLAYERS] = "{ circle = r } or { sprite = name }",
     [HIT_ENEMIES] =
         "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_MANY " or \"none\"",
     [HIT_LASERS] = "{ share = s }, of its width, 0 to 1, or \"none\"",
@@ -56,7 +56,7 @@ static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_who
     for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
         key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
         bool known =
-            !strcmp(key, "circle") ||
+            !strcmp(key, "circle") || !strcmp(key, "sprite") ||
             (whose != HIT_PLAYERS && (!strcmp(key, "box") || !strcmp(key, "capsule") || !strcmp(key, "circles")));
         if (!known || keys++)
             api_error(L, entry, "hit: expected %s, got one with \"%s\"", api_hit_forms[whose], key);
@@ -137,6 +137,41 @@ static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, 
     }
 }
 
+/* The shape that was drawn with a sprite, whose name is on top of the stack. */
+static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
+{
+    const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL };
+    const int at = lua_gettop(L);
+    struct api_value v = { 0 };
+    struct cart_hit hit;
+
+    api_check(L, entry, &sprite, at, &v);
+    const char *name = lua_tostring(L, at);
+    if (!cart_find_hit(&vm_board(L)->cart, name, &hit))
+        api_error(L, entry,
+                  "hit.sprite: no hit shape was drawn with \"%s\" (a slice named \"hit\" in its .ase draws one)", name);
+    if (whose == HIT_PLAYERS && hit.shape != SHAPE_CIRCLE)
+        api_error(L, entry,
+                  "hit.sprite: a player has one circle about its place, and what was drawn with \"%s\" is not", name);
+    if (whose == HIT_BULLETS && hit.shape == SHAPE_CAPSULE && hit.row[0].y != 0)
+        api_error(L, entry,
+                  "hit.sprite: the capsule of \"%s\" stands upright, and a bullet's lies along its dir: draw it "
+                  "pointing right",
+                  name);
+    s->shape = (uint8_t)hit.shape;
+    s->rows = hit.rows;
+    for (uint32_t i = 0; i < hit.rows; i++) {
+        s->row[i].a = hit.row[i].a;
+        s->row[i].b = hit.shape == SHAPE_CIRCLES ? (fx)(hit.rows - 1 - i) : hit.row[i].b;
+        s->row[i].x = hit.row[i].x;
+        s->row[i].y = hit.row[i].y;
+    }
+    if (whose == HIT_BULLETS && hit.shape == SHAPE_CAPSULE) {
+        s->row[0].b = hit.row[0].x;
+        s->row[0].x = 0;
+    }
+}
+
 struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose)
 {
     struct api_shape s = { .shape = SHAPE_NONE, .rows = 1 };
@@ -154,6 +189,8 @@ struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose
         s.row[0].a = extent(L, entry, "hit.circle", lua_gettop(L));
     } else if (!strcmp(key, "capsule"))
         read_capsule(L, entry, whose, &s);
+    else if (!strcmp(key, "sprite"))
+        read_drawn(L, entry, whose, &s);
     else if (!strcmp(key, "circles"))
         read_circles(L, entry, whose, &s);
     else {

@@ -1,0 +1,516 @@
+/*
+ * ase.c - see ase.h: the file. It is frames of chunks, each with its size, so what is not known is passed over. All is
+ * read through a cursor that gives zeros behind the end and remembers it, so each chunk is checked once, at its end.
+ */
+#include "ase.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/err.h"
+
+enum {
+    FILE_MAGIC = 0xa5e0,
+    FRAME_MAGIC = 0xf1fa,
+    FILE_HEADER = 128,
+    FRAME_HEADER = 16,
+    CHUNK_HEADER = 6,
+    MAX_LEVEL = 64, /* groups in groups */
+    CHUNK_PALETTE_OLD = 0x0004,
+    CHUNK_PALETTE_OLDER = 0x0011, /* channels of 6 bits */
+    CHUNK_LAYER = 0x2004,
+    CHUNK_CEL = 0x2005,
+    CHUNK_TAGS = 0x2018,
+    CHUNK_PALETTE = 0x2019,
+    CHUNK_SLICE = 0x2022
+};
+
+struct reader {
+    const uint8_t *p;
+    size_t n, at; /* n: of the chunk */
+    bool past;    /* something behind the end was asked for */
+    struct ase *a;
+    ase_inflate *inflate;
+    bool opacities, groups; /* the header's flags: layers, and groups, have a valid opacity */
+    bool new_palette;
+    bool group_shown[MAX_LEVEL + 1]; /* of the groups round the layer that comes next, by level */
+    int level;                       /* of the innermost group that is open; -1: none */
+    size_t bytes;                    /* of all images */
+    int slices;
+    char *err;
+    size_t err_size;
+};
+
+__attribute__((format(printf, 2, 3))) static bool refuse(struct reader *r, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(r->err, r->err_size, format, args);
+    va_end(args);
+    return false;
+}
+
+/* ---- the cursor ---- */
+
+static const uint8_t *take(struct reader *r, size_t n)
+{
+    static const uint8_t zeros[8];
+
+    if (n > r->n - r->at) {
+        r->past = true;
+        r->at = r->n;
+        return zeros;
+    }
+    r->at += n;
+    return r->p + r->at - n;
+}
+
+static void skip(struct reader *r, size_t n)
+{
+    if (n > r->n - r->at)
+        r->past = true;
+    r->at = r->past ? r->n : r->at + n;
+}
+
+static int take8(struct reader *r)
+{
+    return *take(r, 1);
+}
+
+static int take16(struct reader *r)
+{
+    return bytes_get16(take(r, 2));
+}
+
+static int take16s(struct reader *r)
+{
+    return (int16_t)bytes_get16(take(r, 2));
+}
+
+static uint32_t take32(struct reader *r)
+{
+    return bytes_get32(take(r, 4));
+}
+
+static void take_name(struct reader *r, char out[ASE_NAME])
+{
+    size_t n = (size_t)take16(r), kept = n < ASE_NAME ? n : ASE_NAME - 1;
+    const bool whole = n <= r->n - r->at;
+
+    memset(out, 0, ASE_NAME);
+    if (whole)
+        memcpy(out, r->p + r->at, kept);
+    for (size_t i = 0; i < kept; i++)
+        out[i] = (unsigned char)out[i] < 32 || out[i] == 127 ? '?' : out[i];
+    skip(r, n);
+}
+
+/* Room, zeroed, for one more of the n of `size` bytes each that *list points to; the list doubles. NULL: out of
+ * memory. */
+static void *more(void *list, int n, size_t size)
+{
+    void *to;
+
+    memcpy(&to, list, sizeof to); /* it may be a list of anything */
+    if ((n & (n - 1)) == 0) {
+        to = realloc(to, (n ? 2 * (size_t)n : 1) * size);
+        if (!to)
+            return NULL;
+        memcpy(list, &to, sizeof to);
+    }
+    return memset((char *)to + (size_t)n * size, 0, size);
+}
+
+static bool no_memory(struct reader *r)
+{
+    return refuse(r, "out of memory");
+}
+
+/* ---- chunks ---- */
+
+static const char *const blend_names[ASE_BLENDS] = { "normal",     "multiply",   "screen",       "overlay",
+                                                     "darken",     "lighten",    "colour dodge", "colour burn",
+                                                     "hard light", "soft light", "difference",   "exclusion",
+                                                     "hue",        "saturation", "colour",       "luminosity",
+                                                     "addition",   "subtract",   "divide" };
+
+static bool blend_known(int blend)
+{
+    return blend < ASE_BLENDS && blend != ASE_SOFT_LIGHT && (blend < ASE_HUE || blend > ASE_LUMINOSITY);
+}
+
+enum { LAYER_IMAGE, LAYER_GROUP, LAYER_TILEMAP };
+
+/* May a layer that is shown be so? */
+static bool check_layer(struct reader *r, const struct ase_layer *l, int type)
+{
+    if (type == LAYER_TILEMAP)
+        return refuse(r, "layer \"%s\" is a tilemap: convert it to a normal layer", l->name);
+    if (type == LAYER_GROUP && (l->opacity != 255 || l->blend != ASE_NORMAL))
+        return refuse(r, "group \"%s\" has an opacity or a blend mode of its own: give them to its layers", l->name);
+    if (!blend_known(l->blend))
+        return refuse(r, "layer \"%s\": blend mode \"%s\" cannot be packed: merge the layer with the one below",
+                      l->name, l->blend < ASE_BLENDS ? blend_names[l->blend] : "unknown");
+    return true;
+}
+
+static bool read_layer(struct reader *r)
+{
+    enum { VISIBLE = 1, BACKGROUND = 8, REFERENCE = 64 };
+    struct ase *a = r->a;
+    const int flags = take16(r), type = take16(r), level = take16(r);
+
+    if (a->n_layers == ASE_MAX_LAYERS)
+        return refuse(r, "an Aseprite file of more than %d layers", ASE_MAX_LAYERS);
+    if (type > LAYER_TILEMAP || level > r->level + 1 || level >= MAX_LEVEL)
+        return refuse(r, "a damaged Aseprite file: layer %d is of no known kind", a->n_layers + 1);
+    struct ase_layer *l = more(&a->layers, a->n_layers, sizeof *l);
+    if (!l)
+        return no_memory(r);
+    a->n_layers++;
+    skip(r, 4);
+    const int blend = take16(r), opacity = take8(r);
+    skip(r, 3);
+    take_name(r, l->name);
+    const bool valid = type == LAYER_GROUP ? r->groups : r->opacities;
+    l->opacity = valid ? (uint8_t)opacity : 255;
+    l->blend = type == LAYER_GROUP && !r->groups ? ASE_NORMAL : blend < 255 ? (uint8_t)blend : 255;
+    l->background = flags & BACKGROUND;
+    l->shown = flags & VISIBLE && !(flags & REFERENCE) && r->group_shown[level];
+    r->group_shown[level + 1] = l->shown;
+    r->level = type == LAYER_GROUP ? level : level - 1;
+    return r->past || !l->shown || check_layer(r, l, type);
+}
+
+/* The pixels of a cel that is not linked, a new image. */
+static bool read_image(struct reader *r, int layer, bool packed, int *image)
+{
+    struct ase *a = r->a;
+    const int w = take16(r), h = take16(r), frame = a->n_frames;
+    const size_t size = (size_t)w * (size_t)h * (size_t)a->depth;
+
+    if (r->past)
+        return true;
+    if (w < 1 || h < 1 || size > ASE_MAX_BYTES - r->bytes)
+        return refuse(r, "frame %d, layer \"%s\": a picture of %dx%d pixels is too %s", frame, a->layers[layer].name, w,
+                      h, w < 1 || h < 1 ? "small" : "large");
+    struct ase_image *i = more(&a->images, a->n_images, sizeof *i);
+    if (!i || !(i->pix = malloc(size + 1)))
+        return no_memory(r);
+    *image = a->n_images++;
+    r->bytes += size;
+    i->w = w;
+    i->h = h;
+    const size_t left = r->n - r->at;
+    const uint8_t *from = r->p + r->at;
+    r->at = r->n;
+    if (!packed && left >= size)
+        memcpy(i->pix, from, size);
+    else if (!packed || !r->inflate(from, left, i->pix, size))
+        return refuse(r, "frame %d, layer \"%s\": its pixels are damaged", frame, a->layers[layer].name);
+    return true;
+}
+
+/* The image of the same layer in an earlier frame (from 0 on). */
+static bool find_link(struct reader *r, int layer, int frame, int *image)
+{
+    const struct ase *a = r->a;
+
+    if (frame < a->n_frames - 1)
+        for (int i = 0; i < a->frames[frame].cels; i++)
+            if (a->cels[a->frames[frame].first_cel + i].layer == layer) {
+                *image = a->cels[a->frames[frame].first_cel + i].image;
+                return true;
+            }
+    return refuse(r, "frame %d, layer \"%s\": its picture is linked to frame %d, which has none", a->n_frames,
+                  a->layers[layer].name, frame + 1);
+}
+
+static bool read_cel(struct reader *r)
+{
+    enum { RAW, LINKED, COMPRESSED, TILES };
+    struct ase *a = r->a;
+    struct ase_frame *f = &a->frames[a->n_frames - 1];
+    struct ase_cel c = { .layer = take16(r) };
+
+    c.x = take16s(r);
+    c.y = take16s(r);
+    c.opacity = (uint8_t)take8(r);
+    const int type = take16(r);
+    c.z = take16s(r);
+    skip(r, 5);
+    if (r->past)
+        return true;
+    if (c.layer >= a->n_layers)
+        return refuse(r, "a damaged Aseprite file: frame %d has a picture in layer %d of %d", a->n_frames, c.layer + 1,
+                      a->n_layers);
+    if (type == TILES)
+        return true; /* of a layer that is not shown */
+    if (type > TILES)
+        return refuse(r, "frame %d, layer \"%s\": a picture of no known kind", a->n_frames, a->layers[c.layer].name);
+    for (int i = 0; i < f->cels; i++)
+        if (a->cels[f->first_cel + i].layer == c.layer)
+            return refuse(r, "a damaged Aseprite file: frame %d has two pictures in layer \"%s\"", a->n_frames,
+                          a->layers[c.layer].name);
+    const bool good = type == LINKED ? find_link(r, c.layer, take16(r), &c.image)
+                                     : read_image(r, c.layer, type == COMPRESSED, &c.image);
+    if (!good || r->past)
+        return good;
+    struct ase_cel *to = more(&a->cels, a->n_cels, sizeof *to);
+    if (!to)
+        return no_memory(r);
+    *to = c;
+    a->n_cels++;
+    f->cels++;
+    return true;
+}
+
+static bool read_tags(struct reader *r)
+{
+    struct ase *a = r->a;
+    const int n = take16(r);
+
+    skip(r, 8);
+    for (int i = 0; i < n && !r->past; i++) {
+        struct ase_tag *t = a->n_tags < ASE_MAX_LIST ? more(&a->tags, a->n_tags, sizeof *t) : NULL;
+        if (!t)
+            return a->n_tags < ASE_MAX_LIST ? no_memory(r)
+                                            : refuse(r, "an Aseprite file of more than %d tags", ASE_MAX_LIST);
+        a->n_tags++;
+        t->from = take16(r);
+        t->to = take16(r);
+        const int way = take8(r);
+        skip(r, 12);
+        take_name(r, t->name);
+        t->way = way > ASE_PING_PONG_REVERSE ? ASE_FORWARD : (enum ase_way)way;
+    }
+    return true;
+}
+
+static bool read_palette(struct reader *r)
+{
+    struct ase *a = r->a;
+    const uint32_t size = take32(r), first = take32(r), last = take32(r);
+
+    skip(r, 8);
+    if (r->past)
+        return true;
+    if (size < 1 || size > 256 || first > last || last >= size)
+        return refuse(r, "an Aseprite file with a palette of %lu colours, expected 1 to 256", (unsigned long)size);
+    for (uint32_t i = first; i <= last && !r->past; i++) {
+        const int named = take16(r) & 1;
+        memcpy(a->palette[i], take(r, 4), 4);
+        if (named)
+            skip(r, (size_t)take16(r));
+    }
+    a->colours = (int)size;
+    r->new_palette = true;
+    return true;
+}
+
+/* Files of before version 1.3 say it in packets: some colours kept, some given. */
+static bool read_old_palette(struct reader *r, bool six_bits)
+{
+    struct ase *a = r->a;
+    const int packets = take16(r);
+    int at = 0;
+
+    for (int p = 0; p < packets && !r->past; p++) {
+        at += take8(r);
+        const int given = take8(r), n = given ? given : 256;
+        if (at + n > 256)
+            return refuse(r, "an Aseprite file with a palette of more than 256 colours");
+        for (int i = 0; i < n; i++, at++) {
+            const uint8_t *rgb = take(r, 3);
+            for (int c = 0; c < 3; c++)
+                a->palette[at][c] = (uint8_t)(six_bits ? rgb[c] % 64 * 255 / 63 : rgb[c]);
+            a->palette[at][3] = 255;
+        }
+        a->colours = at > a->colours ? at : a->colours;
+    }
+    return true;
+}
+
+static bool read_slice(struct reader *r)
+{
+    enum { NINE_PATCH = 1, PIVOT = 2 };
+    struct ase *a = r->a;
+    const uint32_t n = take32(r), flags = take32(r);
+    char name[ASE_NAME];
+
+    skip(r, 4);
+    take_name(r, name);
+    for (uint32_t i = 0; i < n && !r->past; i++) {
+        struct ase_key *k = a->n_keys < ASE_MAX_LIST ? more(&a->keys, a->n_keys, sizeof *k) : NULL;
+        if (!k)
+            return a->n_keys < ASE_MAX_LIST
+                       ? no_memory(r)
+                       : refuse(r, "an Aseprite file of more than %d keys of slices", ASE_MAX_LIST);
+        a->n_keys++;
+        memcpy(k->name, name, sizeof name);
+        k->slice = r->slices;
+        k->frame = (int)(take32(r) & 0xffff);
+        k->x = (int32_t)take32(r);
+        k->y = (int32_t)take32(r);
+        k->w = (int32_t)(take32(r) & INT32_MAX);
+        k->h = (int32_t)(take32(r) & INT32_MAX);
+        if (flags & NINE_PATCH)
+            skip(r, 16);
+        k->pivoted = flags & PIVOT;
+        k->px = k->pivoted ? (int32_t)take32(r) : 0;
+        k->py = k->pivoted ? (int32_t)take32(r) : 0;
+    }
+    r->slices++;
+    return true;
+}
+
+static bool read_chunk(struct reader *r, int type)
+{
+    const bool first = r->a->n_frames == 1; /* a palette of a later frame is of no use to a game, which has one */
+
+    switch (type) {
+    case CHUNK_LAYER:
+        return read_layer(r);
+    case CHUNK_CEL:
+        return read_cel(r);
+    case CHUNK_TAGS:
+        return read_tags(r);
+    case CHUNK_SLICE:
+        return read_slice(r);
+    case CHUNK_PALETTE:
+        return !first || read_palette(r);
+    case CHUNK_PALETTE_OLD:
+    case CHUNK_PALETTE_OLDER:
+        return !first || r->new_palette || read_old_palette(r, type == CHUNK_PALETTE_OLDER);
+    default:
+        return true;
+    }
+}
+
+/* ---- frames ---- */
+
+static bool cut_short(struct reader *r)
+{
+    return refuse(r, "an Aseprite file that is cut short");
+}
+
+/* The chunks of a frame, n bytes at p. */
+static bool read_chunks(struct reader *r, const uint8_t *p, size_t n, uint32_t chunks)
+{
+    size_t at = 0;
+
+    for (uint32_t i = 0; i < chunks; i++) {
+        if (n - at < CHUNK_HEADER)
+            return cut_short(r);
+        const uint32_t size = bytes_get32(p + at);
+        if (size < CHUNK_HEADER || size > n - at)
+            return refuse(r, "a damaged Aseprite file: chunk %lu of frame %d has a wrong size", (unsigned long)i + 1,
+                          r->a->n_frames);
+        r->p = p + at + CHUNK_HEADER;
+        r->n = size - CHUNK_HEADER;
+        r->at = 0;
+        r->past = false;
+        if (!read_chunk(r, bytes_get16(p + at + 4)))
+            return false;
+        if (r->past)
+            return refuse(r, "a damaged Aseprite file: chunk %lu of frame %d is too short", (unsigned long)i + 1,
+                          r->a->n_frames);
+        at += size;
+    }
+    return true;
+}
+
+static bool read_frames(struct reader *r, const uint8_t *data, size_t n, int frames)
+{
+    struct ase *a = r->a;
+    size_t at = FILE_HEADER;
+
+    for (int f = 0; f < frames; f++) {
+        if (n - at < FRAME_HEADER)
+            return cut_short(r);
+        const uint32_t size = bytes_get32(data + at), now = bytes_get32(data + at + 12);
+        if (bytes_get16(data + at + 4) != FRAME_MAGIC || size < FRAME_HEADER)
+            return refuse(r, "a damaged Aseprite file: frame %d has no header", f + 1);
+        if (size > n - at)
+            return cut_short(r);
+        struct ase_frame *frame = more(&a->frames, a->n_frames, sizeof *frame);
+        if (!frame)
+            return no_memory(r);
+        a->n_frames++;
+        frame->ms = bytes_get16(data + at + 8);
+        frame->first_cel = a->n_cels;
+        if (!read_chunks(r, data + at + FRAME_HEADER, size - FRAME_HEADER, now ? now : bytes_get16(data + at + 6)))
+            return false;
+        at += size;
+    }
+    return true;
+}
+
+static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frames)
+{
+    struct ase *a = r->a;
+    const uint32_t flags = n >= 20 ? bytes_get32(p + 14) : 0;
+
+    if (n < 6 || bytes_get16(p + 4) != FILE_MAGIC)
+        return refuse(r, "not an Aseprite file");
+    if (n < FILE_HEADER)
+        return cut_short(r);
+    *frames = bytes_get16(p + 6);
+    a->w = bytes_get16(p + 8);
+    a->h = bytes_get16(p + 10);
+    const int bits = bytes_get16(p + 12);
+    if (bits != 8 && bits != 16 && bits != 32)
+        return refuse(r, "an Aseprite file of %d bits a pixel, which the format does not have", bits);
+    if (*frames < 1 || *frames > ASE_MAX_FRAMES)
+        return refuse(r, "an Aseprite file of %d frames, expected 1 to %d", *frames, ASE_MAX_FRAMES);
+    if (a->w < 1 || a->h < 1 || a->w > ASE_MAX_SIDE || a->h > ASE_MAX_SIDE)
+        return refuse(r, "an Aseprite file of %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
+                      ASE_MAX_SIDE);
+    a->depth = bits / 8;
+    a->clear = a->depth == 1 ? p[28] : 0;
+    r->opacities = flags & 1;
+    r->groups = flags & 2;
+    return true;
+}
+
+/* Tags of frames that are there; and what is blended takes the indices away. */
+static bool finish(struct reader *r)
+{
+    struct ase *a = r->a;
+
+    for (int i = 0; i < a->n_tags; i++)
+        if (a->tags[i].from > a->tags[i].to || a->tags[i].to >= a->n_frames)
+            return refuse(r, "tag \"%s\" has frames %d to %d, but there are %d", a->tags[i].name, a->tags[i].from + 1,
+                          a->tags[i].to + 1, a->n_frames);
+    for (int i = 0; i < a->n_cels; i++) {
+        const struct ase_layer *l = &a->layers[a->cels[i].layer];
+        a->mixed = a->mixed || (l->shown && (l->blend != ASE_NORMAL || l->opacity != 255 || a->cels[i].opacity != 255));
+    }
+    return true;
+}
+
+bool ase_read(struct ase *a, const uint8_t *data, size_t n, ase_inflate *inflate, char *err, size_t err_size)
+{
+    struct reader r = { .a = a, .inflate = inflate, .level = -1, .err = err, .err_size = err_size };
+    int frames = 0;
+
+    memset(a, 0, sizeof *a);
+    r.group_shown[0] = true;
+    return read_header(&r, data, n, &frames) && read_frames(&r, data, n, frames) && finish(&r);
+}
+
+void ase_close(struct ase *a)
+{
+    for (int i = 0; i < a->n_images; i++)
+        free(a->images[i].pix);
+    free(a->layers);
+    free(a->images);
+    free(a->cels);
+    free(a->frames);
+    free(a->tags);
+    free(a->keys);
+    memset(a, 0, sizeof *a);
+}
