@@ -156,7 +156,7 @@ static const struct {
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_VIEW, "full, soft: flashes of the screen at a quarter" },
     [OPTION_COLOURS] = { "--colours", "WORD", FOR_VIEW,
                          "for eyes that tell fewer apart: normal, protan, deutan, tritan" },
-    [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
+    [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture, each with its number" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
