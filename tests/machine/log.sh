@@ -27,7 +27,8 @@ differs() { ! cmp -s "$1" "$2"; }
 keys 100 | plays g straight
 { keys 40; press $F8 $UP $UP; keys 20; keys 1 $F8; keys 60; } | plays g log
 check 'F8 opens it and closes it: nothing of it is recorded' cmp straight.demo log.demo
-same 'while it is open no picture is of the game' '' "$(comm -12 <(part straight 1 100 | sort) <(part log 41 66 | sort))"
+same 'while it is open no picture is of the game' '' \
+    "$(comm -12 <(part straight 1 100 | sort) <(part log 41 66 | sort))"
 { keys 40; press $F8; keys 1 $ESCAPE; keys 60; } | plays g log
 check 'Escape closes it' cmp straight.demo log.demo
 

@@ -272,8 +272,11 @@ static void run_idle(struct run *r)
     if (!power(r, &start))
         return;
     listen_to(r);
-    for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
+    for (uint32_t f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++) {
+        tell(r, f, IDLE_FRAMES);
         tick(r, nothing);
+    }
+    r->runs++;
     judge_heard(r);
     finish(r);
 }
@@ -535,6 +538,7 @@ static void plan(struct run *r)
     sections_list(r->sections, &r->image.rom, &start, false);
     for (int i = 0; i < r->c->files.n; i++)
         r->planned += is_demo(r->c->files.name[i]);
+    r->planned += r->planned == 0; /* run_idle */
     for (int i = 0; i < r->sections->n; i++)
         r->planned += is_played(&r->sections->section[i]);
 }

@@ -165,6 +165,8 @@ enum result bench_run(const struct bench *b)
     progress_begin();
     enum result result = play(w);
     progress_end();
+    if (result == RESULT_DONE && w->measure.all.frames == 0)
+        result = report_line(RESULT_REFUSED, "%s: there is no frame to be measured", b->path);
     if (result == RESULT_DONE) {
         measure_end(&w->measure);
         if (b->json)

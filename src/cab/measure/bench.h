@@ -12,7 +12,7 @@
 #include "../host/result.h"
 
 struct bench {
-    const char *path; /* of the game, as typed; NULL: the built-in one */
+    const char *path; /* of the game, as typed */
     const struct cart *cart;
     struct board_start start; /* of the runs that are not a demo's; with a section: of this one alone */
     const struct demo *demo;  /* this one alone; NULL: those of the game */

@@ -12,7 +12,7 @@
 enum {
     NAME_LEAST = 10, /* columns of a section's name */
     NAME_MOST = 24,
-    TEXT = 52,       /* columns of a line's text */
+    TEXT = 44,       /* columns of a line's text */
     WORTH = 16 << 10 /* bytes that a lower capacity saves, for it to be worth a word */
 };
 
@@ -255,7 +255,7 @@ void bench_print(const struct bench *b, const struct measure *m)
     char frames[32];
 
     printf("%s: %s frames of %d run%s, each timed %d times; at 60 a second a frame has 16.67 ms\n\n",
-           b->path ? b->path : "the built-in game", grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s",
+           b->path, grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s",
            MEASURE_ROUNDS);
     print_sections(b, m);
     print_phases(m);

@@ -26,14 +26,15 @@ static bool is_again(const struct log *log, enum log_kind kind, const char *text
 }
 
 /* The first n bytes of text; where they are too many an ellipsis stands for the rest, behind a whole character. */
-static void copy(char out[LOG_LINE], const char *text, size_t n)
+static void copy(char *out, size_t size, const char *text, size_t n)
 {
-    const bool cut = n >= LOG_LINE;
+    const bool cut = n >= size;
 
-    n = cut ? LOG_LINE - 4 : n;
+    n = cut ? size - 4 : n;
     while (cut && n > 0 && ((unsigned char)text[n] & 0xc0) == 0x80)
         n--;
-    snprintf(out, LOG_LINE, "%.*s%s", (int)n, text, cut ? "..." : "");
+    memcpy(out, text, n);
+    memcpy(out + n, cut ? "..." : "", cut ? 4 : 1);
     clean_line(out);
 }
 
@@ -41,7 +42,7 @@ static void add(struct log *log, enum log_kind kind, uint32_t frame, const char 
 {
     struct log_line line = { .kind = kind, .frame = frame, .times = 1 };
 
-    copy(line.text, text, n);
+    copy(line.text, sizeof line.text, text, n);
     if (is_again(log, kind, line.text))
         log->line[(log->lines - 1) % LOG_LINES].times++;
     else
@@ -72,16 +73,14 @@ static void row(void *of, int at, struct screen_row *row)
     };
     const struct log_line *line = log_line(of, at);
 
-    snprintf(row->label, sizeof row->label, "%s", line->text);
-    if (strlen(line->text) >= sizeof row->label) /* perhaps within a character */
-        clean_line(row->label);
+    copy(row->label, sizeof row->label, line->text, strlen(line->text));
     row->ink = inks[line->kind];
     row->value_ink = CANVAS_GREY;
     if (line->times > 1)
         snprintf(row->value, sizeof row->value, "%u x  %u", (unsigned)line->times, (unsigned)line->frame);
     else
         snprintf(row->value, sizeof row->value, "%u", (unsigned)line->frame);
-    snprintf(row->help, sizeof row->help, "%s", line->text);
+    copy(row->help, sizeof row->help, line->text, strlen(line->text));
 }
 
 static const char *text(void *of)
