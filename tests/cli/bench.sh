@@ -39,6 +39,7 @@ same "times add up" true "$(field '.all | .mean - (.tick + .draw + .sound) | . >
 same "and are in order" true "$(field '.all | .mean <= .worst and .p99 <= .worst and .worst > 0')"
 same "a room, and how much of it was used" "256 63" \
     "$(of rooms board.bullets '[.asked, .most] | join(" ")')"
+same "what none is there of keeps its part" true "$(of rooms board.lasers '.most == 0 and .would_do == .asked')"
 cp json first
 check "once more" bench plain
 same "the same counts" "$(counts first)" "$(counts json)"
@@ -98,7 +99,7 @@ rm -r whole/demos
 "$curtain" bench whole --stage queen/ring --slower 50 >out 2>err
 check "a table" says '^section +frames +Lua +tick +draw +sound +mean +99 % +worst +mean +worst +late  the dearest$'
 check "a line a section" says \
-    '^queen/ring +1[12][0-9] +[0-9]+( +[0-9]+\.[0-9]{2}){6} +[0-9]+% +[0-9]+% +[0-9]+  [0-9]+ of queen/ring$'
+    '^queen/ring +1[12][0-9] +[0-9]+( +[0-9]+\.[0-9]{3}){6} +[0-9]+% +[0-9]+% +[0-9]+  [0-9]+ of queen/ring$'
 check "on a slower machine" says '^ +milliseconds +50 x slower$'
 check "how much slower one may be" says '99 % of the frames on a machine [0-9.]+ times slower than this one,$'
 check "lines" says '^ +[0-9.]+ % +[0-9.]+ +[0-9]+ % +[0-9]+ %   main\.lua:[0-9]+ +.*pattern\.ring'

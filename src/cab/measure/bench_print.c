@@ -73,7 +73,7 @@ static void print_section(const struct bench *b, const struct measure_section *s
 
     if (!s->frames)
         return;
-    printf("%-*.*s %7u %6llu %6.2f %6.2f %6.2f %6.2f %6.2f %6.2f %4d%% %5d%%", width, width, name, (unsigned)s->frames,
+    printf("%-*.*s %7u %6llu %6.3f %6.3f %6.3f %6.3f %6.3f %6.3f %4d%% %5d%%", width, width, name, (unsigned)s->frames,
            (unsigned long long)(s->lua / s->frames), ms(s->tick, s->frames), ms(s->draw, s->frames),
            ms(s->sound, s->frames), ms(all, s->frames), ms(measure_most(s, 99), 1), ms(s->worst, 1),
            percent((double)all / s->frames, b), percent((double)s->worst, b));
@@ -254,9 +254,8 @@ void bench_print(const struct bench *b, const struct measure *m)
 {
     char frames[32];
 
-    printf("%s: %s frames of %d run%s, each timed %d times; at 60 a second a frame has 16.67 ms\n\n",
-           b->path, grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s",
-           MEASURE_ROUNDS);
+    printf("%s: %s frames of %d run%s, each timed %d times; at 60 a second a frame has 16.67 ms\n\n", b->path,
+           grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
     print_sections(b, m);
     print_phases(m);
     print_verdict(b, m);

@@ -276,21 +276,21 @@ static enum result count_round(struct player *p)
 
 /* ---- all rounds ---- */
 
-static uint32_t middle(uint32_t a, uint32_t b, uint32_t c)
+static uint32_t least(uint32_t a, uint32_t b)
 {
-    const uint32_t low = a < b ? a : b, high = a < b ? b : a;
-
-    return c < low ? low : c > high ? high : c;
+    return a < b ? a : b;
 }
 
-_Static_assert(MEASURE_ROUNDS == 3, "middle() is of three");
-
-static struct times middle_of(const struct player *p, uint32_t f)
+static struct times least_of(const struct player *p, uint32_t f)
 {
-    const struct times a = p->times[0][f], b = p->times[1][f], c = p->times[2][f];
+    struct times t = p->times[0][f];
 
-    return (struct times){ middle(a.tick, b.tick, c.tick), middle(a.draw, b.draw, c.draw),
-                           middle(a.sound, b.sound, c.sound) };
+    for (int r = 1; r < MEASURE_ROUNDS; r++) {
+        t.tick = least(t.tick, p->times[r][f].tick);
+        t.draw = least(t.draw, p->times[r][f].draw);
+        t.sound = least(t.sound, p->times[r][f].sound);
+    }
+    return t;
 }
 
 static bool add_frame(struct measure_section *s, const struct times *t, const char *in, uint32_t at)
@@ -320,7 +320,7 @@ static bool add_frame(struct measure_section *s, const struct times *t, const ch
 static bool add_all(struct player *p)
 {
     for (uint32_t f = 0; f < p->frames; f++) {
-        const struct times t = middle_of(p, f);
+        const struct times t = least_of(p, f);
         if (!add_frame(&p->m->section[p->section[f]], &t, p->run->name, f + 1) ||
             !add_frame(&p->m->all, &t, p->run->name, f + 1))
             return false;

@@ -4,8 +4,8 @@
  * floor: cab
  *
  * What is counted is the same on every machine. What is timed is this machine's, of the board alone: neither the
- * window's picture nor the speaker is in it. Of a frame's times in the rounds the middle one is taken, so that what
- * else the machine did in one of them does not show.
+ * window's picture nor the speaker is in it. Of a frame's times in the rounds the least is taken, so that what
+ * else the machine did in the others does not show: the work is the same every time.
  */
 #ifndef CAB_MEASURE_H
 #define CAB_MEASURE_H

@@ -95,7 +95,8 @@ static void measure_room(const struct measure *m, int i, struct room *r)
         r->most = (int64_t)(m->lua_peak + 1023) / 1024;
         enough = r->most;
     }
-    const int64_t spared = rounded_up(larger(enough, r->most + r->most / SPARE), rooms[i].rounded);
+    /* never 0: that leaves the part out, and its functions with it, which a script may still name */
+    const int64_t spared = rounded_up(larger(1, larger(enough, r->most + r->most / SPARE)), rooms[i].rounded);
     r->would_do = r->refused || spared > r->asked ? r->asked : spared;
 }
 
