@@ -200,6 +200,14 @@ curtain capture mygame \-\-demo my.demo \-o my.gif
 curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
 .RE
 .fi
+.PP
+What its frames cost, and its dearest lines:
+.PP
+.nf
+.RS
+curtain bench mygame
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;
