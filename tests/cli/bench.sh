@@ -128,7 +128,7 @@ slip() { # NAME WORDS ARGUMENT...: it is refused in one sentence
     refuse "$why" "curtain: $words" "$curtain" bench "$@"
     same "... in one line" 1 "$(wc -l <.said)"
 }
-slip "no game" "bench: expected ROM" 
+slip "no game" "bench: expected ROM"
 slip "two" 'bench: "b" is one argument too many' a b
 slip "no such game" "none: no such file or folder" none
 slip "how much slower" '--slower: expected a whole number from 1 to 1000, got "0"' plain --slower 0
