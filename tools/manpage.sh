@@ -209,6 +209,14 @@ curtain art mygame \-\-atlas atlas.png
 curtain palette warm.hex \-\-bank 3 \-o mygame/art/palette.png
 .RE
 .fi
+.PP
+What its frames cost, and its dearest lines:
+.PP
+.nf
+.RS
+curtain bench mygame
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;

@@ -16,6 +16,7 @@
 #include "board.h"
 
 struct board;
+struct profile;
 
 /* VM instructions, or work in C worth as many, in one tick. Tests of the guards lower it. */
 #ifndef WORK_LIMIT
@@ -61,6 +62,7 @@ struct vm {
     bool collecting;              /* a round is going on */
     size_t text_block, text_max;  /* bytes of Lua's block for the last text, and for the longest that is allowed */
     bool counting;
+    struct profile *profile;  /* the host's, while it counts lines (profile.h); else NULL */
     volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
     bool loading;
     bool practice_read;         /* a script read the practice start (sys.practice) */
@@ -100,6 +102,10 @@ void vm_charge(lua_State *L, uint64_t work);
 
 /* Sets the hook of a thread that gets its turn: counting, interrupted, or none. */
 void vm_set_hook(struct board *b, lua_State *L);
+
+/* While lines are counted (profile.h): a thread gets its turn; work is counted from 0 again. */
+void vm_profile_turn(struct vm *vm, lua_State *L);
+void vm_profile_begin(struct vm *vm);
 
 /* Called after each allocation: when much was allocated, the counting hook runs at the next instruction. */
 void vm_allocated(struct board *b);

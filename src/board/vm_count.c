@@ -242,6 +242,8 @@ void vm_begin(struct board *b, uint64_t limit)
 {
     struct vm *vm = &b->vm;
 
+    if (vm->profile)
+        vm_profile_begin(vm);
     vm->work = 0;
     vm->limit = limit;
     vm->looked = heap_work(vm->heap);
@@ -251,10 +253,18 @@ void vm_begin(struct board *b, uint64_t limit)
     b->output->long_text = 0;
 }
 
+static void count_turn(struct vm *vm, lua_State *L)
+{
+    if (vm->profile)
+        vm_profile_turn(vm, L);
+    else
+        look_later(vm, L);
+}
+
 void vm_set_hook(struct board *b, lua_State *L)
 {
     if (b->vm.counting)
-        look_later(&b->vm, L);
+        count_turn(&b->vm, L);
     else if (lua_gethook(L))
         lua_sethook(L, NULL, 0, 0);
     if (b->vm.interrupted) /* asked last: a signal handler may set it at any moment */
@@ -265,7 +275,7 @@ void vm_allocated(struct board *b)
 {
     struct vm *vm = &b->vm;
 
-    if (vm->counting && vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
+    if (vm->counting && !vm->profile && vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
         lua_sethook(vm->running, on_count, LUA_MASKCOUNT, 1);
 }
 

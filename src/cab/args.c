@@ -27,11 +27,12 @@ enum {
     FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
+    FOR_BENCH = 1 << COMMAND_BENCH,
     FOR_SOUND = 1 << COMMAND_SOUND,
     FOR_ART = 1 << COMMAND_ART,
     FOR_PALETTE = 1 << COMMAND_PALETTE,
     FOR_HELP = 1 << COMMAND_HELP,
-    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND | FOR_ART,
+    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_BENCH | FOR_SOUND | FOR_ART,
     FOR_ALL = FOR_GAMES | FOR_PALETTE
 };
 
@@ -57,6 +58,9 @@ static const struct {
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
+    [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
+                        "play the demos and sections of a game and print what its frames cost, its dearest lines of "
+                        "Lua, and what of its capacities it uses" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
@@ -87,6 +91,7 @@ enum option {
     OPTION_SCALE,
     OPTION_SPEED,
     OPTION_FORMAT,
+    OPTION_SLOWER,
     OPTION_FULLSCREEN,
     OPTION_MUTE,
     OPTION_PRESS,
@@ -127,21 +132,24 @@ static const struct {
     const char *help;
 } options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, "record the run as demo F" },
-    [OPTION_DEMO] = { "--demo", "F", FOR_RUN, "play demo F; afterwards nothing is pressed" },
-    [OPTION_SEED] = { "--seed", "N", FOR_RUN, "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
-    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_RUN, "set a DIP switch of the game; may be given several times" },
-    [OPTION_STAGE] = { "--stage", "S", FOR_RUN, "start at NAME, NAME:MARK or BOSS/PHASE" },
+    [OPTION_DEMO] = { "--demo", "F", FOR_RUN | FOR_BENCH, "play demo F; afterwards nothing is pressed" },
+    [OPTION_SEED] = { "--seed", "N", FOR_RUN | FOR_BENCH,
+                      "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
+    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_RUN | FOR_BENCH,
+                     "set a DIP switch of the game; may be given several times" },
+    [OPTION_STAGE] = { "--stage", "S", FOR_RUN | FOR_BENCH, "start at NAME, NAME:MARK or BOSS/PHASE" },
     [OPTION_LIVES] = { "--lives", "N", FOR_RUN, "with --stage: so many lives in all, 1 to 99" },
     [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN,
                           "with --stage: a register of the ship starts so; may be given several times" },
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
-    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN, "start at this difficulty" },
-    [OPTION_LANG] = { "--lang", "NAME", FOR_RUN, "start in this language of the game, lang/NAME.txt" },
+    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN | FOR_BENCH, "start at this difficulty" },
+    [OPTION_LANG] = { "--lang", "NAME", FOR_RUN | FOR_BENCH, "start in this language of the game, lang/NAME.txt" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE,
                        "pixels of the window, or of the film, a picture pixel, 1 to 16" },
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, "a film of 1 to 16 times the speed; or slower: 1/2 to 1/16" },
     [OPTION_FORMAT] = { "--format", "WORD", FOR_CAPTURE,
                         "gif, apng, y4m, wav, mp4 or webm; without it the end of -o's name says it" },
+    [OPTION_SLOWER] = { "--slower", "N", FOR_BENCH, "shares of a frame on a machine N times slower, 1 to 1000" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, "no sound" },
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS,
@@ -159,7 +167,7 @@ static const struct {
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_VIEW, "full, soft: flashes of the screen at a quarter" },
     [OPTION_COLOURS] = { "--colours", "WORD", FOR_VIEW,
                          "for eyes that tell fewer apart: normal, protan, deutan, tritan" },
-    [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture" },
+    [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, "put all frames on one picture, each with its number" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND,
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
@@ -186,9 +194,9 @@ static const struct {
                           "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
                           "moments "
                           "and length are known to be the same; 1: not; 2: not written" },
-    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST,
+    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH,
                       "verify: print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
-                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay" },
+                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay; bench: one of all" },
     [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST,
                          "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
                          "end" },
@@ -434,10 +442,11 @@ static bool set_trace(struct args *a, const char *value, char *err, size_t err_s
 static bool set_number(struct args *a, enum option o, const char *value, char *err, size_t err_size)
 {
     uint64_t v = 0, low = o == OPTION_SEED ? 0 : 1;
-    uint64_t most = o == OPTION_SEED    ? UINT64_MAX
-                    : o == OPTION_SCALE ? ARGS_MAX_SCALE
-                    : o == OPTION_LIVES ? ARGS_MAX_LIVES
-                                        : ARGS_MAX_FRAME;
+    uint64_t most = o == OPTION_SEED     ? UINT64_MAX
+                    : o == OPTION_SCALE  ? ARGS_MAX_SCALE
+                    : o == OPTION_LIVES  ? ARGS_MAX_LIVES
+                    : o == OPTION_SLOWER ? ARGS_MAX_SLOWER
+                                         : ARGS_MAX_FRAME;
 
     if (!number_from(options[o].name, value, low, most, &v, err, err_size))
         return false;
@@ -445,6 +454,8 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
         a->scale = (int)v;
     else if (o == OPTION_LIVES)
         a->lives = (int)v;
+    else if (o == OPTION_SLOWER)
+        a->machine = (int)v;
     else if (o == OPTION_EVERY)
         a->every = (uint32_t)v;
     else
@@ -550,6 +561,7 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_number(a, o, value, err, err_size);
     case OPTION_SCALE:
     case OPTION_LIVES:
+    case OPTION_SLOWER:
     case OPTION_EVERY:
         return set_number(a, o, value, err, err_size);
     case OPTION_INVINCIBLE:
@@ -808,7 +820,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     uint64_t seen = 0;
     bool only_words = false;
 
-    *a = (struct args){ .words = argv, .every = 1, .bank = -1 };
+    *a = (struct args){ .words = argv, .every = 1, .bank = -1, .machine = 1 };
     if (!short_enough(argc, argv, err, err_size))
         return false;
     for (int i = 1; i < argc; i++) {

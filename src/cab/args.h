@@ -22,6 +22,7 @@ enum command {
     COMMAND_LIST,
     COMMAND_UNPACK,
     COMMAND_CHECK,
+    COMMAND_BENCH,
     COMMAND_SOUND,
     COMMAND_ART,
     COMMAND_PALETTE,
@@ -40,7 +41,8 @@ enum {
     ARGS_MAX_WORD = 900, /* bytes of an argument */
     ARGS_MAX_FRAME = 1 << 23,
     ARGS_MAX_SCALE = 16,
-    ARGS_MAX_SPEED = 16
+    ARGS_MAX_SPEED = 16,
+    ARGS_MAX_SLOWER = 1000
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -74,6 +76,7 @@ struct args {
     bool json, resume, no_resume, replays, annotations, luacheck;
     int scale;                 /* 0: not given */
     int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
+    int machine;               /* of --slower: this machine's pace by its; 1: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     uint32_t every;            /* 1: not given */
     struct span spans[ARGS_MAX_SPANS];

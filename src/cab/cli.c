@@ -24,7 +24,9 @@
 #include "game.h"
 #include "headless.h"
 #include "listen.h"
+#include "measure/bench.h"
 #include "host/keys.h"
+#include "host/progress.h"
 #include "host/report.h"
 #include "store/replays_print.h"
 #include "verify.h"
@@ -156,7 +158,10 @@ static enum result pack(const struct args *a)
 
     if (plat_size(dir) >= 0)
         return report_line(RESULT_REFUSED, "%s: is a file; pack takes a game's folder", dir);
-    if (!rom_image_load_told(dir, a->nearest, warn, NULL, &image, err, sizeof err))
+    progress_begin();
+    const bool loaded = rom_image_load_told(dir, a->nearest, warn, NULL, &image, err, sizeof err);
+    progress_end();
+    if (!loaded)
         return report_error(err);
     enum result result = RESULT_DONE;
     if (!cart_open(&cart, &image.rom, err, sizeof err))
@@ -218,6 +223,34 @@ static enum result unpack(const struct args *a)
     if (!pack_unpack(&image.rom, a->words[1], err, sizeof err))
         result = report_error(err);
     rom_image_free(&image);
+    return result;
+}
+
+/* ---- bench ---- */
+
+static enum result bench(const struct args *a)
+{
+    struct game *g = calloc(1, sizeof *g);
+    char err[1024];
+
+    if (!g)
+        return report_line(RESULT_HOST, "out of memory");
+    enum result result = RESULT_DONE;
+    if (!game_open(g, a->words[0], a, err, sizeof err)) {
+        result = report_error(err);
+    } else {
+        const struct bench b = { .path = a->words[0],
+                                 .cart = &g->cart,
+                                 .start = g->start,
+                                 .demo = g->has_demo ? &g->demo : NULL,
+                                 .demo_name = a->demo,
+                                 .own_start = a->seeded || a->n_dips || a->difficulty || a->lang,
+                                 .slower = a->machine,
+                                 .json = a->json };
+        result = bench_run(&b);
+        game_close(g);
+    }
+    free(g);
     return result;
 }
 
@@ -322,6 +355,8 @@ static enum result run(int argc, char **argv)
         return unpack(&a);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
+    case COMMAND_BENCH:
+        return bench(&a);
     case COMMAND_SOUND:
         return listen_run(&a);
     case COMMAND_ART:

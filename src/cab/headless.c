@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "film/sheet.h"
 #include "host/files.h"
 #include "host/report.h"
 #include "speaker/tape.h"
@@ -17,14 +18,6 @@
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
 
 /* ---- render ---- */
-
-enum { SHEET_GAP = 4, SHEET_GREY = 0x28, SHEET_PIXELS = 1 << 26 };
-
-struct sheet {
-    uint8_t *rgb; /* NULL: none is wanted */
-    int w, h, columns;
-    int count; /* pictures on it */
-};
 
 struct studio {
     struct fb fb;
@@ -45,46 +38,11 @@ static uint32_t count_wanted(const struct args *a)
     return n;
 }
 
-/* About as wide as high, in whole pictures. False: too large. */
-static bool sheet_open(struct sheet *s, int64_t n, int w, int h)
-{
-    int64_t columns = 1, cell_w = w + SHEET_GAP, cell_h = h + SHEET_GAP;
-
-    while (columns * columns * cell_w < n * cell_h)
-        columns++;
-    int64_t rows = (n + columns - 1) / columns;
-    int64_t sheet_w = columns * cell_w + SHEET_GAP, sheet_h = rows * cell_h + SHEET_GAP;
-    if (sheet_w > PNG_MAX_SIDE || sheet_h > PNG_MAX_SIDE || sheet_w * sheet_h > SHEET_PIXELS)
-        return false;
-    *s = (struct sheet){ .w = (int)sheet_w, .h = (int)sheet_h, .columns = (int)columns };
-    s->rgb = malloc((size_t)(sheet_w * sheet_h * 3));
-    if (s->rgb)
-        memset(s->rgb, SHEET_GREY, (size_t)(sheet_w * sheet_h * 3));
-    return s->rgb != NULL;
-}
-
-static void sheet_add(struct sheet *s, const struct fb *fb, const uint32_t rgb[256])
-{
-    int x0 = SHEET_GAP + s->count % s->columns * (fb->w + SHEET_GAP);
-    int y0 = SHEET_GAP + s->count / s->columns * (fb->h + SHEET_GAP);
-
-    s->count++;
-    for (int y = 0; y < fb->h; y++) {
-        uint8_t *to = s->rgb + ((size_t)(y0 + y) * (size_t)s->w + (size_t)x0) * 3;
-        const uint8_t *from = fb->pix + (ptrdiff_t)y * fb->pitch;
-        for (int x = 0; x < fb->w; x++, to += 3) {
-            to[0] = (uint8_t)(rgb[from[x]] >> 16);
-            to[1] = (uint8_t)(rgb[from[x]] >> 8);
-            to[2] = (uint8_t)rgb[from[x]];
-        }
-    }
-}
-
 static void studio_close(struct studio *s)
 {
     free(s->mem);
     free(s->scratch);
-    free(s->sheet.rgb);
+    sheet_close(&s->sheet);
     tape_close(&s->tape);
 }
 
@@ -131,7 +89,7 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
 
     board_draw(r->guard.board, &s->view, &s->fb, s->rgb, s->scratch);
     if (s->sheet.rgb)
-        sheet_add(&s->sheet, &s->fb, s->rgb);
+        sheet_add(&s->sheet, &s->fb, s->rgb, frame);
     if ((r->a->sheet || r->a->wav) && !r->a->out)
         return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)

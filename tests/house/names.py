@@ -9,7 +9,7 @@ NO_PREFIX = {
     "plat_": "the seam to a port",
     "int64_": "int.h's functions of the wider type",
     "luapattern_ luatable_ luatext_ luautf8_ luamath_": "luaparts.h says what each file of the library gives",
-    "board_eval": "an operation on a board, in a header of its own",
+    "board_eval board_profile": "operations on a board, in headers of their own",
 }
 LISTED = tuple(" ".join(NO_PREFIX).split())
 LONGEST = 100  # lines of a function

@@ -82,7 +82,7 @@ static void test_commands(void **state)
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(
             args_command((const char *[]){ "play", "render", "capture", "hash", "verify", "pack", "list", "unpack",
-                                           "check", "sound", "art", "palette", "help", "version" }[i]),
+                                           "check", "bench", "sound", "art", "palette", "help", "version" }[i]),
             i);
     assert_int_equal(args_command("Play"), -1);
 }
@@ -121,6 +121,10 @@ static void test_values(void **state)
     assert_int_equal(a.n_traces, 2);
     assert_string_equal(a.traces[1], "bullets,player");
     assert_true(a.verbose);
+    reads("bench game --slower 12 --json --stage one");
+    assert_true(a.machine == 12 && a.json && a.command == COMMAND_BENCH);
+    reads("bench game");
+    assert_int_equal(a.machine, 1);
     reads("verify game - -0 --restamp");
     assert_true(a.null && a.restamp && !a.bisect && a.n_words == 2);
     assert_string_equal(a.words[1], "-");
@@ -237,6 +241,9 @@ static void test_bad_values(void **state)
     refuses("capture g --speed 1.5", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"1.5\"");
     refuses("capture g --speed 1/", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"1/\"");
     refuses("capture g --speed 17", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"17\"");
+    refuses("bench g --slower 1001", "--slower: expected a whole number from 1 to 1000, got \"1001\"");
+    refuses("hash g --slower 2", "--slower does not go with hash (it goes with bench)");
+    refuses("bench", "bench: expected ROM (curtain help bench)");
     refuses("render g --speed 2", "--speed does not go with render (it goes with capture)");
     refuses("play --dip lives", "--dip: expected NAME=VALUE, got \"lives\"");
     refuses("play --dip =3", "--dip: expected NAME=VALUE, got \"=3\"");

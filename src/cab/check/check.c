@@ -11,6 +11,7 @@
 #include "check_parts.h"
 #include "../host/clean.h"
 #include "../host/files.h"
+#include "../host/progress.h"
 #include "../host/report.h"
 
 bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, size_t *size)
@@ -184,6 +185,7 @@ static enum result report(struct check *c)
 
 static enum result check_all(struct check *c)
 {
+    progress_begin();
     check_manifest(c);
     check_scripts(c);
     check_lua(c);
@@ -194,6 +196,7 @@ static enum result check_all(struct check *c)
     check_unused(c);
     if (!c->broken)
         check_run(c);
+    progress_end();
     if (c->found.failed || c->builtins.failed || c->open.failed || c->changed.failed)
         return report_line(RESULT_HOST, "out of memory");
     return report(c);

@@ -15,20 +15,20 @@
 #include "../../board/rom/cart.h"
 #include "../pack/art.h"
 #include "../demo/demo.h"
+#include "../host/progress.h"
 #include "../run/guard.h"
 #include "../run/sections.h"
+#include "../run/sweep.h"
 #include "../pack/pack.h"
 
 enum {
-    IDLE_FRAMES = 600,      /* of a game without demos */
-    MOST_FRAMES = 36000,    /* of a demo: ten minutes */
-    SECTION_FRAMES = 18000, /* of a stage or a phase: five minutes */
-    SWEEP = 40,             /* frames a ship flies one way meanwhile */
-    MOST_LUA = 75,          /* percent of board.lua_kib */
-    SAMPLE_EVERY = 120,     /* frames of a run, of which contrast looks at one */
-    SAMPLES = 150,          /* in a run */
-    LOOKS = 128,            /* kinds and banks it tells apart */
-    FEW_BULLETS = 40        /* of which it says nothing */
+    IDLE_FRAMES = 600,   /* of a game without demos */
+    MOST_FRAMES = 36000, /* of a demo: ten minutes */
+    MOST_LUA = 75,       /* percent of board.lua_kib */
+    SAMPLE_EVERY = 120,  /* frames of a run, of which contrast looks at one */
+    SAMPLES = 150,       /* in a run */
+    LOOKS = 128,         /* kinds and banks it tells apart */
+    FEW_BULLETS = 40     /* of which it says nothing */
 };
 
 /* Bullets of a kind in a bank, in the sampled frames of a run. */
@@ -66,6 +66,8 @@ struct run {
     struct contrast contrast;  /* of this run */
     struct check_heard *heard; /* of what is listened to; NULL: nothing */
     bool measured;             /* the kinds' shapes were compared with their pictures */
+    struct sections *sections;
+    int runs, planned; /* demos, stages and phases: played so far, and in all */
 };
 
 /* ---- hit shapes and pictures ---- */
@@ -213,6 +215,15 @@ static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
     return out;
 }
 
+/* Frame f of at most n of this run. */
+static void tell(const struct run *r, uint32_t f, uint32_t n)
+{
+    const uint64_t each = SWEEP_FRAMES;
+
+    progress_tell((uint64_t)r->runs * each + (n ? f * each / n : 0), (uint64_t)r->planned * each,
+                  "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
+}
+
 static bool power(struct run *r, const struct board_start *start)
 {
     char err[512];
@@ -278,8 +289,11 @@ static void run_idle(struct run *r)
     if (!power(r, &start))
         return;
     listen_to(r);
-    for (int f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++)
+    for (uint32_t f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++) {
+        tell(r, f, IDLE_FRAMES);
         tick(r, nothing);
+    }
+    r->runs++;
     judge_heard(r);
     finish(r);
 }
@@ -377,30 +391,16 @@ static void judge_contrast(struct run *r)
 
 /* ---- sections ---- */
 
-/* Is the stage cleared, or the phase won or lost? */
-static bool section_over(const struct board_out *out)
-{
-    for (int i = 0; i < out->markers; i++) {
-        enum board_marker_kind kind = out->marker[i].kind;
-        if (kind == MARKER_CLEAR || kind == MARKER_WON || kind == MARKER_LOST)
-            return true;
-    }
-    return false;
-}
-
-/* By a ship that fires and sweeps from side to side. A stage's bosses are sections too: what a stage's phase ends does
- * not end the stage. */
 static void play_section(struct run *r, const struct section *section)
 {
-    static const uint16_t sweep[2][PADS] = { { PAD_FIRE | PAD_LEFT, 0 }, { PAD_FIRE | PAD_RIGHT, 0 } };
+    uint16_t pads[PADS];
     bool over = false;
 
-    for (uint32_t f = 0; f < SECTION_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+    for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+        tell(r, f, SWEEP_FRAMES);
         contrast_look(r, f);
-        const struct board_out *out = tick(r, sweep[f / SWEEP % 2]);
-        over = section->kind == SECTION_PHASE && section_over(out);
-        for (int i = 0; i < out->markers; i++)
-            over = over || out->marker[i].kind == MARKER_CLEAR;
+        sweep_pads(f, pads);
+        over = sweep_over(section->kind, tick(r, pads));
     }
 }
 
@@ -425,19 +425,18 @@ static void run_section(struct run *r, const struct section *section)
     r->c->sections++;
 }
 
+static bool is_played(const struct section *s)
+{
+    return s->kind == SECTION_STAGE || s->kind == SECTION_PHASE;
+}
+
 static void run_sections(struct run *r)
 {
-    struct board_start start = plain_start(r);
-    struct sections *list = calloc(1, sizeof *list);
-
-    r->c->found.failed = r->c->found.failed || list == NULL;
-    if (list == NULL)
-        return;
-    sections_list(list, &r->image.rom, &start, false);
-    for (int i = 0; i < list->n; i++)
-        if (list->section[i].kind == SECTION_STAGE || list->section[i].kind == SECTION_PHASE)
-            run_section(r, &list->section[i]);
-    free(list);
+    for (int i = 0; i < r->sections->n; i++)
+        if (is_played(&r->sections->section[i])) {
+            run_section(r, &r->sections->section[i]);
+            r->runs++;
+        }
 }
 
 /* ---- a demo ---- */
@@ -472,6 +471,7 @@ static uint32_t play(struct run *r)
         if (wrong == ALL && !is_as_recorded(r, f))
             wrong = f;
         contrast_look(r, f);
+        tell(r, f, last);
         if (f == last || board_last(r->guard.board)->fault)
             return wrong;
         demo_pads(&r->demo, f, pads);
@@ -548,13 +548,29 @@ static void judge_memory(struct run *r)
                     r->most_in, r->most / 1024, MOST_LUA);
 }
 
+static void plan(struct run *r)
+{
+    const struct board_start start = plain_start(r);
+
+    sections_list(r->sections, &r->image.rom, &start, false);
+    for (int i = 0; i < r->c->files.n; i++)
+        r->planned += is_demo(r->c->files.name[i]);
+    r->planned += r->planned == 0; /* run_idle */
+    for (int i = 0; i < r->sections->n; i++)
+        r->planned += is_played(&r->sections->section[i]);
+}
+
 static void run_all(struct run *r)
 {
     const struct tree *files = &r->c->files;
 
+    plan(r);
+    progress_begin();
     for (int i = 0; i < files->n; i++)
-        if (is_demo(files->name[i]))
+        if (is_demo(files->name[i])) {
             run_demo(r, files->name[i]);
+            r->runs++;
+        }
     if (r->most == 0)
         run_idle(r);
     run_sections(r);
@@ -587,11 +603,14 @@ void check_run(struct check *c)
                !cart_open(&r->cart, &r->image.rom, err, sizeof err)) {
         check_rom_sentence(c, err);
         c->broken = true;
+    } else if ((r->sections = calloc(1, sizeof *r->sections)) == NULL) {
+        c->found.failed = true;
     } else {
         check_text(c, &r->cart);
         check_rooms(c, &r->cart);
         run_all(r);
     }
+    free(r->sections);
     rom_image_free(&r->image);
     free(r);
 }

@@ -58,6 +58,7 @@ static const struct action {
     { "quit", "ctrl+q", "leave at once" },
     { "menu", "escape pad.guide", "the cabinet's menu" },
     { "help", "f1", "all keys, and what they do" },
+    { "log", "f8", "what scripts printed, and what went wrong" },
     { "shapes", "h", "hit shapes and graze rings, over the picture" },
     { "gauges", "g", "how full every part is, and Lua's memory" },
     { "split", "v", "where the time of a frame goes" },

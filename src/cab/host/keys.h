@@ -50,6 +50,7 @@ enum cab_key {
     CAB_QUIT,
     CAB_MENU,
     CAB_HELP,
+    CAB_LOG,
     CAB_SHAPES, /* the overlay's panels, in their order */
     CAB_GAUGES,
     CAB_SPLIT,

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "clean.h"
+#include "progress.h"
 
 enum { LINE = 2048, LOG_LINE = 512 };
 
@@ -15,6 +16,7 @@ static void log_clean(char *s)
 {
     clean_line(s);
     fflush(stdout); /* what was printed before comes before, also where both go to one file */
+    progress_wipe();
     plat_log(s);
 }
 
@@ -72,6 +74,8 @@ void report_log(const struct board_out *out, const char *prefix)
 {
     char line[LOG_LINE];
 
+    if (out->log_size)
+        progress_wipe();
     for (size_t i = 0; i < out->log_size;) {
         const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
         size_t n = end ? (size_t)(end - from) : out->log_size - i;

@@ -26,6 +26,7 @@
 #include "faces.h"
 #include "lang.h"
 #include "../host/files.h"
+#include "../host/progress.h"
 #include "map.h"
 #include "shade.h"
 #include "sheet.h"
@@ -80,6 +81,7 @@ struct packer {
     uint64_t std;                                      /* modules that the scripts so far name (std.h) */
     void (*warn)(void *context, const char *sentence); /* NULL: nobody is told */
     void *context;
+    int told; /* files that progress was told of */
     char *err;
     size_t err_size;
 };
@@ -108,6 +110,14 @@ static bool add_copy(struct packer *p, const char *folder, const char *name, con
         return err_set(p->err, p->err_size, "out of memory");
     memcpy(copy, data, size);
     return add(p, folder, name, copy, size);
+}
+
+/* One more of the files that go in. */
+static void tell(struct packer *p, const char *file)
+{
+    const int all = p->files.n + p->art.n_sheets + p->art.n_maps + p->art.n_sounds + p->art.n_tunes;
+
+    progress_tell((uint64_t)p->told++, (uint64_t)all, "packing %s", file);
 }
 
 static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size)
@@ -590,12 +600,16 @@ static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
 
 static bool add_sounds(struct packer *p)
 {
-    for (int i = 0; i < p->art.n_sounds; i++)
+    for (int i = 0; i < p->art.n_sounds; i++) {
+        tell(p, p->art.sounds[i].name);
         if (!add_sound(p, &p->art.sounds[i], false))
             return false;
-    for (int i = 0; i < p->art.n_tunes; i++)
+    }
+    for (int i = 0; i < p->art.n_tunes; i++) {
+        tell(p, p->art.tunes[i].name);
         if (!add_sound(p, &p->art.tunes[i], true))
             return false;
+    }
     return true;
 }
 
@@ -626,12 +640,16 @@ static bool add_art(struct packer *p)
 {
     if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) || !add_border(p))
         return false;
-    for (int i = 0; i < p->art.n_sheets; i++)
+    for (int i = 0; i < p->art.n_sheets; i++) {
+        tell(p, p->art.sheets[i].file);
         if (!add_sheet(p, i))
             return false;
-    for (int i = 0; i < p->art.n_maps; i++)
+    }
+    for (int i = 0; i < p->art.n_maps; i++) {
+        tell(p, p->art.maps[i].name);
         if (!add_map(p, &p->art.maps[i]))
             return false;
+    }
     return true;
 }
 
@@ -758,9 +776,11 @@ static bool add_files(struct packer *p)
     snprintf(path, sizeof path, "%s.lua", p->m.entry);
     if (!tree_has(&p->files, path))
         return err_set(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
-    for (int i = 0; i < p->files.n; i++)
+    for (int i = 0; i < p->files.n; i++) {
+        tell(p, p->files.name[i]);
         if (!add_file(p, p->files.name[i]))
             return false;
+    }
     return true;
 }
 

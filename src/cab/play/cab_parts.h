@@ -23,6 +23,7 @@
 #include "../pads/press.h"
 #include "../pads/seats.h"
 #include "practice.h"
+#include "../screens/log.h"
 #include "../screens/screen.h"
 #include "session.h"
 #include "../speaker/speaker.h"
@@ -152,6 +153,7 @@ struct cab {
     bool taken;  /* the player plays on from a playback: nothing of it is kept */
     bool awaits; /* paused until a button is pressed */
     struct screens screens;
+    struct log log;
     bool stands;          /* the board does in this frame, for a screen is open or was */
     bool here;            /* at the last poll the window had the keys, and was seen */
     uint16_t pads[PADS];  /* buttons held since the last tick, before press */
@@ -235,7 +237,7 @@ void cab_report_close(void);
 
 /* ---- cab_run.c ---- */
 
-/* Writes a line to the log, cleaned of control characters. */
+/* Writes a line to the port's log and to that of the window, cleaned of control characters. */
 CAB_PRINTF(1, 2) void cab_say(const char *format, ...);
 
 /* Shows a line over the picture for so many frames; -1: until a reload works. */
@@ -360,6 +362,7 @@ void cab_open_menu(void);
 void cab_open_settings(void);
 void cab_open_keys(void);
 void cab_open_controllers(void);
+void cab_open_log(void);
 void cab_open_replays(void);
 void cab_open_resume(void);
 

@@ -19,6 +19,14 @@ enum {
 
 /* ---- messages ---- */
 
+/* Into the window's log, which has the frame as well. */
+static void note(enum log_kind kind, const char *line)
+{
+    const struct board *b = cab.session.now ? cab_live() : NULL;
+
+    log_add(&cab.log, kind, b ? board_frame(b) : 0, line);
+}
+
 void cab_say(const char *format, ...)
 {
     char line[2 * FILES_PATH + 256];
@@ -29,6 +37,7 @@ void cab_say(const char *format, ...)
     va_end(args);
     clean_line(line);
     plat_log(line);
+    note(LOG_TOLD, line);
 }
 
 const char *cab_game(void)
@@ -94,6 +103,7 @@ void cab_log_lines(const struct board_out *out)
         snprintf(line, sizeof line, "%.*s", (int)n, out->log + i);
         clean_line(line);
         plat_log(line);
+        note(LOG_PRINTED, line);
         i += n + 1;
     }
 }
@@ -111,12 +121,18 @@ void cab_hear_once(enum speaker_way way)
 
 void cab_report_fault(void)
 {
+    char line[FILES_PATH + sizeof((struct board_fault *)0)->message];
+
     if (!cab.fault_reported) {
         struct board_fault fault = *cab_fault();
-        cab_say("curtain: %s: %s", cab_game(), fault.message);
+        snprintf(line, sizeof line, "curtain: %s: %s", cab_game(), fault.message);
+        clean_line(line);
+        plat_log(line);
+        note(LOG_WRONG, fault.message);
         clean_lines(fault.trace);
         if (fault.trace[0])
             plat_log(fault.trace);
+        note(LOG_WRONG, fault.trace);
         cab.fault_top = 0;
         cab_report_write(cab_fault());
     }

@@ -70,6 +70,13 @@ static void heed_focus(const struct plat_input *in)
         cab_open_menu();
 }
 
+void cab_open_log(void)
+{
+    if (cab.attracting)
+        cab_attract_end();
+    log_open(&cab.log, &cab.screens);
+}
+
 /* The keys that open a screen, while none is open. */
 static void opening_keys(const struct keys_read *k)
 {
@@ -77,6 +84,8 @@ static void opening_keys(const struct keys_read *k)
         return;
     if (k->pressed & (uint32_t)1 << CAB_HELP)
         cab_open_keys();
+    else if (k->pressed & (uint32_t)1 << CAB_LOG)
+        cab_open_log();
     else if (k->pressed & (uint32_t)1 << CAB_MENU)
         cab_open_menu();
 }
@@ -92,7 +101,7 @@ bool cab_screen_keys(const struct plat_input *in, struct keys_read *k)
             cab_practice_screen();
         if (listened)
             k->pressed = 0;
-        if (k->pressed & ((uint32_t)1 << CAB_HELP | (uint32_t)1 << CAB_PRACTICE))
+        if (k->pressed & ((uint32_t)1 << CAB_HELP | (uint32_t)1 << CAB_LOG | (uint32_t)1 << CAB_PRACTICE))
             screens_close_all(&cab.screens);
     } else {
         heed_focus(in);

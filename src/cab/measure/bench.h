@@ -1,0 +1,28 @@
+/*
+ * bench.h - `curtain bench`: what a game's frames cost, by section and by line of Lua, and what of its room it uses.
+ * floor: cab
+ */
+#ifndef CAB_BENCH_H
+#define CAB_BENCH_H
+
+#include <stdbool.h>
+#include "../../board/board.h"
+#include "../../board/rom/cart.h"
+#include "../demo/demo.h"
+#include "../host/result.h"
+
+struct bench {
+    const char *path; /* of the game, as typed */
+    const struct cart *cart;
+    struct board_start start; /* of the runs that are not a demo's; with a section: of this one alone */
+    const struct demo *demo;  /* this one alone; NULL: those of the game */
+    const char *demo_name;
+    bool own_start; /* the start is no other than the plain one: demos, which hold their own, are not played */
+    int slower;     /* shares of a frame are told of a machine so many times slower; 1: of this one */
+    bool json;
+};
+
+/* Plays, measures and prints. RESULT_REFUSED: a run faulted or cannot begin; RESULT_HOST: no memory. */
+enum result bench_run(const struct bench *b);
+
+#endif

@@ -1,0 +1,264 @@
+/*
+ * bench_print.c - see bench_print.h.
+ */
+#include "bench_print.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../host/clean.h"
+#include "rooms.h"
+
+enum {
+    NAME_LEAST = 10, /* columns of a section's name */
+    NAME_MOST = 24,
+    TEXT = 44,       /* columns of a line's text */
+    WORTH = 16 << 10 /* bytes that a lower capacity saves, for it to be worth a word */
+};
+
+static const char outside[] = "(outside)";
+
+static double ms(uint64_t usec, uint32_t frames)
+{
+    return frames ? (double)usec / frames / 1000 : 0;
+}
+
+static int percent(double usec, const struct bench *b)
+{
+    return (int)(100 * usec * b->slower / MEASURE_FRAME + 0.5);
+}
+
+/* 19200 as "19,200". */
+static const char *grouped(char text[32], uint64_t n)
+{
+    char digits[24];
+    int len = snprintf(digits, sizeof digits, "%llu", (unsigned long long)n), at = 0;
+
+    for (int i = 0; i < len; i++) {
+        if (i > 0 && (len - i) % 3 == 0)
+            text[at++] = ',';
+        text[at++] = digits[i];
+    }
+    text[at] = 0;
+    return text;
+}
+
+/* ---- sections ---- */
+
+static int name_width(const struct measure *m)
+{
+    int width = NAME_LEAST;
+
+    for (int i = 0; i < m->n; i++) {
+        const int n = (int)strlen(m->section[i].name);
+        width = n > width ? n : width;
+    }
+    return width < NAME_MOST ? width : NAME_MOST;
+}
+
+static void print_head(const struct bench *b, int width)
+{
+    char share[32] = "of a frame";
+
+    if (b->slower > 1)
+        snprintf(share, sizeof share, "%d x slower", b->slower);
+    printf("%*s %-37s %12s\n", width + 15, "", "milliseconds", share);
+    printf("%-*s %7s %6s %6s %6s %6s %6s %6s %6s %5s %6s%s  %s\n", width, "section", "frames", "Lua", "tick", "draw",
+           "sound", "mean", "99 %", "worst", "mean", "worst", b->slower > 1 ? "   late" : "", "the dearest");
+}
+
+static void print_section(const struct bench *b, const struct measure_section *s, const char *name, int width)
+{
+    const uint64_t all = s->tick + s->draw + s->sound;
+
+    if (!s->frames)
+        return;
+    printf("%-*.*s %7u %6llu %6.3f %6.3f %6.3f %6.3f %6.3f %6.3f %4d%% %5d%%", width, width, name, (unsigned)s->frames,
+           (unsigned long long)(s->lua / s->frames), ms(s->tick, s->frames), ms(s->draw, s->frames),
+           ms(s->sound, s->frames), ms(all, s->frames), ms(measure_most(s, 99), 1), ms(s->worst, 1),
+           percent((double)all / s->frames, b), percent((double)s->worst, b));
+    if (b->slower > 1)
+        printf(" %6u", (unsigned)measure_over(s, (uint64_t)(MEASURE_FRAME / b->slower)));
+    printf("  %u of %s\n", (unsigned)s->at, s->in);
+}
+
+static void print_sections(const struct bench *b, const struct measure *m)
+{
+    const int width = name_width(m);
+
+    print_head(b, width);
+    for (int i = 1; i < m->n; i++)
+        print_section(b, &m->section[i], m->section[i].name, width);
+    print_section(b, &m->section[0], outside, width);
+    if (m->n > 1)
+        print_section(b, &m->all, "all", width);
+}
+
+/* ---- what of it is what ---- */
+
+static void print_phases(const struct measure *m)
+{
+    static const char *const words[PHASES] = {
+        [PHASE_SCRIPTS] = "tasks of scripts",         [PHASE_MOTION] = "moves",  [PHASE_HITS] = "hits",
+        [PHASE_EVENTS] = "events and their handlers", [PHASE_REST] = "the rest",
+    };
+    uint64_t sum = 0;
+
+    for (int i = 0; i < PHASES; i++)
+        sum += m->all.phase[i];
+    printf("\nA tick:");
+    for (int i = 0; i < PHASES; i++)
+        printf("%s %s %.0f %%", i ? "," : "", words[i], sum ? 100.0 * (double)m->all.phase[i] / (double)sum : 0);
+    printf(".\n");
+}
+
+static double times(uint32_t usec)
+{
+    return (double)MEASURE_FRAME / (usec ? usec : 1);
+}
+
+static void print_verdict(const struct bench *b, const struct measure *m)
+{
+    const uint32_t late = measure_over(&m->all, (uint64_t)(MEASURE_FRAME / b->slower));
+    const uint32_t most = measure_most(&m->all, 99);
+    char text[32];
+
+    printf("In time at 60 a second: 99 %% of the frames on a machine %.1f times slower than this one,\n"
+           "all of them on one %.1f times slower.",
+           times(most), times(m->all.worst));
+    if (b->slower > 1 && late)
+        printf(" On one %d times slower %s are late (%.2f %%).", b->slower, grouped(text, late),
+               100.0 * late / m->all.frames);
+    else if (b->slower > 1)
+        printf(" On one %d times slower none is late.", b->slower);
+    printf("\n");
+}
+
+/* ---- lines ---- */
+
+static int dearer(const void *a, const void *b)
+{
+    const struct profile_line *x = *(const struct profile_line *const *)a, *y = *(const struct profile_line *const *)b;
+    const uint64_t v = profile_work(x), w = profile_work(y);
+
+    return v != w ? (v < w ? 1 : -1) : strcmp(x->place, y->place);
+}
+
+int bench_lines(const struct measure *m, const struct profile_line *out[], int n)
+{
+    const struct profile_line **all = malloc(PROFILE_ROOM * sizeof *all);
+    int found = 0;
+
+    if (!all)
+        return 0;
+    for (int i = 0; i < PROFILE_ROOM; i++)
+        if (profile_work(&m->profile.line[i]))
+            all[found++] = &m->profile.line[i];
+    qsort(all, (size_t)found, sizeof *all, dearer);
+    found = found < n ? found : n;
+    memcpy(out, all, (size_t)found * sizeof *all);
+    free(all);
+    return found;
+}
+
+void bench_text(const struct measure *m, const char *place, char *text, size_t size)
+{
+    const char *colon = strrchr(place, ':'), *from, *end;
+    char name[PROFILE_PLACE];
+    size_t left;
+
+    text[0] = 0;
+    if (!colon || colon - place < 4)
+        return;
+    snprintf(name, sizeof name, "%.*s", (int)(colon - place) - 4, place); /* without .lua */
+    if (!cart_script(m->cart, name, &from, &left))
+        return;
+    end = from + left;
+    for (long line = strtol(colon + 1, NULL, 10); line > 1 && from < end; line--) {
+        const char *newline = memchr(from, '\n', (size_t)(end - from));
+        from = newline ? newline + 1 : end;
+    }
+    const char *newline = memchr(from, '\n', (size_t)(end - from));
+    end = newline ? newline : end;
+    while (from < end && (*from == ' ' || *from == '\t'))
+        from++;
+    while (end > from && (end[-1] == ' ' || end[-1] == '\t' || end[-1] == '\r'))
+        end--;
+    const int n = end - from < (long)size - 1 ? (int)(end - from) : (int)size - 4;
+    snprintf(text, size, "%.*s%s", n, from, n < end - from ? "..." : "");
+    clean_line(text);
+}
+
+static int part_of(uint64_t part, uint64_t all)
+{
+    return all ? (int)((100 * part + all / 2) / all) : 0;
+}
+
+static void print_line(const struct measure *m, const struct profile_line *line)
+{
+    const uint64_t work = profile_work(line), all = profile_work(&m->profile.all);
+    char text[TEXT + 1];
+
+    bench_text(m, line->place, text, sizeof text);
+    printf("%6.1f %% %8.1f %5d %% %5d %%   %-24s %s\n", 100.0 * (double)work / (double)all,
+           (double)work / m->all.frames, part_of(line->calls, work), part_of(line->library, work), line->place, text);
+}
+
+static void print_lines(const struct measure *m)
+{
+    const struct profile_line *line[BENCH_LINES];
+    const int n = bench_lines(m, line, BENCH_LINES);
+    const uint64_t work = profile_work(&m->profile.all);
+    char text[32];
+
+    if (!n)
+        return;
+    printf("\nScripts do work of %s units a frame: an instruction of Lua is one, a function of the API 100\n"
+           "or more. The dearest lines:\n\n",
+           grouped(text, work / m->all.frames));
+    printf("%8s %8s %7s %7s   %s\n", "share", "a frame", "in API", "in @std", "line");
+    for (int i = 0; i < n; i++)
+        print_line(m, line[i]);
+}
+
+/* ---- rooms ---- */
+
+static void print_room(const struct room *r)
+{
+    printf("%-20s %8lld %8lld %6d %%", r->name, (long long)r->asked, (long long)r->most,
+           (int)(100 * r->most / r->asked));
+    if (r->saves >= WORTH)
+        printf(" %9lld %7llu KiB", (long long)r->would_do, (unsigned long long)r->saves / 1024);
+    if (r->refused)
+        printf("   full: %u times there was no room", (unsigned)r->refused);
+    printf("\n");
+}
+
+static void print_rooms(const struct measure *m)
+{
+    struct room room[ROOMS];
+    const int n = rooms_of(m, room);
+    const uint64_t saved = rooms_saved(m, room, n);
+    char ram[32], less[32];
+
+    printf("\n%-20s %8s %8s %8s %9s %11s\n", "room, in rom.lua", "asked", "most", "used", "would do", "saves");
+    for (int i = 0; i < n; i++)
+        print_room(&room[i]);
+    printf("\nThe board takes %s KiB of RAM", grouped(ram, board_room(m->cart) / 1024));
+    if (saved >= WORTH)
+        printf("; with all that would do for these runs, %s KiB less", grouped(less, saved / 1024));
+    printf(".\n");
+}
+
+void bench_print(const struct bench *b, const struct measure *m)
+{
+    char frames[32];
+
+    printf("%s: %s frames of %d run%s, each timed %d times; at 60 a second a frame has 16.67 ms\n\n", b->path,
+           grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
+    print_sections(b, m);
+    print_phases(m);
+    print_verdict(b, m);
+    print_lines(m);
+    print_rooms(m);
+}

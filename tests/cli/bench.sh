@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# bench.sh - `curtain bench`: which runs it plays, the sections that frames are put to, the dearest lines and what is
+# counted of them, capacities and what would do, JSON, and bad input. No verdict depends on a time.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+
+field() { jq -r "$@" <json; } # FILTER: of what was printed
+counts() { jq -c '[.lines[] | [.line, .instructions]]' "$1"; } # JSON
+of() { field ".$1[] | select(.name == \"$2\") | $3"; } # rooms|sections NAME FILTER
+bench() { "$curtain" bench "$@" --json >json 2>err; }
+says() { grep -qE -- "$1" out || { cat out; return 1; }; }
+
+# ---- a game without sections or demos ----
+
+game plain <<'LUA'
+bullet.def("orb", { sprite = "dot", hit = { circle = 2 } })
+task.go(function()
+  while true do
+    local n = 0
+    for i = 1, 500 do n = n + i end
+    wait(1)
+  end
+end)
+task.go(function()
+  while true do
+    bullet.fire { kind = "orb", x = 32, y = 2, speed = 1 }
+    wait(2)
+  end
+end)
+LUA
+check "a game is measured" bench plain
+same "from its start, without sections" "[1,1800,[null]]" "$(field -c '[.runs, .all.frames, [.sections[].name]]')"
+same "the dearest line" "main.lua:5 for i = 1, 500 do n = n + i end" "$(field '.lines[0] | .line + " " + .text')"
+same "two instructions for each turn of a loop" true "$(field '.lines[0].instructions >= 1000 * 1800')"
+same "and none in C" 0 "$(field '.lines[0].calls')"
+same "half of the frames fire" true "$(field '[.lines[] | select(.line == "main.lua:11")][0].calls >= 900 * 100')"
+same "all lines together are the scripts' work" true "$(field '([.lines[].work] | add) == .work and .work == .all.lua')"
+same "times add up" true "$(field '.all | .mean - (.tick + .draw + .sound) | . >= -2 and . <= 2')"
+same "and are in order" true "$(field '.all | .mean <= .worst and .p99 <= .worst and .worst > 0')"
+same "a room, and how much of it was used" "256 63" \
+    "$(of rooms board.bullets '[.asked, .most] | join(" ")')"
+same "what none is there of keeps its part" true "$(of rooms board.lasers '.most == 0 and .would_do == .asked')"
+cp json first
+check "once more" bench plain
+same "the same counts" "$(counts first)" "$(counts json)"
+"$curtain" pack plain -o plain.rom
+check "a ROM is a game, too" bench plain.rom
+same "with the same counts" "$(jq -c '.lines[0]' first)" "$(jq -c '.lines[0]' json)"
+
+# What would do really does: the same run, with the same state in the end.
+"$curtain" hash plain --frames 1800 --every 1800 --parts | tail -n 1 | grep -oE ' bullets=[0-9a-f]+' >was
+would=$(of rooms board.bullets .would_do)
+same "less would do" true "$([ "$would" -lt 256 ] && echo true)"
+sed "s/bullets = 256/bullets = $would/" plain/rom.lua >rom.lua && cp -r plain less && mv rom.lua less/rom.lua
+"$curtain" hash less --frames 1800 --every 1800 --parts | tail -n 1 | grep -oE ' bullets=[0-9a-f]+' >is
+check "and does" cmp was is
+sed "s/bullets = 256/bullets = 16/" plain/rom.lua >less/rom.lua
+check "where it is too little" bench less
+same "it says how often" true "$(of rooms board.bullets '.refused > 100 and .would_do == 16')"
+
+# ---- stages, bosses, demos ----
+
+game whole <<'LUA'
+player.def("ship", { sprite = "dot", hit = { circle = 1 } })
+bullet.def("orb", { sprite = "dot", hit = { circle = 2 } })
+enemy.def("lead", { sprite = "dot", hit = { circle = 4 }, hp = 1000 })
+boss.def("queen", { title = "Queen", kind = "lead", x = 32, y = 10, phases = {
+  { id = "ring", hp = 1000, time = 120, run = function(e)
+    while true do pattern.ring { kind = "orb", from = e, n = 12, speed = 1 } wait(10) end
+  end },
+  { id = "rest", hp = 1000, time = 60, run = function() wait(forever) end },
+} })
+stage.def("one", function() wait(60) boss.fight("queen") end)
+stage.def("two", function() wait(90) end)
+boot.run { stages = { "one", "two" }, players = { "ship" } }
+LUA
+check "a game with sections" bench whole
+same "each is there" "one queen/rest queen/ring two" "$(field '[.sections[].name // empty] | sort | join(" ")')"
+same "a phase has those of its time" true "$(of sections queen/ring '.frames >= 119 and .frames <= 122')"
+same "the run that the dearest frame is of" true \
+    "$(field '.all.worst_run | IN("one", "two", "queen/ring", "queen/rest")')"
+same "what a pattern costs is its line's" true \
+    "$(field '[.lines[] | select(.text | test("pattern.ring"))][0].calls > 0')"
+check "one of them" bench whole --stage queen/ring
+same "alone" "queen/ring" "$(field '[.sections[].name // empty] | join(" ")')"
+"$curtain" hash whole --stage two --frames 200 --record two.demo >/dev/null
+check "a demo" bench whole --demo two.demo
+same "all of it" "1 200 two.demo" "$(field '[.runs, .all.frames, .all.worst_run] | join(" ")')"
+mkdir whole/demos && cp two.demo whole/demos
+check "demos of the game come first, then what they do not come to" bench whole
+same "so two is the demo's" "two.demo" "$(of sections two .worst_run)"
+same "and one is not" "one" "$(of sections one .worst_run)"
+check "another difficulty" bench whole --difficulty hard
+same "plays no demo" "two" "$(of sections two .worst_run)"
+rm -r whole/demos
+
+# ---- as text ----
+
+"$curtain" bench whole --stage queen/ring --slower 50 >out 2>err
+check "a table" says '^section +frames +Lua +tick +draw +sound +mean +99 % +worst +mean +worst +late  the dearest$'
+check "a line a section" says \
+    '^queen/ring +1[12][0-9] +[0-9]+( +[0-9]+\.[0-9]{3}){6} +[0-9]+% +[0-9]+% +[0-9]+  [0-9]+ of queen/ring$'
+check "on a slower machine" says '^ +milliseconds +50 x slower$'
+check "how much slower one may be" says '99 % of the frames on a machine [0-9.]+ times slower than this one,$'
+check "lines" says '^ +[0-9.]+ % +[0-9.]+ +[0-9]+ % +[0-9]+ %   main\.lua:[0-9]+ +.*pattern\.ring'
+check "rooms" says '^board\.bullets +256 +[0-9]+ +[0-9]+ %'
+same "no line is too long" 0 "$(awk 'length > 110' out | wc -l)"
+same "and none ends in a blank" 0 "$(grep -c ' $' out)"
+same "and nothing else is said" "" "$(cat err)"
+
+# On a terminal it says how far it is, and takes that away again.
+cp -r plain slow
+echo 'task.go(function() while true do for i = 1, 20000 do local x = i * i end wait(1) end end)' >>slow/main.lua
+script -qec "$curtain bench slow" /dev/null >told 2>&1 </dev/null
+check "on a terminal it tells how far it is" grep -qE 'start: counting Lua, [0-9]+:[0-9]{2} left' told
+sed -i 's/20000/600000/' slow/main.lua
+script -qec "$curtain check slow" /dev/null >told 2>&1 </dev/null
+check "check does, too" grep -qE 'nobody playing, 1 of 1, frame [0-9]+, [0-9]+:[0-9]{2} left' told
+check "and takes it away before it says what it found" grep -qE $'\r\e\\[Kslow/|\r\e\\[K[a-z./]+:' told
+"$curtain" check slow >told 2>&1
+same "elsewhere it does not" 0 "$(grep -c ' left' told)"
+
+# ---- bad input ----
+
+slip() { # NAME WORDS ARGUMENT...: it is refused in one sentence
+    local why=$1 words=$2
+    shift 2
+    refuse "$why" "curtain: $words" "$curtain" bench "$@"
+    same "... in one line" 1 "$(wc -l <.said)"
+}
+slip "no game" "bench: expected ROM"
+slip "two" 'bench: "b" is one argument too many' a b
+slip "no such game" "none: no such file or folder" none
+slip "how much slower" '--slower: expected a whole number from 1 to 1000, got "0"' plain --slower 0
+slip "words for it" '--slower: expected a whole number from 1 to 1000, got "slow"' plain --slower slow
+slip "no such demo" "none.demo: " plain --demo none.demo
+slip "a demo of another game's section" "--stage does not go with --demo" plain --demo a --stage one
+slip "frames" "--frames does not go with bench" plain --frames 1
+slip "a difficulty" '--difficulty: unknown difficulty "mad"' plain --difficulty mad
+echo 'task.go(function() wait(30) local x; x.y = 1 end)' >>plain/main.lua
+refuse "a script's fault" "main.lua:15: attempt to index a nil value" "$curtain" bench plain
+same "and where" "curtain: start: frame 30:" "$(head -n 1 .said)"
+refuse "a section that is not there" "nowhere" "$curtain" bench whole --stage nowhere
+finish

@@ -1,0 +1,175 @@
+/*
+ * test_profile.c - lines of Lua, counted: every instruction and every call for the line that it stands in, the
+ * library's for the author's line; and the run is the same one.
+ */
+#include "rig.h"
+#include "../../src/board/lua/profile.h"
+
+enum { FRAMES = 20 };
+
+static struct profile profile;
+
+static const struct profile_line *line_of(const char *place)
+{
+    static const struct profile_line none = { .place = "" };
+
+    for (int i = 0; i < PROFILE_ROOM; i++)
+        if (strcmp(profile.line[i].place, place) == 0)
+            return &profile.line[i];
+    return &none;
+}
+
+static uint64_t sum(void)
+{
+    uint64_t n = profile_work(&profile.other);
+
+    for (int i = 0; i < PROFILE_ROOM; i++)
+        n += profile_work(&profile.line[i]);
+    return n;
+}
+
+static void begin(struct rig_game *g, struct rig *r, const char *script)
+{
+    memset(&profile, 0, sizeof profile);
+    rig_script(g, NULL, script);
+    rig_power(r, g, NULL);
+}
+
+static void end(struct rig_game *g, struct rig *r)
+{
+    rig_free(r);
+    rig_game_free(g);
+}
+
+static const char counts[] = "task.go(function()\n"
+                             "  while true do\n"
+                             "    local n = 0\n"
+                             "    for i = 1, 100 do n = n + i end\n"
+                             "    for i = 1, 200 do n = n + i end\n"
+                             "    board.note(n)\n"
+                             "    board.note(n) board.note(n)\n"
+                             "    wait(1)\n"
+                             "  end\n"
+                             "end)\n";
+
+static void exact(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    begin(&g, &r, counts);
+    rig_run(&r, 1);
+    board_profile(r.b, &profile);
+    rig_run(&r, FRAMES);
+    board_profile(r.b, NULL);
+    const uint64_t once = line_of("main.lua:4")->instructions, twice = line_of("main.lua:5")->instructions;
+    assert_int_equal(twice - once, FRAMES * 100 * 2); /* an addition and the loop's own instruction */
+    assert_in_range(once, FRAMES * 200, FRAMES * 210);
+    assert_int_equal(line_of("main.lua:4")->calls, 0);
+    assert_int_equal(line_of("main.lua:3")->instructions, FRAMES);
+    assert_in_range(line_of("main.lua:6")->calls, FRAMES * WORK_CALL, FRAMES * (WORK_CALL + 10));
+    assert_int_equal(line_of("main.lua:7")->calls, 2 * line_of("main.lua:6")->calls);
+    assert_true(line_of("main.lua:8")->calls >= FRAMES * WORK_CALL);
+    assert_int_equal(line_of("main.lua:1")->instructions, 0);
+    assert_int_equal(sum(), profile_work(&profile.all));
+    assert_int_equal(profile_work(&profile.other), 0);
+    end(&g, &r);
+}
+
+/* After the end nothing is counted, and nothing hooks the tasks any more. */
+static void ends(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    begin(&g, &r, counts);
+    board_profile(r.b, &profile);
+    rig_run(&r, 2);
+    board_profile(r.b, NULL);
+    const uint64_t was = sum();
+    rig_run(&r, FRAMES);
+    assert_int_equal(sum(), was);
+    assert_null(lua_gethook(r.b->vm.L));
+    assert_int_equal(r.b->tasks.s.live, 1);
+    EACH_LIVE (i, &r.b->tasks.s)
+        assert_true(!r.b->tasks.thread[i] || !lua_gethook(r.b->tasks.thread[i]));
+    end(&g, &r);
+}
+
+static const char library[] =
+    "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "task.go(function()\n"
+    "  while true do\n"
+    "    pattern.fan { kind = 'orb', x = 100, y = 80, n = 6, spread = 60, dir = 90, speed = 2 }\n"
+    "    wait(10)\n"
+    "  end\n"
+    "end)\n"
+    "task.go(pattern.spiral, { kind = 'orb', x = 100, y = 90, n = 400, every = 1, step = 7, speed = 1 })\n";
+
+/* What the library does at once is its caller's, what it does in a task of its own is the line's that started that. */
+static void of_author(void **state)
+{
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    begin(&g, &r, library);
+    board_profile(r.b, &profile);
+    rig_run(&r, 4 * FRAMES);
+    board_profile(r.b, NULL);
+    assert_true(r.b->bullets.s.live > 40);
+    assert_true(line_of("main.lua:4")->library >= 8 * 2);
+    assert_true(line_of("main.lua:8")->library > (4 * FRAMES - 1) * 3);
+    assert_int_equal(line_of("main.lua:5")->library, 0);
+    for (int i = 0; i < PROFILE_ROOM; i++)
+        assert_true(strncmp(profile.line[i].place, "@std/", 5) != 0);
+    assert_int_equal(profile.all.library, line_of("main.lua:4")->library + line_of("main.lua:8")->library);
+    end(&g, &r);
+}
+
+/* Every frame's hash is the one without; also through a reset, which gives the board another heap. */
+static void changes_nothing(void **state)
+{
+    static const char script[] =
+        "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+        "task.go(function()\n"
+        "  for i = 1, forever do\n"
+        "    local t = { a = i, b = { i }, [i] = tostring(i) }\n"
+        "    bullet.fire { kind = 'orb', x = rng.int(10, 200), y = 20, dir = 90, speed = #t.b }\n"
+        "    for k in pairs(t) do board.note(#tostring(k)) end\n"
+        "    if board.frame() == 60 then board.reset() end\n"
+        "    wait(1)\n"
+        "  end\n"
+        "end)\n";
+    struct rig_game g;
+    struct rig r, other;
+
+    (void)state;
+    begin(&g, &r, script);
+    rig_power(&other, &g, NULL);
+    board_profile(r.b, &profile);
+    for (int f = 0; f < 120; f++) {
+        rig_run(&r, 1);
+        rig_run(&other, 1);
+        assert_true(board_hash(r.b) == board_hash(other.b));
+    }
+    assert_true(line_of("main.lua:5")->calls >= 119 * WORK_CALL);
+    assert_true(line_of("main.lua:4")->bytes > 119 * 100 && line_of("main.lua:4")->bytes < 119 * 4000);
+    assert_int_equal(sum(), profile_work(&profile.all));
+    assert_in_range(profile_work(&profile.all), 119 * 500, 119 * 5000);
+    rig_free(&other);
+    end(&g, &r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(exact),
+        cmocka_unit_test(ends),
+        cmocka_unit_test(of_author),
+        cmocka_unit_test(changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,222 @@
+/* test_log.c - the lines that the window's log keeps, and the screen that shows them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/cab/screens/log.h"
+
+enum { KEY_UP = 82, KEY_PAGE_UP = 75, KEY_ESCAPE = 41, W = 240, H = 160 };
+
+static struct log l;
+static struct screens s;
+
+static int begin(void **state)
+{
+    (void)state;
+    memset(&l, 0, sizeof l);
+    memset(&s, 0, sizeof s);
+    return 0;
+}
+
+static const char *kept(int i)
+{
+    return log_line(&l, i)->text;
+}
+
+static void lines(void **state)
+{
+    (void)state;
+    assert_int_equal(log_kept(&l), 0);
+    log_add(&l, LOG_PRINTED, 7, "one");
+    log_add(&l, LOG_WRONG, 8, "two\n\n\tthree\n");
+    log_add(&l, LOG_PRINTED, 9, "");
+    assert_int_equal(log_kept(&l), 3);
+    assert_string_equal(kept(0), "one");
+    assert_int_equal(log_line(&l, 0)->frame, 7);
+    assert_string_equal(kept(1), "two");
+    assert_string_equal(kept(2), "\tthree");
+    assert_int_equal(log_line(&l, 2)->kind, LOG_WRONG);
+}
+
+/* What is printed in every frame takes one line, as long as nothing else comes between. */
+static void again(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 60; i++)
+        log_add(&l, LOG_PRINTED, 100 + i, "hp 12");
+    log_add(&l, LOG_WRONG, 160, "hp 12");
+    log_add(&l, LOG_PRINTED, 161, "hp 12");
+    assert_int_equal(log_kept(&l), 3);
+    assert_int_equal(log_line(&l, 0)->times, 60);
+    assert_int_equal(log_line(&l, 0)->frame, 100);
+    assert_int_equal(log_line(&l, 1)->times, 1);
+}
+
+/* The oldest lines go. */
+static void many(void **state)
+{
+    char text[16];
+
+    (void)state;
+    for (int i = 0; i < 3 * LOG_LINES + 5; i++) {
+        snprintf(text, sizeof text, "line %d", i);
+        log_add(&l, LOG_PRINTED, (uint32_t)i, text);
+    }
+    assert_int_equal(log_kept(&l), LOG_LINES);
+    for (int i = 0; i < LOG_LINES; i++) {
+        snprintf(text, sizeof text, "line %d", 2 * LOG_LINES + 5 + i);
+        assert_string_equal(kept(i), text);
+    }
+}
+
+/* A long line is cut behind a whole character; what a terminal would obey is blanked. */
+static void long_lines(void **state)
+{
+    char text[2 * LOG_LINE];
+
+    (void)state;
+    for (size_t first = 0; first < 3; first++) {
+        memset(text, 'x', first);
+        for (size_t i = first; i + 3 < sizeof text; i += 3)
+            memcpy(text + i, "\xe2\x82\xac", 4);
+        log_add(&l, LOG_PRINTED, 0, text);
+        const char *line = kept(log_kept(&l) - 1);
+        assert_true(strlen(line) < LOG_LINE && strlen(line) >= LOG_LINE - 3 - 3);
+        assert_int_equal((strlen(line) - first) % 3, 0);
+        assert_string_equal(line + strlen(line) - 3, "...");
+        assert_null(strchr(line, '?'));
+    }
+    log_add(&l, LOG_PRINTED, 0, "a\033[31mb");
+    assert_string_equal(kept(log_kept(&l) - 1), "a [31mb");
+}
+
+/* ---- the screen ---- */
+
+static void poll_with(const struct plat_input *in)
+{
+    const struct plat_input nothing = { .focus = true, .mouse_x = -1, .mouse_y = -1 };
+    const struct keys_read none = { 0 };
+
+    screens_poll(&s, &nothing, &none);
+    screens_poll(&s, in, &none);
+}
+
+static struct plat_input with_key(unsigned usage)
+{
+    struct plat_input in = { .focus = true, .mouse_x = -1, .mouse_y = -1 };
+
+    in.keys[usage / 8] = (uint8_t)(1 << usage % 8);
+    return in;
+}
+
+static int chosen(void)
+{
+    return s.place[0].row;
+}
+
+static struct screen_row row_at(int at)
+{
+    struct screen_row row = { 0 };
+
+    screens_top(&s)->row(s.place[0].of, at, &row);
+    return row;
+}
+
+static void draw(void)
+{
+    static uint32_t rgb[256];
+    void *memory = malloc(fb_size(W, H));
+    struct canvas canvas;
+    struct fb fb;
+
+    assert_non_null(memory);
+    fb_init(&fb, memory, W, H);
+    fb_fill(&fb, 0);
+    canvas_open(&canvas, &fb, rgb);
+    screens_draw(&s, &canvas, "");
+    free(memory);
+}
+
+static void opens_at_the_end(void **state)
+{
+    char text[16];
+
+    (void)state;
+    log_open(&l, &s);
+    draw();
+    assert_string_equal(screens_top(&s)->text(&l), "Nothing was printed yet.");
+    poll_with(&(struct plat_input){ .focus = true, .mouse_x = -1, .mouse_y = -1, .wheel = 1 });
+    screens_close(&s);
+    for (int i = 0; i < 100; i++) {
+        snprintf(text, sizeof text, "line %d", i);
+        log_add(&l, i == 99 ? LOG_WRONG : LOG_PRINTED, (uint32_t)i, text);
+    }
+    log_open(&l, &s);
+    draw();
+    assert_int_equal(chosen(), 99);
+    assert_int_equal(row_at(99).ink, CANVAS_RED);
+    assert_string_equal(row_at(98).label, "line 98");
+    assert_string_equal(row_at(98).value, "98");
+    assert_string_equal(row_at(98).help, "line 98");
+}
+
+/* By keys, a controller and the wheel; and out. */
+static void scrolls(void **state)
+{
+    struct plat_input in = { .focus = true, .mouse_x = -1, .mouse_y = -1 };
+
+    opens_at_the_end(state);
+    in = with_key(KEY_UP);
+    poll_with(&in);
+    assert_int_equal(chosen(), 98);
+    in = (struct plat_input){ .focus = true, .mouse_x = -1, .mouse_y = -1 };
+    in.controllers[2] = 1u << PLAT_DPAD_UP;
+    poll_with(&in);
+    assert_int_equal(chosen(), 97);
+    in.controllers[2] = 0;
+    in.wheel = 1;
+    poll_with(&in);
+    assert_int_equal(chosen(), 96);
+    in = with_key(KEY_PAGE_UP);
+    poll_with(&in);
+    assert_in_range(chosen(), 80, 94);
+    in = with_key(KEY_ESCAPE);
+    poll_with(&in);
+    assert_null(screens_top(&s));
+}
+
+/* Lines that come while it is open, of a reload, push the oldest out. */
+static void stays_in_range(void **state)
+{
+    char text[16];
+
+    opens_at_the_end(state);
+    for (int i = 0; i < 2 * LOG_LINES; i++) {
+        snprintf(text, sizeof text, "more %d", i);
+        log_add(&l, LOG_TOLD, 0, text);
+    }
+    draw();
+    assert_int_equal(chosen(), 99);
+    assert_string_equal(row_at(99).label, "more 499");
+    log_add(&l, LOG_TOLD, 5, "same");
+    log_add(&l, LOG_TOLD, 6, "same");
+    assert_string_equal(row_at(LOG_LINES - 1).value, "2 x  5");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(lines, begin),
+        cmocka_unit_test_setup(again, begin),
+        cmocka_unit_test_setup(many, begin),
+        cmocka_unit_test_setup(long_lines, begin),
+        cmocka_unit_test_setup(opens_at_the_end, begin),
+        cmocka_unit_test_setup(scrolls, begin),
+        cmocka_unit_test_setup(stays_in_range, begin),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
