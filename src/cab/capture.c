@@ -10,12 +10,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../platform/platform.h"
 #include "film/apng.h"
 #include "film/gif.h"
 #include "film/y4m.h"
 #include "host/files.h"
 #include "host/process.h"
+#include "host/progress.h"
 #include "host/report.h"
 #include "pack/png.h"
 #include "pack/shade.h"
@@ -24,7 +24,7 @@
 
 enum format { GIF, APNG, Y4M, WAV, MP4, WEBM, FORMATS };
 
-enum { CAPTURE_FRAMES = 600, /* without a demo or --frames */ SECOND = 1000000, TELL_EVERY = SECOND / 4 };
+enum { CAPTURE_FRAMES = 600 /* without a demo or --frames */ };
 
 struct capture {
     const struct args *a;
@@ -43,9 +43,8 @@ struct capture {
     uint32_t pictures; /* so far */
     struct gif gif;
     struct apng apng;
-    FILE *stream;         /* of y4m, to a file or another program */
-    uint64_t begun, told; /* usec: when the work began; when it was last told of */
-    bool terminal;
+    FILE *stream; /* of y4m, to a file or another program */
+    struct progress progress;
 };
 
 static const struct {
@@ -207,26 +206,6 @@ static void add_frame(struct capture *c, uint32_t frame)
     }
 }
 
-/* What is done and what is left, on a terminal, when it takes longer than a second. */
-static void tell(struct capture *c, uint32_t frame)
-{
-    const uint64_t now = c->terminal ? plat_usec() : 0;
-
-    if (!c->terminal || now - c->begun < SECOND || now - c->told < TELL_EVERY)
-        return;
-    c->told = now;
-    const uint64_t left = (now - c->begun) * (c->last - frame) / ((uint64_t)frame + 1) / SECOND;
-    fprintf(stderr, "\rframe %u of %u, %u:%02u left \033[K", (unsigned)frame, (unsigned)c->last, (unsigned)(left / 60),
-            (unsigned)(left % 60));
-}
-
-static void tell_no_more(struct capture *c)
-{
-    if (c->told)
-        fputs("\r\033[K", stderr);
-    c->told = 0;
-}
-
 static bool failed(const struct capture *c)
 {
     return c->gif.out.failed || c->apng.out.failed || c->apng.too_many || c->tape.failed ||
@@ -245,12 +224,12 @@ static enum result go_through(struct capture *c, bool sound)
             tape_add(&c->tape, c->run.guard.board);
         if (f == c->last || result != RESULT_DONE || failed(c))
             break;
-        tell(c, f);
+        progress_tell(&c->progress, f + 1, (uint64_t)c->last + 1, "frame %u of %u", (unsigned)f, (unsigned)c->last);
         result = unseen_tick(&c->run);
         if (result != RESULT_DONE)
             break;
     }
-    tell_no_more(c);
+    progress_clear(&c->progress);
     return result;
 }
 
@@ -419,8 +398,7 @@ static enum result shoot(struct capture *c)
 
     c->first = a->n_spans ? a->spans[0].first : 0;
     c->last = a->n_spans ? a->spans[0].last : c->run.game.has_demo ? c->run.game.demo.frames : CAPTURE_FRAMES;
-    c->terminal = process_terminal();
-    c->begun = plat_usec();
+    progress_open(&c->progress);
     enum result result = pictures_open(c);
     if (result == RESULT_DONE && c->format != WAV &&
         (c->w > PNG_MAX_SIDE || c->h > PNG_MAX_SIDE || c->w > PNG_MAX_PIXELS / c->h))

@@ -80,52 +80,11 @@ static void say(const struct verify *v, const char *path, const char *format, ..
     putchar('\n');
 }
 
-/* "input, player" */
-static void list_parts(const struct demo *d, uint64_t parts, char *out, size_t size)
-{
-    size_t n = 0;
-
-    out[0] = 0;
-    for (int i = 0; i < d->parts; i++) {
-        if (parts >> i & 1 && n < size)
-            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part[i]);
-    }
-}
-
-/* "frame 12: input, player differ" */
-static void parts_text(const struct verify *v, const struct verdict *w, char *out, size_t size)
-{
-    char parts[MAX_PARTS * 18], frames[40];
-    const char *verb = w->parts & (w->parts - 1) ? "differ" : "differs";
-
-    list_parts(&v->demo, w->parts, parts, sizeof parts);
-    if (w->first == w->frame)
-        snprintf(frames, sizeof frames, "frame %u", (unsigned)w->frame);
-    else
-        snprintf(frames, sizeof frames, "frames %u to %u", (unsigned)w->first, (unsigned)w->frame);
-    snprintf(out, size, "%s: %s %s", frames, parts, verb);
-}
-
-static void verdict_text(const struct verify *v, const struct verdict *w, char *out, size_t size)
-{
-    unsigned frame = (unsigned)w->frame;
-
-    if (w->kind == VERDICT_DIFFERS)
-        parts_text(v, w, out, size);
-    else if (w->kind == VERDICT_FAULT)
-        snprintf(out, size, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(&v->replay)->message);
-    else if (w->kind == VERDICT_NO_FAULT)
-        snprintf(out, size, "frame %u: the fault it was recorded with does not happen", frame);
-    else
-        snprintf(out, size, "holds, %u frames%s", frame,
-                 v->demo.fault ? ", ends in the fault it was recorded with" : "");
-}
-
 static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
 {
     char text[1400];
 
-    verdict_text(v, w, text, sizeof text);
+    replay_text(&v->replay, &v->demo, w, text, sizeof text);
     say(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
 }
 
@@ -411,7 +370,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
         free(c.list);
         return refuse(v, RESULT_HOST, "%s: out of memory", path);
     }
-    verdict_text(v, &o->first, text, sizeof text);
+    replay_text(&v->replay, &v->demo, &o->first, text, sizeof text);
     tell(&t, "rerecorded: %s", text);
     if (o->first.kind != VERDICT_HOLDS) {
         tell_points(v, o, &t);
@@ -441,7 +400,7 @@ static enum result leave_alone(const struct verify *v, const char *path, const s
 {
     char text[1400];
 
-    verdict_text(v, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
+    replay_text(&v->replay, &v->demo, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
     if (o->end.frame != v->demo.frames)
         say(v, path, "%s; length %u -> %u; not rerecorded: %s", text, (unsigned)v->demo.frames, (unsigned)o->end.frame,
             why);
