@@ -326,7 +326,10 @@ static enum result help(const struct args *a)
     int command = topic ? args_command(topic) : -1;
 
     if (a->annotations || a->luacheck) {
-        a->annotations ? annotations_print() : luacheck_print();
+        if (strcmp(topic, "test") == 0)
+            annotations_test_print();
+        else
+            a->annotations ? annotations_print() : luacheck_print();
         return report_stdout(RESULT_DONE);
     }
     if (topic && strcmp(topic, "lua") == 0)

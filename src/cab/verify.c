@@ -11,6 +11,7 @@
 #include <string.h>
 #include "demo/bisect.h"
 #include "host/clean.h"
+#include "host/progress.h"
 #include "game.h"
 #include "host/report.h"
 #include "demo/markers.h"
@@ -26,6 +27,8 @@ struct verify {
     char doubt[160];          /* " (recorded on another build)", or nothing */
     const char *path;         /* of the demo that is looked at */
     bool batch;               /* names come from standard input */
+    struct progress progress;
+    uint64_t looked, all; /* demos so far, and of how many; 0: not known */
 };
 
 /* ---- lines ---- */
@@ -219,6 +222,20 @@ static void say_more(const struct verify *v, const struct verdict *w)
 
 /* ---- demos ---- */
 
+/* All demos count as equally long. */
+static void tell_progress(void *context, uint32_t frame)
+{
+    enum { WHOLE = 1000 };
+    struct verify *v = context;
+    const uint64_t done = v->looked * WHOLE + (uint64_t)frame * WHOLE / v->demo.frames;
+    char of[32] = "";
+
+    if (v->all)
+        snprintf(of, sizeof of, " of %llu", (unsigned long long)v->all);
+    progress_tell(&v->progress, done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->looked + 1,
+                  of, (unsigned)frame, (unsigned)v->demo.frames);
+}
+
 /* Writes the replay as the demo: newest format, this ROM and core version, all checksums and markers. */
 static enum result write_again(struct verify *v, const char *path)
 {
@@ -254,6 +271,7 @@ static enum result judge(struct verify *v, const char *path)
     enum result result =
         replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
 
+    progress_clear(&v->progress);
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
@@ -415,6 +433,7 @@ static enum result rerecord(struct verify *v, const char *path)
     char err[512];
     enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
+    progress_clear(&v->progress);
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
@@ -452,6 +471,7 @@ static enum result verify_demo(struct verify *v, const char *path)
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
+    v->looked++;
     return result;
 }
 
@@ -511,6 +531,10 @@ static enum result verify_all(struct verify *v, const struct args *a)
     bool listed = a->n_words == 2 && strcmp(a->words[1], "-") == 0;
 
     v->a = a;
+    v->all = listed ? 0 : (uint64_t)a->n_words - 1;
+    v->replay.ticked = tell_progress;
+    v->replay.context = v;
+    progress_open(&v->progress);
     if (a->null && !listed)
         return report_line(RESULT_REFUSED, "--null goes with names from standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))

@@ -35,29 +35,44 @@ static bool save(const struct golden *g, const char *folder, const char *name, c
 
 struct picture {
     uint8_t *rgb; /* 3 bytes a pixel; NULL: none */
+    uint8_t *pix; /* the same as indices of colours; NULL: it has none */
     int w, h;
+    uint32_t colours[256];
 };
+
+static void free_picture(struct picture *p)
+{
+    free(p->rgb);
+    free(p->pix);
+}
+
+static void colour(struct picture *p)
+{
+    uint8_t *to = p->rgb;
+
+    for (size_t i = 0, pixels = (size_t)p->w * (size_t)p->h; i < pixels; i++) {
+        const uint32_t c = p->colours[p->pix[i]];
+        *to++ = (uint8_t)(c >> 16);
+        *to++ = (uint8_t)(c >> 8);
+        *to++ = (uint8_t)c;
+    }
+}
 
 static bool draw(const struct board *b, struct picture *p)
 {
-    uint32_t colours[256];
     struct fb fb;
 
     board_screen(b, &p->w, &p->h);
     void *memory = malloc(fb_size(p->w, p->h)), *scratch = malloc(board_scratch(b) + 1);
     p->rgb = malloc((size_t)p->w * (size_t)p->h * 3);
-    const bool good = memory && scratch && p->rgb;
+    p->pix = malloc((size_t)p->w * (size_t)p->h);
+    const bool good = memory && scratch && p->rgb && p->pix;
     if (good) {
         fb_init(&fb, memory, p->w, p->h);
-        board_draw(b, NULL, &fb, colours, scratch);
-        uint8_t *to = p->rgb;
+        board_draw(b, NULL, &fb, p->colours, scratch);
         for (int y = 0; y < p->h; y++)
-            for (int x = 0; x < p->w; x++) {
-                const uint32_t c = colours[fb.pix[(ptrdiff_t)y * fb.pitch + x]];
-                *to++ = (uint8_t)(c >> 16);
-                *to++ = (uint8_t)(c >> 8);
-                *to++ = (uint8_t)c;
-            }
+            memcpy(p->pix + (size_t)y * (size_t)p->w, fb.pix + (ptrdiff_t)y * fb.pitch, (size_t)p->w);
+        colour(p);
     }
     free(memory);
     free(scratch);
@@ -70,7 +85,10 @@ static bool save_picture(const struct golden *g, const char *folder, const char 
     uint8_t *png = NULL;
     size_t n = 0;
 
-    png_write_rgb(p->rgb, p->w, p->h, &png, &n);
+    if (p->pix)
+        png_write(p->pix, p->w, p->w, p->h, p->colours, &png, &n);
+    else
+        png_write_rgb(p->rgb, p->w, p->h, &png, &n);
     const bool good = save(g, folder, name, ending, png, n);
     free(png);
     return good;
@@ -124,7 +142,7 @@ static bool draw_difference(const struct picture *a, const struct picture *b, st
 {
     const size_t pixels = (size_t)a->w * (size_t)a->h;
 
-    *to = (struct picture){ malloc(pixels * 3), a->w, a->h };
+    *to = (struct picture){ .rgb = malloc(pixels * 3), .w = a->w, .h = a->h };
     for (size_t i = 0; to->rgb && i < pixels; i++) {
         const uint8_t *p = a->rgb + 3 * i, *q = b->rgb + 3 * i;
         const int far = abs(p[0] - q[0]) + abs(p[1] - q[1]) + abs(p[2] - q[2]);
@@ -152,7 +170,7 @@ static bool tell_difference(const struct golden *g, const char *name, const stru
     const struct difference d = differ(want, got);
     if (draw_difference(want, got, &both))
         good = good && save_picture(g, FAILED, name, ".difference.png", &both);
-    free(both.rgb);
+    free_picture(&both);
     if (good)
         outcome_say(g->out, SAYS_PICTURE, "%s", name);
     return err_set(err, err_size, "%" PRId64 " of %d pixels are not those of " GOLDEN "/%s.png, from %d,%d to %d,%d",
@@ -195,7 +213,7 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
     bool same = same_picture(&want, got);
     if (!same)
         same = g->update ? keep_picture(g, name, got) : tell_difference(g, name, &want, got, err, err_size);
-    free(want.rgb);
+    free_picture(&want);
     return same;
 }
 
@@ -205,7 +223,7 @@ bool golden_picture(const struct golden *g, const struct board *b, const char *n
     const bool same =
         draw(b, &got) ? compare_picture(g, name, &got, err, err_size) : err_set(err, err_size, "out of memory");
 
-    free(got.rgb);
+    free_picture(&got);
     return same;
 }
 
@@ -215,7 +233,7 @@ void golden_show(const struct golden *g, const struct board *b, const char *name
 
     if (draw(b, &got) && save_picture(g, FAILED, name, ".got.png", &got))
         outcome_say(g->out, SAYS_PICTURE, "%s", name);
-    free(got.rgb);
+    free_picture(&got);
 }
 
 /* ---- hashes ---- */

@@ -16,13 +16,14 @@
 static const char style[] =
     ":root{color-scheme:light dark;--line:#8886;--bad:#c62f3b;--good:#2d8a4e;--dim:#777}"
     "@media(prefers-color-scheme:dark){:root{--bad:#ff7b85;--good:#6ad28f;--dim:#999}}"
-    "body{font:16px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:84rem;padding:0 1.5rem}"
+    "body{font:16px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:98rem;padding:0 1.5rem}"
     "h1{font-size:1.5rem;margin:0}h2{font-size:1.1rem;margin:0 0 .6rem}"
     "section{border:1px solid var(--line);border-left:6px solid var(--bad);border-radius:6px;padding:1rem 1.2rem;"
     "margin:1.4rem 0}"
     ".dim{color:var(--dim)}.bad{color:var(--bad)}.good{color:var(--good)}"
     "ul.why{margin:.4rem 0;padding-left:1.2rem}pre{overflow:auto;font-size:.85rem;margin:.6rem 0;color:var(--dim)}"
-    ".shots{display:flex;flex-wrap:wrap;gap:1rem;margin-top:.8rem}figure{margin:0;max-width:100%}"
+    ".shots{display:flex;gap:1rem;margin-top:.8rem}figure{margin:0;min-width:0}"
+    "@media(max-width:50rem){.shots{flex-wrap:wrap}}"
     "figcaption{font-size:.85rem;color:var(--dim);margin-bottom:.2rem}"
     "img{image-rendering:pixelated;display:block;border:1px solid var(--line);max-width:100%;height:auto}"
     "table{border-collapse:collapse;font-size:.95rem}td{padding:.15rem 1.2rem .15rem 0}td.n{text-align:right}";
