@@ -143,7 +143,7 @@ static int run_script(lua_State *L)
 /* ---- all of it ---- */
 
 /* The guards' sentences speak of frames and of rom.lua; a test has other bounds. */
-static void reword(struct board_fault *f, const char *shortage)
+static void reword(struct board_fault *f, const struct output *o)
 {
     char *loop = strstr(f->message, "endless loop");
     const size_t at = loop ? (size_t)(loop - f->message) : 0;
@@ -151,7 +151,8 @@ static void reword(struct board_fault *f, const char *shortage)
     if (f->kind == FAULT_LOOP && loop)
         snprintf(loop, sizeof f->message - at, "endless loop: more than %d instructions in one test", TRIAL_WORK);
     else if (f->kind == FAULT_MEMORY)
-        snprintf(f->message, sizeof f->message, "%sout of memory: a test has %d MiB", shortage, TRIAL_HEAP >> 20);
+        snprintf(f->message, sizeof f->message, "%sout of memory: a test has %d MiB%s", o->shortage, TRIAL_HEAP >> 20,
+                 o->deep ? ", deep in calls: an endless recursion?" : "");
 }
 
 size_t trial_size(void)
@@ -183,7 +184,7 @@ bool trial_script(void *memory, const struct trial_host *host, const char *chunk
     host_leave(&settings);
     *fault = t->output.fault;
     if (!good)
-        reword(fault, t->output.shortage);
+        reword(fault, &t->output);
     *frames = t->frames;
     return good;
 }

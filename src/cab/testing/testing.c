@@ -252,7 +252,8 @@ static void waits(void *context)
 {
     struct all *a = context;
 
-    progress_tell(&a->progress, (uint64_t)a->over, (uint64_t)a->n, "%d of %d tests done", a->over, a->n);
+    if (a->over < a->n)
+        progress_tell(&a->progress, (uint64_t)a->over, (uint64_t)a->n, "%d of %d tests done", a->over, a->n);
 }
 
 /* ---- afterwards ---- */
