@@ -43,6 +43,7 @@ for what; do
         have luac5.4 || need lua5.4
         have luacheck || need lua-check
         python3 -c 'import ctypes' 2>/dev/null || need python3
+        python3 -c 'import yaml' 2>/dev/null || need python3-yaml
         have clang-format || need clang-format
         have git || need git
         have nm || need binutils
