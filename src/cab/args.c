@@ -197,7 +197,8 @@ static const struct {
                       "tests/failed/failed.html)" },
     [OPTION_JOBS] = { "--jobs", "N", FOR_TEST, "tests at a time, 1 to 64 (else as many as there are processors)" },
     [OPTION_ANNOTATIONS] = { "--annotations", NULL, FOR_HELP,
-                             "help lua, help test: print the API as definitions for editors (LuaLS, the Lua language server)" },
+                             "help lua, help test: print the API as definitions for editors (LuaLS, the Lua language "
+                             "server)" },
     [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP,
                           "help lua: print the API's names as a .luacheckrc, the settings of luacheck" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../base/err.h"
 #include "../base/ieee.h"
 #include "../board/api_table.h"
 #include "../base/host.h"
@@ -255,8 +256,12 @@ static bool test_press(void *user, int run, const char *list, char *err, size_t 
 {
     struct args *a = &((struct tested *)user)->held[run];
 
+    char why[512];
+
     a->n_presses = 0;
-    return !list[0] || args_presses(a, list, err, err_size) || without_dashes(err);
+    if (!list[0] || args_presses(a, list, why, sizeof why))
+        return true;
+    return err_set(err, err_size, "pads%s", strchr(why, ':')); /* "--press: ..." */
 }
 
 static void test_pressed(void *user, int run, uint32_t frame, uint16_t pads[PADS])

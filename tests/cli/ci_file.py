@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""ci_file.py - reads a CI service's file, GitHub's or GitLab's, and looks whether it is one: the keys are the service's,
-Curtain is built of packages that tools/deps.sh names, and the tests are run with options that there are.
+"""ci_file.py - reads a CI service's file, GitHub's or GitLab's, and looks whether it is one: the keys are the
+service's, Curtain is built of packages that tools/deps.sh names, and tests are run with options that there are.
 
     ci_file.py FILE
 """

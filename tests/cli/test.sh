@@ -5,7 +5,9 @@
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
-plain() { sed -E 's/ +[0-9]+ frames/ N frames/; s/[0-9]+\.[0-9]+ s/T s/; s/; [0-9]+ frames in/; N frames in/'; }
+plain() { # blanks for tabs, N for frames, T for times
+    sed -E 's/\t/ /; s/ +[0-9]+ frames/ N frames/; s/[0-9]+\.[0-9]+ s/T s/; s/; [0-9]+ frames in/; N frames in/'
+}
 said() { # ARG...: what test says of g, times and frames left out, and its exit code
     "$curtain" test g "$@" 2>&1 | plain
     echo "exit ${PIPESTATUS[0]}"
@@ -72,7 +74,8 @@ test.equal(run.frame, 10)
 test.equal(run.difficulty, "hard")
 test.equal(run.fault, nil)
 test.equal(run.music, "tide")
-test.equal({ run:eval "player.get(1).lives, player.get(1).power, {1, x = 2.5, 'a'}" }, { 6, 3, { 1, "a", x = 2.5 } }, "7 in all")
+test.equal({ run:eval "player.get(1).lives, player.get(1).power" }, { 6, 3 }, "7 in all, 6 left")
+test.equal(run:eval "{ 1, x = 2.5, 'a', { true } }", { 1, "a", { true }, x = 2.5 })
 test.equal(run:eval "nil", nil)
 test.equal(#{ run:eval "1, 2, 3" }, 3)
 test.equal(run:live("enemies"), 1, "one mote")
@@ -145,17 +148,18 @@ ok    tests/all.lua N frames     T s
       kept tests/golden/fight.png
       kept tests/golden/fight.hash
       kept tests/golden/newest.png
-      | seen by who reads	3
+      | seen by who reads 3
 2 tests: all hold; N frames in T s
 exit 0" "$(said --update)"
 same "all holds" "ok    demos/run.demo N frames     T s
 ok    tests/all.lua N frames     T s
-      | seen by who reads	3
+      | seen by who reads 3
 2 tests: all hold; N frames in T s
 exit 0" "$(said)"
 same "and leaves nothing to look at" "" "$(ls g/tests/failed)"
 same "a kept picture is the frame that render draws" "" \
-    "$("$curtain" render g --demo g/demos/run.demo --frames 120 -o out 2>/dev/null && cmp out/000120.png g/tests/golden/fight.png)"
+    "$("$curtain" render g --demo g/demos/run.demo --frames 120 -o out 2>/dev/null &&
+        cmp out/000120.png g/tests/golden/fight.png)"
 "$curtain" list g >with
 mv g/tests away
 "$curtain" list g >without
@@ -172,7 +176,7 @@ python3 "$repo/tests/cli/png_make.py" g/tests/golden/newest.png 64 64 00ff00
 same "a picture" "FAILS tests/all.lua N frames     T s
       tests/all.lua:NN: newest: frame 60: 4096 of 4096 pixels are not those of tests/golden/newest.png, from 0,0 to \
 63,63
-      | seen by who reads	3
+      | seen by who reads 3
 1 test: 0 hold, 1 fails; N frames in T s
 page: g/tests/failed/failed.html
 exit 1" "$(said all | sed -E 's/all.lua:[0-9]+/all.lua:NN/')"
@@ -226,12 +230,15 @@ check "a picture that is none" says 'tests/all.lua:[0-9]+: newest: frame 60: tes
 
 back
 sed -i 's/hp = 3/hp = 4/' g/main.lua
-check "the hashes of a demo" says '^ +demos/run.demo: frame [0-9]+: script, .*enemy_kinds differ \(recorded on another build\)$'
-check "the hashes of a kept frame" says '^ +tests/all.lua:[0-9]+: fight: frame 120: script, .*enemy_kinds differ from tests/golden/fight.hash$'
+check "the hashes of a demo" says \
+    '^ +demos/run.demo: frame [0-9]+: script, .*enemy_kinds differ \(recorded on another build\)$'
+check "the hashes of a kept frame" says \
+    '^ +tests/all.lua:[0-9]+: fight: frame 120: script, .*enemy_kinds differ from tests/golden/fight.hash$'
 check "the page shows the frame from which a demo differs" grep -q 'demo-run: got' g/tests/failed/failed.html
 sed -i 's/^bullets .*/bullets 0123456789abcdef/' kept/tests/golden/fight.hash
 back
-check "a part of a kept hash" says '^ +tests/all.lua:[0-9]+: fight: frame 120: bullets differs from tests/golden/fight.hash$' all
+check "a part of a kept hash" says \
+    '^ +tests/all.lua:[0-9]+: fight: frame 120: bullets differs from tests/golden/fight.hash$' all
 
 alone
 wrong "a script's error" 'tests/try.lua:2: attempt to index a nil value (local '"'x'"')' $'local x\nprint(x.y)'
@@ -268,7 +275,8 @@ wrong "frames without end" \
     $'local run = test.run()\nwhile true do run:step(50000) end'
 wrong "a text without end" 'tests/try.lua:1: out of memory: a test has 16 MiB' \
     'local s = "x" while true do s = s .. s end'
-wrong "a recursion without end" 'tests/try.lua:1: out of memory: a test has 16 MiB, deep in calls: an endless recursion?' \
+wrong "a recursion without end" \
+    'tests/try.lua:1: out of memory: a test has 16 MiB, deep in calls: an endless recursion?' \
     'local function f() return 1 + f() end f()'
 
 wrong "no such demo" 'tests/try.lua:1: test.run: g/demos/no.demo: no such file' 'test.run { demo = "demos/no.demo" }'
@@ -286,7 +294,7 @@ mv away.png g/art/all.png
 
 while IFS='|' read -r code sentence; do
     wrong "$code" "tests/try.lua:1: $sentence" "$code"
-done <<'END'
+done < <(sed -e ':a' -e '/\\$/{N;s/\\\n//;ba' -e '}' <<'END'
 test.run { stge = "one" }|test.run: unknown field "stge" (did you mean "stage"?)
 test.run { stage = 1 }|test.run: stage: expected a text, got number
 test.run("one")|test.run: expected a table like { stage = "one", frames = 600 }, got string
@@ -302,11 +310,14 @@ test.run { lang = "de" }|test.run: lang: the game has no language
 test.run { dips = { coin = "one" } }|test.run: dip: unknown DIP switch "coin" (did you mean "coins"?)
 test.run { dips = { "one" } }|test.run: dips: expected names with texts or numbers, as { name = 1 }
 test.run { dips = 3 }|test.run: dips: expected a table like { name = value }, got number
-test.run { pads = "jump" }|test.run: press: expected buttons like fire or fire,focus or bomb@200 or left@60:90, got "jump" (there are up down left right fire bomb focus special start select)
+test.run { pads = "jump" }|test.run: pads: expected buttons like fire or fire,focus or bomb@200 or left@60:90, got \
+"jump" (there are up down left right fire bomb focus special start select)
 test.run { pads = 3 }|test.run: pads: expected buttons like "fire,left@60:90" or a function, got number
-test.run { pads = function() return 3 end, frames = 1 }|pads: the function is to return buttons like "left,fire", got number
+test.run { pads = function() return 3 end, frames = 1 }|pads: the function is to return buttons like "left,fire", got \
+number
 test.run { demo = "../x.demo" }|test.run: demo: expected a file of the game like "demos/run.demo", got "../x.demo"
-test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start and buttons: beside demo go frames and faults
+test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start and buttons: beside demo go frames \
+and faults
 test.run { stage = "two" }|the game stops at frame 0: main.lua:19: boot.run: stage "two" is not declared (there is one)
 test.run():step(-1)|run:step: expected a whole number of frames from 0 to 216000
 test.run():wait("true")|run:wait: expected a whole number of frames from 0 to 216000
@@ -317,7 +328,8 @@ test.run():eval("nobody")|run:eval: undeclared global "nobody"
 test.run():exec("error('so')")|run:exec: so
 test.run():live("bulets")|run:live: there is no part "bulets" (curtain hash --parts names them all)
 test.run():heard("bang")|run:heard: the game has no sound "bang" (curtain sound lists them)
-test.run():moment("end")|run:moment: there is no kind "end" (there are stage mark wave boss phase death clear won lost start game over row)
+test.run():moment("end")|run:moment: there is no kind "end" (there are stage mark wave boss phase death clear won \
+lost start game over row)
 test.run().stage()|a run has no "stage" (curtain help test lists what it has)
 test.run().frame = 3|a run's fields are only read; run:exec "..." changes the game
 test.run().step(3)|expected a run, as test.run gives it (and run:step with a colon), got number
@@ -328,11 +340,14 @@ local t = {} t.t = t test.run():eval("nil") test.equal(#t, 1, "of itself")|of it
 test.equal({ 1, { a = "x" } }, { 1, { a = "y" } })|expected { 1, { a = "y" } }, got { 1, { a = "x" } }
 test.expect(1 == 2, "sums")|expected: sums
 test.expect(nil)|expected what is true, got nil
-bullet.fire {}|undeclared global "bullet" (a test has Lua's own names and `test`; what a game knows, a run is asked for: run:eval "bullet")
+bullet.fire {}|undeclared global "bullet" (a test has Lua's own names and `test`; what a game knows, a run is asked \
+for: run:eval "bullet")
 speed = 3|undeclared global "speed": there are no new globals (write "local speed")
-os.exit()|undeclared global "os" (a test has Lua's own names and `test`; what a game knows, a run is asked for: run:eval "os")
+os.exit()|undeclared global "os" (a test has Lua's own names and `test`; what a game knows, a run is asked for: \
+run:eval "os")
 print(2 ^ 3)|the operator ^ is not available (results differ between machines); use x*x or math.sqrt
 END
+)
 wrong "a circle of tables" 'tests/try.lua:1: run:eval: a table more than 8 tables deep' \
     'test.run():eval("(function() local t = {} t.t = t return t end)()")'
 wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: there is no tests/golden/a.png yet: look at '\
@@ -415,7 +430,8 @@ junit() {
     python3 - <<'PY'
 import xml.etree.ElementTree as tree
 root = tree.parse("report.xml").getroot()
-assert root.tag == "testsuites" and root.get("tests") == "2" and root.get("failures") == "1" and root.get("errors") == "0"
+assert root.tag == "testsuites"
+assert (root.get("tests"), root.get("failures"), root.get("errors")) == ("2", "1", "0")
 suite = root.find("testsuite")
 assert suite.get("name") == "Probe" and suite.get("failures") == "1"
 bad, good = suite.findall("testcase")

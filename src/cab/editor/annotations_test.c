@@ -1,6 +1,6 @@
 /*
- * annotations_test.c - `curtain help test --annotations`: what test scripts call, for the Lua language server. A file of
- * its own, for games do not have it.
+ * annotations_test.c - `curtain help test --annotations`: what test scripts call, for the Lua language server. A file
+ * of its own, for games do not have it.
  */
 #include <stdio.h>
 #include <string.h>

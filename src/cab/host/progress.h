@@ -17,8 +17,8 @@ struct progress {
 /* Begins now. */
 void progress_open(struct progress *p);
 
-/* So much of `all` is done, in any unit; all 0: not known. The format's text stands before the time that is left. May be
- * called often: it writes four times a second at most. */
+/* So much of `all` is done, in any unit; all 0: not known. The format's text stands before the time that is left. May
+ * be called often: it writes four times a second at most. */
 void progress_tell(struct progress *p, uint64_t done, uint64_t all, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
