@@ -192,7 +192,7 @@ bool process_each(int n, int most, const struct process_work *w)
 {
     (void)most;
     for (int i = 0; i < n; i++) {
-        FILE *out = tmpfile();
+        FILE *out = process_scratch();
         char *text = NULL;
         long size = 0;
         if (!out)
@@ -235,6 +235,15 @@ bool process_terminal(void)
     return false;
 }
 #endif
+
+FILE *process_scratch(void)
+{
+#ifdef __wasi__
+    return NULL;
+#else
+    return tmpfile();
+#endif
+}
 
 bool process_word(char *out, size_t size, const char *word)
 {

@@ -31,6 +31,9 @@ enum { PROCESS_JOBS = 64 };
 /* Processors there are, 1 to PROCESS_JOBS. */
 int process_cores(void);
 
+/* A file that nobody else sees and that is gone with fclose; NULL: the host has none. */
+FILE *process_scratch(void);
+
 /* Work in pieces, from 0 to n - 1, up to `jobs` of them at a time: each in a process of its own where the host has
  * such, so that what it does to memory, and how it ends, is nobody else's. */
 struct process_work {

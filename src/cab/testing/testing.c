@@ -262,7 +262,7 @@ static void waits(void *context)
 static bool report_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
 {
     char err[FILES_ERR], *text = NULL;
-    FILE *out = tmpfile();
+    FILE *out = process_scratch();
     bool good = out != NULL;
     long size = -1;
 
