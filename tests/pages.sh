@@ -116,6 +116,20 @@ block() { # FILE: runs it as its kind says
         run "$game" try 120 >"$scratch/fault" 2>&1
         told "$file"
         ;;
+    *.tests) # a script of tests/; what it keeps is new
+        mkdir -p "$game/tests"
+        cp "$file" "$game/tests/try.lua"
+        "$bench/build/curtain" test "$game" --update
+        ;;
+    *.tests-error)
+        mkdir -p "$game/tests"
+        cp "$file" "$game/tests/try.lua"
+        "$bench/build/curtain" test "$game" >"$scratch/found" && return 1
+        sed -n '2s/^ *//p' "$scratch/found" | diff - "${file%.*}.says"
+        ;;
+    *.yaml) # for a CI service: its commands run curtain as the manual says
+        python3 "$pages/ci_file.py" "$file"
+        ;;
     *.file)
         sed 1d "$file" | diff - "$(head -1 "$file")"
         ;;

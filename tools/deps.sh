@@ -51,6 +51,7 @@ for what; do
         have luacheck || need lua-check
         pages
         python3 -c 'import ctypes' 2>/dev/null || need python3
+        python3 -c 'import yaml' 2>/dev/null || need python3-yaml
         have clang-format || need clang-format
         have git || need git
         have nm || need binutils

@@ -77,6 +77,7 @@ struct output {
     size_t long_text;        /* bytes of a text that was too long, 0: none */
     bool deep;               /* that allocation was in many nested calls */
     const char *line;        /* that board_eval runs */
+    struct values *values;   /* where board_eval_values puts its values */
     struct emissions emissions;
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
     void *phase_context;

@@ -21,6 +21,7 @@ enum {
     FOR_VIEW = FOR_RENDER | FOR_CAPTURE,
     FOR_HASH = 1 << COMMAND_HASH,
     FOR_VERIFY = 1 << COMMAND_VERIFY,
+    FOR_TEST = 1 << COMMAND_TEST,
     FOR_PACK = 1 << COMMAND_PACK,
     FOR_LIST = 1 << COMMAND_LIST,
     FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
@@ -32,7 +33,7 @@ enum {
     FOR_ART = 1 << COMMAND_ART,
     FOR_PALETTE = 1 << COMMAND_PALETTE,
     FOR_HELP = 1 << COMMAND_HELP,
-    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_BENCH | FOR_SOUND | FOR_ART,
+    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_TEST | FOR_ROM | FOR_CHECK | FOR_BENCH | FOR_SOUND | FOR_ART,
     FOR_ALL = FOR_GAMES | FOR_PALETTE
 };
 
@@ -53,6 +54,9 @@ static const struct {
                          "replay demos and compare hashes; names the first frame and the parts that differ. For DEMO, "
                          "- "
                          "reads names from standard input, a line each" },
+    [COMMAND_TEST] = { "test", "DIR [NAME...]", 1, 1 << 20,
+                       "run every demo of a game's demos/ and every script of its tests/, or those of these names, and "
+                       "say which hold" },
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
@@ -118,6 +122,11 @@ enum option {
     OPTION_JSON,
     OPTION_REPLAYS,
     OPTION_NULL,
+    OPTION_UPDATE,
+    OPTION_TAP,
+    OPTION_JUNIT,
+    OPTION_PAGE,
+    OPTION_JOBS,
     OPTION_ANNOTATIONS,
     OPTION_LUACHECK,
     OPTION_VERBOSE,
@@ -201,8 +210,17 @@ static const struct {
                          "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
                          "end" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, "verify ROM -: each name ends in a NUL byte (also -0)" },
+    [OPTION_UPDATE] = { "--update", NULL, FOR_TEST,
+                        "keep the pictures and hashes as they are now: tests/golden; look at the pictures first" },
+    [OPTION_TAP] = { "--tap", NULL, FOR_TEST, "print TAP, the Test Anything Protocol, in place of lines for people" },
+    [OPTION_JUNIT] = { "--junit", "FILE", FOR_TEST, "also write a JUnit file, which CI services read" },
+    [OPTION_PAGE] = { "--page", "FILE", FOR_TEST,
+                      "write the page of what failed here, one HTML file with its pictures (else, if a test fails, "
+                      "tests/failed/failed.html)" },
+    [OPTION_JOBS] = { "--jobs", "N", FOR_TEST, "tests at a time, 1 to 64 (else as many as there are processors)" },
     [OPTION_ANNOTATIONS] = { "--annotations", NULL, FOR_HELP,
-                             "help lua: print the API as definitions for editors (LuaLS, the Lua language server)" },
+                             "help lua, help test: print the API as definitions for editors (LuaLS, the Lua language "
+                             "server)" },
     [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP,
                           "help lua: print the API's names as a .luacheckrc, the settings of luacheck" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
@@ -368,7 +386,7 @@ static bool read_press(struct press *out, const char *p, const char *end)
     return out->pad && (!at || read_span(&out->when, at + 1, end));
 }
 
-static bool set_presses(struct args *a, const char *text, char *err, size_t err_size)
+bool args_presses(struct args *a, const char *text, char *err, size_t err_size)
 {
     const char *p = text;
 
@@ -446,6 +464,7 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
                     : o == OPTION_SCALE  ? ARGS_MAX_SCALE
                     : o == OPTION_LIVES  ? ARGS_MAX_LIVES
                     : o == OPTION_SLOWER ? ARGS_MAX_SLOWER
+                    : o == OPTION_JOBS   ? ARGS_MAX_JOBS
                                          : ARGS_MAX_FRAME;
 
     if (!number_from(options[o].name, value, low, most, &v, err, err_size))
@@ -456,6 +475,8 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
         a->lives = (int)v;
     else if (o == OPTION_SLOWER)
         a->machine = (int)v;
+    else if (o == OPTION_JOBS)
+        a->jobs = (int)v;
     else if (o == OPTION_EVERY)
         a->every = (uint32_t)v;
     else
@@ -547,7 +568,7 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
     case OPTION_TRACE:
         return set_trace(a, value, err, err_size);
     case OPTION_PRESS:
-        return set_presses(a, value, err, err_size);
+        return args_presses(a, value, err, err_size);
     case OPTION_FRAMES:
         return args_frames(a, value, err, err_size);
     case OPTION_DIM:
@@ -563,6 +584,7 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
     case OPTION_LIVES:
     case OPTION_SLOWER:
     case OPTION_EVERY:
+    case OPTION_JOBS:
         return set_number(a, o, value, err, err_size);
     case OPTION_INVINCIBLE:
         return set_switch(&a->invincible);
@@ -594,6 +616,14 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->no_resume);
     case OPTION_NULL:
         return set_switch(&a->null);
+    case OPTION_UPDATE:
+        return set_switch(&a->update);
+    case OPTION_TAP:
+        return set_switch(&a->tap);
+    case OPTION_JUNIT:
+        return set_string(&a->junit, o, value, err, err_size);
+    case OPTION_PAGE:
+        return set_string(&a->page, o, value, err, err_size);
     case OPTION_ANNOTATIONS:
         return set_switch(&a->annotations);
     case OPTION_LUACHECK:
@@ -728,7 +758,7 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-/* Both are of the whole API. */
+/* Both are of the whole API; test scripts have one of their own. */
 static bool check_help(const struct args *a, char *err, size_t err_size)
 {
     const char *option = a->annotations ? "--annotations" : "--luacheck";
@@ -737,6 +767,8 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
         return true;
     if (a->annotations && a->luacheck)
         return err_set(err, err_size, "--luacheck does not go with --annotations");
+    if (a->n_words == 1 && a->annotations && strcmp(a->words[0], "test") == 0)
+        return true;
     if (a->n_words != 1 || strcmp(a->words[0], "lua") != 0)
         return err_set(err, err_size, "%s: expected curtain help lua %s", option, option);
     return true;

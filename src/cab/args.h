@@ -18,6 +18,7 @@ enum command {
     COMMAND_CAPTURE,
     COMMAND_HASH,
     COMMAND_VERIFY,
+    COMMAND_TEST,
     COMMAND_PACK,
     COMMAND_LIST,
     COMMAND_UNPACK,
@@ -42,7 +43,8 @@ enum {
     ARGS_MAX_FRAME = 1 << 23,
     ARGS_MAX_SCALE = 16,
     ARGS_MAX_SPEED = 16,
-    ARGS_MAX_SLOWER = 1000
+    ARGS_MAX_SLOWER = 1000,
+    ARGS_MAX_JOBS = 64
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -74,6 +76,9 @@ struct args {
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     bool json, resume, no_resume, replays, annotations, luacheck;
+    bool update, tap;
+    const char *junit, *page;  /* NULL: not given */
+    int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */
     int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
     int machine;               /* of --slower: this machine's pace by its; 1: not given */
@@ -91,6 +96,9 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
 
 /* Reads "600", "1,60,600", "0:600:60", "0-600" (both ends included) or several of these joined by commas. */
 bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
+
+/* Reads "fire,left@60:90" of --press; what is read is added. */
+bool args_presses(struct args *a, const char *text, char *err, size_t err_size);
 
 /* The buttons (PAD_) that --press holds in the tick after that frame. */
 void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS]);

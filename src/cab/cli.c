@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../base/err.h"
 #include "../base/ieee.h"
 #include "../board/api_table.h"
 #include "../base/host.h"
@@ -29,6 +30,7 @@
 #include "host/progress.h"
 #include "host/report.h"
 #include "store/replays_print.h"
+#include "testing/testing.h"
 #include "verify.h"
 #include "host/version.h"
 
@@ -254,6 +256,99 @@ static enum result bench(const struct args *a)
     return result;
 }
 
+/* ---- tests ---- */
+
+struct tested {
+    const struct args *a;
+    struct game game;
+    struct args held[TRIAL_RUNS]; /* the buttons of each run: the presses alone */
+};
+
+/* A sentence of the command line, in a script: what it says of --stage is of stage. */
+static bool without_dashes(char *err)
+{
+    if (strncmp(err, "--", 2) == 0)
+        memmove(err, err + 2, strlen(err + 2) + 1);
+    return false;
+}
+
+static bool test_start(void *user, const struct trial_start *want, struct board_start *start, char *err,
+                       size_t err_size)
+{
+    struct tested *t = user;
+    struct args a = { .seed = want->seed,
+                      .stage = want->stage,
+                      .difficulty = want->difficulty,
+                      .lang = want->lang,
+                      .lives = want->lives,
+                      .invincible = want->invincible,
+                      .n_dips = want->n_dips,
+                      .n_registers = want->n_registers };
+
+    memcpy(a.dips, want->dips, sizeof want->dips);
+    memcpy(a.registers, want->registers, sizeof want->registers);
+    if (!game_start(&t->game, &a, err, err_size))
+        return without_dashes(err);
+    *start = t->game.start;
+    return true;
+}
+
+static bool test_press(void *user, int run, const char *list, char *err, size_t err_size)
+{
+    struct args *a = &((struct tested *)user)->held[run];
+
+    char why[512];
+
+    a->n_presses = 0;
+    if (!list[0] || args_presses(a, list, why, sizeof why))
+        return true;
+    return err_set(err, err_size, "pads%s", strchr(why, ':')); /* "--press: ..." */
+}
+
+static void test_pressed(void *user, int run, uint32_t frame, uint16_t pads[PADS])
+{
+    args_pressed(&((struct tested *)user)->held[run], frame, pads);
+}
+
+static enum result test_game(struct tested *t)
+{
+    const struct args *a = t->a;
+    const struct testing testing = { .dir = a->words[0],
+                                     .cart = &t->game.cart,
+                                     .names = a->words + 1,
+                                     .n_names = a->n_words - 1,
+                                     .update = a->update,
+                                     .tap = a->tap,
+                                     .junit = a->junit,
+                                     .page = a->page,
+                                     .jobs = a->jobs,
+                                     .user = t,
+                                     .start = test_start,
+                                     .press = test_press,
+                                     .pressed = test_pressed };
+    char err[1024];
+
+    if (plat_size(a->words[0]) >= 0)
+        return report_line(RESULT_REFUSED, "%s: is a file; test takes a game's folder", a->words[0]);
+    if (!game_open(&t->game, a->words[0], a, err, sizeof err))
+        return report_error(err);
+    const enum result result = testing_run(&testing);
+    game_close(&t->game);
+    return result;
+}
+
+static enum result test(const struct args *a)
+{
+    struct tested *t = calloc(1, sizeof *t);
+
+    if (!t)
+        return report_line(RESULT_HOST, "out of memory");
+    t->a = a;
+    const enum result result = test_game(t);
+    free(t);
+    return result;
+}
+
 /* ---- help ---- */
 
 static void say(const char *line)
@@ -277,7 +372,10 @@ static enum result help(const struct args *a)
     int command = topic ? args_command(topic) : -1;
 
     if (a->annotations || a->luacheck) {
-        a->annotations ? annotations_print() : luacheck_print();
+        if (strcmp(topic, "test") == 0)
+            annotations_test_print();
+        else
+            a->annotations ? annotations_print() : luacheck_print();
         return report_stdout(RESULT_DONE);
     }
     if (topic && strcmp(topic, "lua") == 0)
@@ -295,6 +393,10 @@ static enum result help(const struct args *a)
     if (a->n_words > 1)
         return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
     args_help(command, say);
+    if (command == COMMAND_TEST) {
+        say("");
+        testing_help(say);
+    }
     if (command == COMMAND_PLAY) {
         say("");
         say("Keys, and the names to change them by:");
@@ -347,6 +449,8 @@ static enum result run(int argc, char **argv)
         return headless_hash(&a);
     case COMMAND_VERIFY:
         return verify_run(&a);
+    case COMMAND_TEST:
+        return test(&a);
     case COMMAND_PACK:
         return pack(&a);
     case COMMAND_LIST:

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "film/sheet.h"
+#include "film/contact.h"
 #include "host/files.h"
 #include "host/report.h"
 #include "speaker/tape.h"
@@ -25,7 +25,7 @@ struct studio {
     uint32_t rgb[256];
     struct shade_kept shades;
     struct view view;
-    struct sheet sheet;
+    struct contact sheet;
     struct tape tape;
 };
 
@@ -42,7 +42,7 @@ static void studio_close(struct studio *s)
 {
     free(s->mem);
     free(s->scratch);
-    sheet_close(&s->sheet);
+    contact_close(&s->sheet);
     tape_close(&s->tape);
 }
 
@@ -63,7 +63,7 @@ static enum result studio_open(struct studio *s, const struct unseen *r)
                              .shades = shade_for(&s->shades, &r->game.cart) };
     if (r->a->wav && !tape_open(&s->tape))
         return report_line(RESULT_HOST, "out of memory");
-    if (r->a->sheet && !sheet_open(&s->sheet, count_wanted(r->a), w, h))
+    if (r->a->sheet && !contact_open(&s->sheet, count_wanted(r->a), w, h))
         return report_line(RESULT_REFUSED, "--sheet: too many frames for one picture");
     return RESULT_DONE;
 }
@@ -89,7 +89,7 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
 
     board_draw(r->guard.board, &s->view, &s->fb, s->rgb, s->scratch);
     if (s->sheet.rgb)
-        sheet_add(&s->sheet, &s->fb, s->rgb, frame);
+        contact_add(&s->sheet, &s->fb, s->rgb, frame);
     if ((r->a->sheet || r->a->wav) && !r->a->out)
         return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)

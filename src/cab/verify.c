@@ -11,6 +11,7 @@
 #include <string.h>
 #include "demo/bisect.h"
 #include "host/clean.h"
+#include "host/progress.h"
 #include "game.h"
 #include "host/report.h"
 #include "demo/markers.h"
@@ -26,6 +27,7 @@ struct verify {
     char doubt[160];          /* " (recorded on another build)", or nothing */
     const char *path;         /* of the demo that is looked at */
     bool batch;               /* names come from standard input */
+    uint64_t looked, all;     /* demos so far, and of how many; 0: not known */
 };
 
 /* ---- lines ---- */
@@ -80,52 +82,11 @@ static void say(const struct verify *v, const char *path, const char *format, ..
     putchar('\n');
 }
 
-/* "input, player" */
-static void list_parts(const struct demo *d, uint64_t parts, char *out, size_t size)
-{
-    size_t n = 0;
-
-    out[0] = 0;
-    for (int i = 0; i < d->parts; i++) {
-        if (parts >> i & 1 && n < size)
-            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part[i]);
-    }
-}
-
-/* "frame 12: input, player differ" */
-static void parts_text(const struct verify *v, const struct verdict *w, char *out, size_t size)
-{
-    char parts[MAX_PARTS * 18], frames[40];
-    const char *verb = w->parts & (w->parts - 1) ? "differ" : "differs";
-
-    list_parts(&v->demo, w->parts, parts, sizeof parts);
-    if (w->first == w->frame)
-        snprintf(frames, sizeof frames, "frame %u", (unsigned)w->frame);
-    else
-        snprintf(frames, sizeof frames, "frames %u to %u", (unsigned)w->first, (unsigned)w->frame);
-    snprintf(out, size, "%s: %s %s", frames, parts, verb);
-}
-
-static void verdict_text(const struct verify *v, const struct verdict *w, char *out, size_t size)
-{
-    unsigned frame = (unsigned)w->frame;
-
-    if (w->kind == VERDICT_DIFFERS)
-        parts_text(v, w, out, size);
-    else if (w->kind == VERDICT_FAULT)
-        snprintf(out, size, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(&v->replay)->message);
-    else if (w->kind == VERDICT_NO_FAULT)
-        snprintf(out, size, "frame %u: the fault it was recorded with does not happen", frame);
-    else
-        snprintf(out, size, "holds, %u frames%s", frame,
-                 v->demo.fault ? ", ends in the fault it was recorded with" : "");
-}
-
 static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
 {
     char text[1400];
 
-    verdict_text(v, w, text, sizeof text);
+    replay_text(&v->replay, &v->demo, w, text, sizeof text);
     say(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
 }
 
@@ -260,6 +221,20 @@ static void say_more(const struct verify *v, const struct verdict *w)
 
 /* ---- demos ---- */
 
+/* All demos count as equally long. */
+static void tell_progress(void *context, uint32_t frame)
+{
+    enum { WHOLE = 1000 };
+    struct verify *v = context;
+    const uint64_t done = v->looked * WHOLE + (uint64_t)frame * WHOLE / v->demo.frames;
+    char of[32] = "";
+
+    if (v->all)
+        snprintf(of, sizeof of, " of %llu", (unsigned long long)v->all);
+    progress_tell(done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->looked + 1, of,
+                  (unsigned)frame, (unsigned)v->demo.frames);
+}
+
 /* Writes the replay as the demo: newest format, this ROM and core version, all checksums and markers. */
 static enum result write_again(struct verify *v, const char *path)
 {
@@ -295,6 +270,7 @@ static enum result judge(struct verify *v, const char *path)
     enum result result =
         replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
 
+    progress_wipe();
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
@@ -411,7 +387,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
         free(c.list);
         return refuse(v, RESULT_HOST, "%s: out of memory", path);
     }
-    verdict_text(v, &o->first, text, sizeof text);
+    replay_text(&v->replay, &v->demo, &o->first, text, sizeof text);
     tell(&t, "rerecorded: %s", text);
     if (o->first.kind != VERDICT_HOLDS) {
         tell_points(v, o, &t);
@@ -441,7 +417,7 @@ static enum result leave_alone(const struct verify *v, const char *path, const s
 {
     char text[1400];
 
-    verdict_text(v, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
+    replay_text(&v->replay, &v->demo, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
     if (o->end.frame != v->demo.frames)
         say(v, path, "%s; length %u -> %u; not rerecorded: %s", text, (unsigned)v->demo.frames, (unsigned)o->end.frame,
             why);
@@ -456,6 +432,7 @@ static enum result rerecord(struct verify *v, const char *path)
     char err[512];
     enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
+    progress_wipe();
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
@@ -493,6 +470,7 @@ static enum result verify_demo(struct verify *v, const char *path)
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
+    v->looked++;
     return result;
 }
 
@@ -552,11 +530,16 @@ static enum result verify_all(struct verify *v, const struct args *a)
     bool listed = a->n_words == 2 && strcmp(a->words[1], "-") == 0;
 
     v->a = a;
+    v->all = listed ? 0 : (uint64_t)a->n_words - 1;
+    v->replay.ticked = tell_progress;
+    v->replay.context = v;
     if (a->null && !listed)
         return report_line(RESULT_REFUSED, "--null goes with names from standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))
         return report_error(err);
+    progress_begin();
     enum result result = listed ? verify_stdin(v) : verify_words(v);
+    progress_end();
     replay_close(&v->replay);
     game_close(&v->game);
     return report_stdout(result);

@@ -8,13 +8,14 @@ KIND is what follows the three backquotes: lua (a script), lua task (the body of
 (rom.lua), lua = PATH (the text of a file of the repository), mml (a piece of music), sh (commands), none (plain text).
 Of these the next block is what is said: mml error (a piece that is refused), lua error (the body of a task that
 faults), lua main error (a main.lua that faults where rom.lua gives no room), lua rom error (a rom.lua that is refused),
-lua check (the body of a task in which check finds something).
+lua check (the body of a task in which check finds something), lua tests error (a script of tests/ that fails; lua tests
+is one that holds). yaml is a file of a CI service.
 """
 import os
 import re
 import sys
 
-WRONG = "lua error", "lua main error", "lua rom error", "lua check", "mml error"
+WRONG = "lua error", "lua main error", "lua rom error", "lua check", "lua tests error", "mml error"
 
 
 def blocks(page):

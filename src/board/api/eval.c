@@ -12,6 +12,7 @@
 #include "api_parts.h"
 #include "../events_run.h"
 #include "../../base/host.h"
+#include "../lua/values.h"
 #include "../lualib.h"
 #include "../script.h"
 
@@ -125,10 +126,16 @@ static void put_words(lua_State *L, int idx)
 
 static int run_line(lua_State *L)
 {
+    struct output *o = vm_board(L)->output;
+
     lua_settop(L, 0);
-    compile(L, vm_board(L)->output->line);
+    compile(L, o->line);
     lua_call(L, 0, LUA_MULTRET);
     int n = lua_gettop(L);
+    if (o->values) {
+        values_put(L, o->values);
+        return 0;
+    }
     luaL_checkstack(L, 16, NULL);
     for (int i = 1; i <= n; i++)
         put_words(L, i);
@@ -141,7 +148,8 @@ static const char *without_place(const char *message)
     return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
 }
 
-bool board_eval(struct board *b, const char *line, char *out, size_t size)
+/* values NULL: they are printed. */
+static bool eval(struct board *b, const char *line, struct values *values, char *out, size_t size)
 {
     struct output *o = b->output;
     struct board_out was = o->out;
@@ -151,6 +159,7 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     assert(o->fault.kind == FAULT_NONE);
     host_enter(&host);
     o->line = line;
+    o->values = values;
     o->log_size = 0;
     vm_begin(b, EVAL_LIMIT);
     board_count(b, true);
@@ -159,9 +168,20 @@ bool board_eval(struct board *b, const char *line, char *out, size_t size)
     b->vm.limit = WORK_LIMIT;
     board_count(b, counting);
     o->line = NULL;
+    o->values = NULL;
     o->log_size = 0;
     o->out = was;
     o->out.log_size = 0;
     host_leave(&host);
     return fine;
+}
+
+bool board_eval(struct board *b, const char *line, char *out, size_t size)
+{
+    return eval(b, line, NULL, out, size);
+}
+
+bool board_eval_values(struct board *b, const char *line, struct values *v, char *out, size_t size)
+{
+    return eval(b, line, v, out, size);
 }

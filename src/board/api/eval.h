@@ -21,4 +21,8 @@ enum {
  * failed, or ran for too long; out is one sentence, and RAM can only be restored. The board must not have a fault. */
 bool board_eval(struct board *b, const char *line, char *out, size_t size);
 
+/* The same; its values go into v (values.h), and out gets a sentence only where it fails. What it prints is dropped. */
+struct values;
+bool board_eval_values(struct board *b, const char *line, struct values *v, char *out, size_t size);
+
 #endif

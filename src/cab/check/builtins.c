@@ -13,7 +13,8 @@
 #include "../pack/pack.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
-static const char *const others[] = { "forever", "print", "require" };
+static const char *const others[] = { "print", "require", "forever" };
+enum { LUAS = 2 }; /* the first of them are Lua's */
 static const char *const rom_fields[] = { "title", "field", "screen" };
 
 #define COUNT(list) (sizeof(list) / sizeof(list)[0])
@@ -102,13 +103,20 @@ static void add_entry(struct name_set *s, const struct api_entry *e)
         name_set_add(s, NULL, space);
 }
 
-void builtins_open(struct name_set *s)
+void builtins_open_lua(struct name_set *s)
 {
     *s = (struct name_set){ 0 };
     add_words(s, NULL, api_library_names(""));
     for (size_t i = 0; i < COUNT(libraries); i++)
         add_words(s, libraries[i], api_library_names(libraries[i]));
-    for (size_t i = 0; i < COUNT(others); i++)
+    for (size_t i = 0; i < LUAS; i++)
+        name_set_add(s, NULL, others[i]);
+}
+
+void builtins_open(struct name_set *s)
+{
+    builtins_open_lua(s);
+    for (size_t i = LUAS; i < COUNT(others); i++)
         name_set_add(s, NULL, others[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);

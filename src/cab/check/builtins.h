@@ -34,6 +34,9 @@ const char *name_set_near(const struct name_set *s, const char *space, const cha
 /* Fills *s with Lua's and the API's names. Close it. */
 void builtins_open(struct name_set *s);
 
+/* The same of Lua's names alone. */
+void builtins_open_lua(struct name_set *s);
+
 /* Adds what the standard library's script of that name hands to games: its globals ("prelude") or its table's fields.
  * False: what it returns cannot be told from its text. */
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f);

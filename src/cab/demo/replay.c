@@ -75,6 +75,13 @@ static bool ends(const struct replay *r, const struct demo *d, uint32_t frame, s
     return fault || last;
 }
 
+static void tick(struct replay *r, const uint16_t pads[PADS])
+{
+    guard_tick(&r->guard, pads);
+    if (r->ticked)
+        r->ticked(r->context, board_frame(r->guard.board));
+}
+
 /* Replays, keeping up the recording; false: it has no memory. */
 static bool play(struct replay *r, const struct demo *d, struct demo_writer *again, struct verdict *v)
 {
@@ -86,7 +93,7 @@ static bool play(struct replay *r, const struct demo *d, struct demo_writer *aga
         if (ends(r, d, f, v))
             return true;
         demo_pads(d, f, pads);
-        guard_tick(&r->guard, pads);
+        tick(r, pads);
         note_difficulty(r);
         if (again && !demo_frame(again, r->guard.board, pads))
             return false;
@@ -143,7 +150,7 @@ static bool play_whole(struct replay *r, const struct demo *d, struct demo_write
         if (ends(r, d, f, &o->end))
             break;
         demo_pads(d, f, pads);
-        guard_tick(&r->guard, pads);
+        tick(r, pads);
         if (!demo_frame(again, r->guard.board, pads))
             return false;
     }
@@ -185,6 +192,46 @@ enum result replay_whole(struct replay *r, const struct cart *cart, const struct
     if (!play_whole(r, d, again, o) || !demo_end(again, r->guard.board))
         return out_of_memory(err, err_size);
     return RESULT_DONE;
+}
+
+/* "input, player" */
+static void list_parts(const struct demo *d, uint64_t parts, char *out, size_t size)
+{
+    size_t n = 0;
+
+    out[0] = 0;
+    for (int i = 0; i < d->parts; i++) {
+        if (parts >> i & 1 && n < size)
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part[i]);
+    }
+}
+
+/* "frame 12: input, player differ" */
+static void parts_text(const struct demo *d, const struct verdict *v, char *out, size_t size)
+{
+    char parts[MAX_PARTS * 18], frames[40];
+    const char *verb = v->parts & (v->parts - 1) ? "differ" : "differs";
+
+    list_parts(d, v->parts, parts, sizeof parts);
+    if (v->first == v->frame)
+        snprintf(frames, sizeof frames, "frame %u", (unsigned)v->frame);
+    else
+        snprintf(frames, sizeof frames, "frames %u to %u", (unsigned)v->first, (unsigned)v->frame);
+    snprintf(out, size, "%s: %s %s", frames, parts, verb);
+}
+
+void replay_text(const struct replay *r, const struct demo *d, const struct verdict *v, char *out, size_t size)
+{
+    const unsigned frame = (unsigned)v->frame;
+
+    if (v->kind == VERDICT_DIFFERS)
+        parts_text(d, v, out, size);
+    else if (v->kind == VERDICT_FAULT)
+        snprintf(out, size, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(r)->message);
+    else if (v->kind == VERDICT_NO_FAULT)
+        snprintf(out, size, "frame %u: the fault it was recorded with does not happen", frame);
+    else
+        snprintf(out, size, "holds, %u frames%s", frame, d->fault ? ", ends in the fault it was recorded with" : "");
 }
 
 const struct board_fault *replay_fault(const struct replay *r)

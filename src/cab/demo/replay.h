@@ -31,6 +31,8 @@ struct replay {
     uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
     uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
     int difficulty;             /* of the last game in it, an index; before one, of its start */
+    void (*ticked)(void *context, uint32_t frame); /* called after each tick; may be NULL */
+    void *context;
 };
 
 /* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in
@@ -52,6 +54,9 @@ struct rerun {
 /* The same, of a replay that goes on to the demo's end or a fault. */
 enum result replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                          struct rerun *o, char *err, size_t err_size);
+
+/* A verdict as words: "frame 12: input, player differ", "holds, 600 frames". r is as the verdict left it. */
+void replay_text(const struct replay *r, const struct demo *d, const struct verdict *v, char *out, size_t size);
 
 /* The fault the board is in, or NULL. */
 const struct board_fault *replay_fault(const struct replay *r);

@@ -9,4 +9,7 @@
 /* Prints the file to standard output. It is Lua that an editor reads and no game runs. */
 void annotations_print(void);
 
+/* The same of what test scripts call (trial.h). */
+void annotations_test_print(void);
+
 #endif

@@ -1,7 +1,8 @@
 /*
  * luacheck.c - see luacheck.h. Lua's names are those the sandbox keeps, the API's are its table's. Two standards: games
  * have "curtain", in which nothing of the API can be set; the library, and what a game has in its place, std/NAME.lua,
- * "curtain_library": its modules make tables of the API, and have fields for each other.
+ * "curtain_library": its modules make tables of the API, and have fields for each other. Scripts in tests/ are no
+ * game's: theirs is "curtain_test", Lua's names and `test`.
  */
 #include "luacheck.h"
 
@@ -10,6 +11,7 @@
 #include <string.h>
 #include "../../board/api_table.h"
 #include "../../board/std.h"
+#include "../../board/trial/trial.h"
 #include "../check/builtins.h"
 #include "../host/version.h"
 
@@ -117,6 +119,27 @@ static void standard(const struct name_set *s, const char *name, bool library)
     printf("  },\n}\n");
 }
 
+/* Lua's names, and the table `test`. */
+static void add_test_names(struct name_set *s)
+{
+    struct trial_entry e;
+
+    builtins_open_lua(s);
+    name_set_add(s, NULL, "test");
+    for (int i = 0; trial_entry(i, &e); i++)
+        if (strncmp(e.name, "test.", 5) == 0)
+            name_set_add(s, "test", e.name + 5);
+}
+
+static void test_standard(void)
+{
+    struct name_set s;
+
+    add_test_names(&s);
+    standard(&s, "curtain_test", false);
+    name_set_close(&s);
+}
+
 void luacheck_print(void)
 {
     struct name_set s;
@@ -128,9 +151,11 @@ void luacheck_print(void)
            CURTAIN_VERSION);
     standard(&s, "curtain", false);
     standard(&s, "curtain_library", true);
+    test_standard();
     printf("std = \"curtain\"\n");
     printf("max_line_length = false\n");
     printf("unused_args = false -- a task's function gets its owner, whatever it needs\n");
     printf("files[\"**/std/**\"] = { std = \"curtain_library\" } -- in place of the library\n");
+    printf("files[\"**/tests/**\"] = { std = \"curtain_test\" } -- curtain test runs them\n");
     name_set_close(&s);
 }

@@ -18,7 +18,9 @@ struct look {
 
 static bool into(const struct look *l, const char *name)
 {
-    return l->depth < DEEPEST && !(l->depth == 0 && strcmp(name, "demos") == 0);
+    const bool no_games = strcmp(name, "demos") == 0 || strcmp(name, "tests") == 0;
+
+    return l->depth < DEEPEST && !(l->depth == 0 && no_games);
 }
 
 static void add(void *user, const struct plat_file *file)

@@ -18,7 +18,8 @@ struct folder {
 bool folder_open(struct folder *f, const char *path);
 
 /* True once after a change, when two looks in a row find the same: so that an editor has time to finish. Names and
- * times of all files count, but for hidden ones (a dot first) and those below demos/, where recordings go. */
+ * times of all files count, but for hidden ones (a dot first) and those below demos/, where recordings go, and
+ * tests/. */
 bool folder_changed(struct folder *f);
 
 #endif

@@ -26,4 +26,25 @@ bool process_word(char *out, size_t size, const char *word);
 /* Is standard error a terminal? */
 bool process_terminal(void);
 
+enum { PROCESS_JOBS = 64 };
+
+/* Processors there are, 1 to PROCESS_JOBS. */
+int process_cores(void);
+
+/* A file that nobody else sees and that is gone with fclose; NULL: the host has none. */
+FILE *process_scratch(void);
+
+/* Work in pieces, from 0 to n - 1, up to `jobs` of them at a time: each in a process of its own where the host has
+ * such, so that what it does to memory, and how it ends, is nobody else's. */
+struct process_work {
+    void *context;
+    void (*work)(void *context, int i, FILE *out);
+    void (*done)(void *context, int i, const char *text, size_t n,
+                 int signal);     /* what it wrote; 0: it has ended well */
+    void (*waits)(void *context); /* a few times a second */
+};
+
+/* Returns when all is done. done is called in any order. False: no process, or no memory; some pieces are not done. */
+bool process_each(int n, int jobs, const struct process_work *w);
+
 #endif

@@ -47,7 +47,7 @@ void progress_line(char line[PROGRESS_LINE], const char *what, uint64_t usec, ui
     char left[TIME] = "";
     size_t n = strlen(what);
 
-    if (done > 0)
+    if (done > 0 && of > 0)
         time_left(left, usec, done, of);
     const size_t room = PROGRESS_LINE - 1 - strlen(left);
     const bool long_one = n > room;

@@ -28,7 +28,7 @@ void progress_wipe(void);
 void progress_end(void);
 
 /* The line that is shown when so many microseconds have brought `done` of `of`: `what`, cut where it is long, and the
- * time that the rest takes at that pace, if there is a pace yet. */
+ * time that the rest takes at that pace, if there is a pace yet and it is known how much that is (of is not 0). */
 void progress_line(char line[PROGRESS_LINE], const char *what, uint64_t usec, uint64_t done, uint64_t of);
 
 #endif

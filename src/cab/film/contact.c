@@ -1,7 +1,7 @@
 /*
- * sheet.c - see sheet.h.
+ * contact.c - see contact.h.
  */
-#include "sheet.h"
+#include "contact.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,7 @@ enum {
     MOST_PIXELS = 1 << 26
 };
 
-bool sheet_open(struct sheet *s, int64_t n, int w, int h)
+bool contact_open(struct contact *s, int64_t n, int w, int h)
 {
     const int scale = w < LARGE ? 1 : 2, label = CAPITAL * scale + UNDER;
     const int64_t cell_w = w + GAP, cell_h = h + label + GAP;
@@ -31,21 +31,22 @@ bool sheet_open(struct sheet *s, int64_t n, int w, int h)
     const int64_t sheet_w = columns * cell_w + GAP, sheet_h = rows * cell_h + GAP;
     if (sheet_w > PNG_MAX_SIDE || sheet_h > PNG_MAX_SIDE || sheet_w * sheet_h > MOST_PIXELS)
         return false;
-    *s =
-        (struct sheet){ .w = (int)sheet_w, .h = (int)sheet_h, .columns = (int)columns, .label = label, .scale = scale };
+    *s = (struct contact){
+        .w = (int)sheet_w, .h = (int)sheet_h, .columns = (int)columns, .label = label, .scale = scale
+    };
     s->rgb = malloc((size_t)(sheet_w * sheet_h * 3));
     if (s->rgb)
         memset(s->rgb, GREY, (size_t)(sheet_w * sheet_h * 3));
     return s->rgb != NULL;
 }
 
-static uint8_t *at(const struct sheet *s, int x, int y)
+static uint8_t *at(const struct contact *s, int x, int y)
 {
     return s->rgb + ((size_t)y * (size_t)s->w + (size_t)x) * 3;
 }
 
 /* Draws a letter, its capital's top left corner at (x, y); returns the x after it. */
-static int add_letter(const struct sheet *s, int x, int y, char c)
+static int add_letter(const struct contact *s, int x, int y, char c)
 {
     struct letter l;
 
@@ -58,7 +59,7 @@ static int add_letter(const struct sheet *s, int x, int y, char c)
 }
 
 /* A picture is 64 px wide at least, which is room for any frame's number. */
-static void add_label(const struct sheet *s, int x, int y, uint32_t frame)
+static void add_label(const struct contact *s, int x, int y, uint32_t frame)
 {
     char text[16];
 
@@ -67,7 +68,7 @@ static void add_label(const struct sheet *s, int x, int y, uint32_t frame)
         x = add_letter(s, x, y, *c);
 }
 
-void sheet_add(struct sheet *s, const struct fb *fb, const uint32_t rgb[256], uint32_t frame)
+void contact_add(struct contact *s, const struct fb *fb, const uint32_t rgb[256], uint32_t frame)
 {
     const int x0 = GAP + s->count % s->columns * (fb->w + GAP);
     const int y0 = GAP + s->count / s->columns * (fb->h + s->label + GAP);
@@ -85,7 +86,7 @@ void sheet_add(struct sheet *s, const struct fb *fb, const uint32_t rgb[256], ui
     }
 }
 
-void sheet_close(struct sheet *s)
+void contact_close(struct contact *s)
 {
     free(s->rgb);
     s->rgb = NULL;

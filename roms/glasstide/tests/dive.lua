@@ -1,0 +1,17 @@
+-- dive.lua - the recorded run: the stages of it, its points and four pictures.
+local run = test.run { demo = "demos/run.demo", frames = 600 }
+test.shot("dive-600")
+run:step(1200)
+test.shot("dive-1800")
+run:step(3000)
+test.shot("dive-4800")
+test.equal(run.score, 51894, "points")
+test.equal(run.difficulty, "normal")
+test.equal(run.music, "queen", "the music of the crab")
+
+local first = run:moment("stage")
+test.equal(first and first.name, "one", "the stage it begins with")
+test.expect(run:moment("boss", "guard"), "the crab has come")
+for i = 2, #run.moments do
+  test.expect(run.moments[i - 1].frame <= run.moments[i].frame, "moments stand in their order")
+end

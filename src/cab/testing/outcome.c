@@ -1,0 +1,102 @@
+/*
+ * outcome.c - see outcome.h.
+ */
+#include "outcome.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../host/clean.h"
+
+enum { LINE = 4096 };
+
+void outcome_say(FILE *out, enum saying kind, const char *format, ...)
+{
+    char line[LINE];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    clean_line(line);
+    fprintf(out, "%c %s\n", (char)kind, line);
+}
+
+void outcome_each(const struct test *t, enum saying kind, void (*each)(void *context, const char *words), void *context)
+{
+    char line[LINE + 4];
+
+    for (size_t at = 0, n; at < t->n; at += n + 1) {
+        const char *from = t->said + at, *end = memchr(from, '\n', t->n - at);
+        n = end ? (size_t)(end - from) : t->n - at;
+        if (n < 2 || n > LINE || from[0] != (char)kind)
+            continue;
+        snprintf(line, sizeof line, "%.*s", (int)n - 2, from + 2);
+        each(context, line);
+    }
+}
+
+static void judge(void *verdict, const char *words)
+{
+    enum verdict_of *v = verdict;
+
+    (void)words;
+    *v = *v == TEST_HOLDS ? TEST_FAILS : *v;
+}
+
+static void judge_host(void *verdict, const char *words)
+{
+    (void)words;
+    *(enum verdict_of *)verdict = TEST_HOST;
+}
+
+static void read_cost(void *test, const char *words)
+{
+    struct test *t = test;
+
+    sscanf(words, "%" SCNu32 " %" SCNu64, &t->frames, &t->usec);
+}
+
+static bool append(struct test *t, const char *text, size_t n)
+{
+    char *more = realloc(t->said, t->n + n + 1);
+
+    if (!more)
+        return false;
+    memcpy(more + t->n, text, n);
+    t->said = more;
+    t->n += n;
+    t->said[t->n] = 0;
+    return true;
+}
+
+bool outcome_add(struct test *t, const char *sentence)
+{
+    char line[LINE];
+    const int n = snprintf(line, sizeof line, "%c %s\n", SAYS_WRONG, sentence);
+
+    judge(&t->verdict, NULL);
+    return n > 0 && append(t, line, n < LINE ? (size_t)n : LINE - 1);
+}
+
+bool outcome_take(struct test *t, const char *said, size_t n, int signal)
+{
+    char died[120];
+
+    t->done = true;
+    if (!append(t, said, n))
+        return false;
+    outcome_each(t, SAYS_WRONG, judge, &t->verdict);
+    outcome_each(t, SAYS_HOST, judge_host, &t->verdict);
+    outcome_each(t, SAYS_COST, read_cost, t);
+    if (!signal)
+        return true;
+    snprintf(died, sizeof died, "the program died of signal %d while the test ran", signal);
+    return outcome_add(t, died);
+}
+
+const char *outcome_word(const struct test *t)
+{
+    return t->verdict == TEST_HOLDS ? "ok" : "FAILS";
+}

@@ -1,0 +1,13 @@
+/*
+ * page.h - what failed, as one HTML file with its pictures in it.
+ * floor: cab
+ */
+#ifndef CAB_PAGE_H
+#define CAB_PAGE_H
+
+#include "told.h"
+
+/* Writes the page's text. dir: the game's folder, where tests/failed has the pictures. */
+void page_write(FILE *out, const char *dir, const char *title, const struct test *tests, const struct sums *s);
+
+#endif

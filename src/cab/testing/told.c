@@ -1,0 +1,132 @@
+/*
+ * told.c - see told.h.
+ */
+#include "told.h"
+
+#include <string.h>
+
+static void indented(void *context, const char *words)
+{
+    printf("      %s%s\n", (const char *)context, words);
+}
+
+void told_line(const struct test *t, int width)
+{
+    printf("%-5s %-*s %7u frames %8.2f s\n", outcome_word(t), width, t->name, (unsigned)t->frames,
+           (double)t->usec / 1e6);
+    outcome_each(t, SAYS_WRONG, indented, "");
+    outcome_each(t, SAYS_HOST, indented, "");
+    outcome_each(t, SAYS_TRACE, indented, "  ");
+    outcome_each(t, SAYS_KEPT, indented, "kept ");
+    outcome_each(t, SAYS_PRINTED, indented, "| ");
+}
+
+void told_sums(const struct sums *s)
+{
+    const int good = s->tests - s->fail;
+
+    printf("%d test%s: ", s->tests, s->tests == 1 ? "" : "s");
+    if (s->fail == 0)
+        printf("%s", s->tests == 1 ? "it holds" : "all hold");
+    else
+        printf("%d hold%s, %d fail%s", good, good == 1 ? "s" : "", s->fail, s->fail == 1 ? "s" : "");
+    printf("; %u frames in %.2f s\n", (unsigned)s->frames, (double)s->usec / 1e6);
+}
+
+/* ---- TAP ---- */
+
+static void diagnostic(void *context, const char *words)
+{
+    printf("# %s%s\n", (const char *)context, words);
+}
+
+void told_tap_plan(int tests)
+{
+    printf("TAP version 13\n1..%d\n", tests);
+}
+
+void told_tap(const struct test *t, int number)
+{
+    printf("%s %d - %s\n", t->verdict == TEST_HOLDS ? "ok" : "not ok", number, t->name);
+    outcome_each(t, SAYS_WRONG, diagnostic, "");
+    outcome_each(t, SAYS_HOST, diagnostic, "");
+    outcome_each(t, SAYS_TRACE, diagnostic, "  ");
+    outcome_each(t, SAYS_KEPT, diagnostic, "kept ");
+    outcome_each(t, SAYS_PRINTED, diagnostic, "| ");
+    printf("# %u frames, %.3f s\n", (unsigned)t->frames, (double)t->usec / 1e6);
+}
+
+/* ---- JUnit ---- */
+
+void told_escaped(FILE *out, const char *text)
+{
+    for (; *text; text++) {
+        const char *const as = *text == '<'    ? "&lt;"
+                               : *text == '>'  ? "&gt;"
+                               : *text == '&'  ? "&amp;"
+                               : *text == '"'  ? "&quot;"
+                               : *text == '\t' ? " "
+                                               : NULL;
+        if (as)
+            fputs(as, out);
+        else
+            fputc(*text, out);
+    }
+}
+
+static void escaped_line(void *out, const char *words)
+{
+    told_escaped(out, words);
+    fputc('\n', out);
+}
+
+struct first {
+    FILE *out;
+    bool told;
+};
+
+static void first_only(void *context, const char *words)
+{
+    struct first *f = context;
+
+    if (!f->told)
+        told_escaped(f->out, words);
+    f->told = true;
+}
+
+static void junit_test(FILE *out, const struct test *t)
+{
+    struct first first = { .out = out };
+    const char *what = t->verdict == TEST_HOST ? "error" : "failure";
+
+    fputs("    <testcase classname=\"", out);
+    told_escaped(out, t->script ? "tests" : "demos");
+    fputs("\" name=\"", out);
+    told_escaped(out, t->name);
+    fprintf(out, "\" time=\"%.3f\">\n", (double)t->usec / 1e6);
+    if (t->verdict != TEST_HOLDS) {
+        fprintf(out, "      <%s message=\"", what);
+        outcome_each(t, t->verdict == TEST_HOST ? SAYS_HOST : SAYS_WRONG, first_only, &first);
+        fputs("\">", out);
+        outcome_each(t, SAYS_HOST, escaped_line, out);
+        outcome_each(t, SAYS_WRONG, escaped_line, out);
+        outcome_each(t, SAYS_TRACE, escaped_line, out);
+        fprintf(out, "</%s>\n", what);
+    }
+    fputs("      <system-out>", out);
+    outcome_each(t, SAYS_PRINTED, escaped_line, out);
+    fprintf(out, "%u frames</system-out>\n    </testcase>\n", (unsigned)t->frames);
+}
+
+void told_junit(FILE *out, const char *title, const struct test *tests, const struct sums *s)
+{
+    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
+    fprintf(out, "<testsuites tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"",
+            s->tests, s->fail - s->host, s->host, (double)s->usec / 1e6);
+    told_escaped(out, title);
+    fprintf(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests, s->fail - s->host, s->host,
+            (double)s->usec / 1e6);
+    for (int i = 0; i < s->tests; i++)
+        junit_test(out, &tests[i]);
+    fputs("  </testsuite>\n</testsuites>\n", out);
+}
