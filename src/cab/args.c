@@ -26,6 +26,7 @@ enum {
     FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
     FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
+    FOR_NEW = 1 << COMMAND_NEW,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_SOUND = 1 << COMMAND_SOUND,
     FOR_HELP = 1 << COMMAND_HELP,
@@ -52,6 +53,7 @@ static const struct {
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
+    [COMMAND_NEW] = { "new", "DIR", 1, 1, "make a folder with a game to begin with: whole, and yours to change" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
@@ -96,6 +98,7 @@ enum option {
     OPTION_RESUME,
     OPTION_NO_RESUME,
     OPTION_NEAREST,
+    OPTION_FROM,
     OPTION_BISECT,
     OPTION_RESTAMP,
     OPTION_RERECORD,
@@ -161,6 +164,9 @@ static const struct {
                            "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_ALL,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
+    [OPTION_FROM] = { "--from", "NAME", FOR_NEW,
+                      "which game: shooter (ship, stage, boss, music; without --from), first (30 lines), pattern (a "
+                      "place to try patterns)" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
                         "verify --bisect A B: compare what hash printed of two runs (--parts or --trace); names the "
                         "first frame, part, slot and column that differ. - is standard input" },
@@ -497,6 +503,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_string(&a->wav, o, value, err, err_size);
     case OPTION_FORMAT:
         return set_string(&a->format, o, value, err, err_size);
+    case OPTION_FROM:
+        return set_string(&a->from, o, value, err, err_size);
     case OPTION_SPEED:
         return set_speed(a, value, err, err_size);
     case OPTION_OUT:
@@ -855,7 +863,7 @@ void args_help(int command, void (*line)(const char *))
     line(text);
     snprintf(text, sizeof text, "  %s", commands[command].help);
     line(text);
-    if (!((FOR_ALL | FOR_HELP) >> command & 1))
+    if (!((FOR_ALL | FOR_HELP | FOR_NEW) >> command & 1))
         return;
     line("");
     help_options(1u << command, line);

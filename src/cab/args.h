@@ -21,6 +21,7 @@ enum command {
     COMMAND_PACK,
     COMMAND_LIST,
     COMMAND_UNPACK,
+    COMMAND_NEW,
     COMMAND_CHECK,
     COMMAND_SOUND,
     COMMAND_HELP,
@@ -57,8 +58,8 @@ struct args {
     enum command command;
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
-    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format; /* NULL: not given */
-    const char *dips[ARGS_MAX_DIPS];                                                    /* "NAME=VALUE" */
+    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format, *from; /* NULL: not given */
+    const char *dips[ARGS_MAX_DIPS];                                                           /* "NAME=VALUE" */
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
     int n_registers;

@@ -25,6 +25,7 @@
 #include "listen.h"
 #include "host/keys.h"
 #include "host/report.h"
+#include "start/start.h"
 #include "store/replays_print.h"
 #include "verify.h"
 #include "host/version.h"
@@ -220,6 +221,15 @@ static void say(const char *line)
     puts(line);
 }
 
+static void print_annotations(void)
+{
+    struct prose text = { 0 };
+
+    annotations_write(&text);
+    fwrite(text.bytes, 1, text.n, stdout);
+    free(text.bytes);
+}
+
 static enum result help_lua(const char *name)
 {
     if (api_help(name, say))
@@ -236,7 +246,7 @@ static enum result help(const struct args *a)
     int command = topic ? args_command(topic) : -1;
 
     if (a->annotations || a->luacheck) {
-        a->annotations ? annotations_print() : luacheck_print();
+        a->annotations ? print_annotations() : luacheck_print();
         return report_stdout(RESULT_DONE);
     }
     if (topic && strcmp(topic, "lua") == 0)
@@ -312,6 +322,8 @@ static enum result run(int argc, char **argv)
         return list(&a);
     case COMMAND_UNPACK:
         return unpack(&a);
+    case COMMAND_NEW:
+        return start_new(a.words[0], a.from);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
     case COMMAND_SOUND:

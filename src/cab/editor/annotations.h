@@ -6,7 +6,9 @@
 #ifndef CAB_ANNOTATIONS_H
 #define CAB_ANNOTATIONS_H
 
-/* Prints the file to standard output. It is Lua that an editor reads and no game runs. */
-void annotations_print(void);
+#include "../host/prose.h"
+
+/* Adds the file's text. It is Lua that an editor reads and no game runs. */
+void annotations_write(struct prose *to);
 
 #endif
