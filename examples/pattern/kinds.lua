@@ -23,4 +23,3 @@ player.def("kite", { sprite = "kite", hit = { circle = 2 }, speed = 4, focus = 1
     wait(5)
   end
 end })
-on.death(function() bullet.clear() end)
