@@ -15,7 +15,7 @@ for name, hit in pairs(long) do
   bullet.def(name, { sprite = name, hit = { capsule = hit }, turns = true, cloud = "mist", vanish = "hoop" })
 end
 
-enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, hp = 10000, blink = 4 })
+enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, hp = 10000, blink = 8, blink_soft = true })
 shot.def("dart", { sprite = "dart", hit = { box = { 6, 14 } }, damage = 1, turns = true, bank = 5 })
 player.def("kite", { sprite = "kite", hit = { circle = 2 }, speed = 4, focus = 1.8, lives = 99, run = function(p)
   while true do

@@ -712,7 +712,7 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
 
 static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
-    char with[64];
+    char with[160];
     const uint64_t practice = bit(OPTION_LIVES) | bit(OPTION_REGISTER) | bit(OPTION_INVINCIBLE);
     const uint64_t fixed = practice | bit(OPTION_SEED) | bit(OPTION_DIP) | bit(OPTION_STAGE) | bit(OPTION_DIFFICULTY) |
                            bit(OPTION_LANG) | bit(OPTION_PRESS);

@@ -3,13 +3,17 @@
 # Tide's.
 . "$(dirname "$0")/../pages.sh"
 
+rm -r "$bench/mygame" # which the page makes
 blocks README.md
+check "README's new game is the shooter" cmp "$bench/mygame/main.lua" examples/shooter/main.lua
 for art in examples/*/art/*.png; do
-    case $art in */glow.png | */items.png | */tiles.png) continue ;; esac # their own: tests/house/art.sh
+    case $art in # their own: tests/house/art.sh
+    */glow.png | */items.png | */tiles.png | */shooter/* | */pattern/*) continue ;;
+    esac
     check "$art is the one of roms/glasstide" cmp "$art" "roms/glasstide/art/${art##*/}"
 done
 files() { ls "$scratch/blocks" | grep -c '\.file$'; }
-check "README shows all of examples/first" test "$(files)" = "$(find examples/first -name '*.lua' | wc -l)"
+check "README shows all of examples/first" test "$(files)" = "$(find examples/first -name '*.lua' ! -path '*/tests/*' | wc -l)"
 lines() { cat examples/first/*.lua | wc -l; }
 check "in 30 lines" test "$(lines)" -le 30
 check "the sandbox runs" run examples/sandbox try 600

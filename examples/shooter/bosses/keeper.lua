@@ -1,5 +1,6 @@
 -- bosses/keeper.lua - the boss: two phases, the second one a spell.
-enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, score = 50000, spark = "glint", blink = 4,
+enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, score = 50000, spark = "glint",
+  blink = 8, blink_soft = true,
   on_hit = function(e) sound.play("chip", { from = e }) end,
   on_death = function(e)
     local x, y = e.x, e.y -- of what is gone there is no place any more
