@@ -30,11 +30,8 @@ for from in first pattern shooter; do
 done
 check "without --from it is the shooter" "$curtain" new plain
 check "as with it" diff <(plain shooter) <(plain plain)
-listed() { (cd "$1" && find . -type f | sort); }
 check "the API is beside it, for editors" diff <("$curtain" help lua --annotations) plain/.curtain.lua
-check "and what they read first" python3 -c 'import json; assert json.load(open("plain/.luarc.json"))["workspace.library"]'
-blocks() { awk '/^```/ { on = !on; next } on' "$1"; }
-check "as the manual's chapter 27 has it" python3 - "$repo/docs/manual.md" <<'PY'
+check "and what they read first, as the manual's chapter 27 has it" python3 - "$repo/docs/manual.md" <<'PY'
 import json, re, sys
 text = re.findall(r"```\n(\{.*?\})\n```", open(sys.argv[1], encoding="utf-8").read(), re.S)
 assert json.load(open("plain/.luarc.json")) in [json.loads(t) for t in text]
@@ -52,9 +49,9 @@ check "with letters of Latin-1" named Blütenregen bl_tenregen Blütenregen
 check "with letters that the font has not" named 弾幕 game_c59a975f "Lantern Night"
 check "with quotes" named 'a "b" c'"'s" a_b_c_s 'a \"b\" c'"'s"
 check "with nothing an id may have" named '!!!' game_0638f078 '!!!'
-check "longer than an id" named "$(printf 'x%.0s' $(seq 60))" "$(printf 'x%.0s' $(seq 31))" "$(printf 'x%.0s' $(seq 60))"
-check "longer than a title, cut between two letters" named "$(printf 'ü%.0s' $(seq 60))" game_c293e7c5 \
-    "$(printf 'ü%.0s' $(seq 31))"
+many() { printf "$1%.0s" $(seq "$2"); }
+check "longer than an id" named "$(many x 60)" "$(many x 31)" "$(many x 60)"
+check "longer than a title, cut between two letters" named "$(many ü 60)" game_c293e7c5 "$(many ü 31)"
 check "the last of a path, which is made" named deep/er/Moth moth Moth
 check "with slashes at its end" named Tail// tail Tail
 check "that begins with a dash" bash -c "'$curtain' new -- -dash && grep -q 'id = \"dash\"' ./-dash/rom.lua"

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 #include "../../board/api_table.h"
-#include "../host/prose.h"
+#include "prose.h"
 
 /* Adds the aliases that the types below name: words, and names that a game declares. */
 void annotation_aliases(struct prose *to);
