@@ -132,7 +132,12 @@ $(OUT)/embed: tools/embed.c
 	$(SAY) "  LINK  $@"
 	$(Q)$(BUILD_CC) $(SEMANTIC) -O1 -D_DEFAULT_SOURCE $< -o $@
 
-$(OUT)/gen/std.c: $(STD_LUA) $(START) $(OUT)/embed
+# Written when a file has come or gone.
+$(OUT)/start.is: FORCE
+	@mkdir -p $(@D)
+	@echo '$(START)' | cmp -s - $@ || echo '$(START)' > $@
+
+$(OUT)/gen/std.c: $(STD_LUA) $(START) $(OUT)/start.is $(OUT)/embed
 	@mkdir -p $(@D)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(patsubst scripts/%.lua,%,$f)=$f) -- \
