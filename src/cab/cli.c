@@ -221,11 +221,11 @@ static void say(const char *line)
     puts(line);
 }
 
-static void print_annotations(void)
+static void print_prose(void (*write)(struct prose *))
 {
     struct prose text = { 0 };
 
-    annotations_write(&text);
+    write(&text);
     fwrite(text.bytes, 1, text.n, stdout);
     free(text.bytes);
 }
@@ -246,7 +246,7 @@ static enum result help(const struct args *a)
     int command = topic ? args_command(topic) : -1;
 
     if (a->annotations || a->luacheck) {
-        a->annotations ? print_annotations() : luacheck_print();
+        a->annotations ? print_prose(annotations_write) : luacheck_print();
         return report_stdout(RESULT_DONE);
     }
     if (topic && strcmp(topic, "lua") == 0)
