@@ -100,8 +100,7 @@ bad "another game" 2 '--from: expected shooter, first or pattern, got "shoter"' 
 bad "another game, part of a name" 2 '--from: expected shooter, first or pattern, got "fir"' new a --from fir
 bad "no game" 2 '--from: expected NAME, got nothing' new a --from=
 bad "--from of another command" 2 '--from does not go with pack (it goes with new)' pack plain --from first
-bad "an option of another command" 2 '--nearest does not go with new (it goes with play, render, capture, hash, '\
-'verify, pack, list, unpack, check, sound)' new a --nearest
+bad "an option of another command" 2 '--wav does not go with new (it goes with render, sound)' new a --wav a.wav
 check "nothing of these is there" test ! -e a
 line=$("$curtain" new told 2>&1 >/dev/full)
 same "standard output is full: the game is there, and that is said" '3 curtain: standard output cannot be written yes' \
