@@ -844,7 +844,7 @@ static void help_all(void (*line)(const char *))
     }
     line("");
     line("The word play may be left out. Options, each explained by curtain help COMMAND:");
-    help_options(FOR_ALL, line);
+    help_options(FOR_ALL | FOR_NEW, line);
     line("");
     line("Exit codes: 0 done, 1 a demo does not hold or check found something, 2 bad input or a script fault, 3 the "
          "host failed.");

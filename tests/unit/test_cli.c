@@ -77,11 +77,14 @@ static void test_commands(void **state)
     reads("render --frames 0");
     assert_int_equal(a.command, COMMAND_RENDER);
     assert_int_equal(a.n_words, 0);
+    reads("new game --from first");
+    assert_int_equal(a.command, COMMAND_NEW);
+    assert_string_equal(a.from, "first");
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(args_command((const char *[]){ "play", "render", "capture", "hash", "verify", "pack", "list",
-                                                        "unpack", "check", "sound", "help", "version" }[i]),
+                                                        "unpack", "new", "check", "sound", "help", "version" }[i]),
                          i);
     assert_int_equal(args_command("Play"), -1);
 }
@@ -318,6 +321,7 @@ static void test_help_text(void **state)
     args_help(-1, collect);
     assert_non_null(strstr(help, "curtain verify ROM DEMO..."));
     assert_non_null(strstr(help, "--scale N"));
+    assert_non_null(strstr(help, "--from NAME"));
 }
 
 /* ---- whole commands ---- */
