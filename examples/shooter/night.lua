@@ -10,7 +10,7 @@ local function night(speed, fog)
   water.dir, water.vy = 270, -speed
   for i = 0, forever do
     if not (moon and moon.alive) then
-      moon = sprite.put { sprite = "moon", x = 178, y = 50, layer = "back", stay = true }
+      moon = sprite.put { sprite = "moon", x = 178, y = 62, layer = "back", stay = true }
     end
     water.x = 384 + 40 * angle.sin(i / 4) -- about the middle of the map, where the water is
     if i % 20 == 0 then palette.set(LAMP, i % 60 == 0 and 0xf09038 or 0xffb854) end

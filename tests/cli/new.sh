@@ -28,6 +28,11 @@ for from in first pattern shooter; do
     if "$curtain" help test >/dev/null 2>&1; then check "its test holds" "$curtain" test "$from"; fi
     check "its README has ten lines at most" test "$(wc -l <"$from/README.md")" -le 10
 done
+if "$curtain" help test >/dev/null 2>&1; then
+    cp -r shooter broken
+    sed -i 's/hp = 420/hp = 90000/' broken/bosses/keeper.lua
+    refuse "planted: a boss that nobody beats" "wings: it can be beaten" "$curtain" test broken
+fi
 check "without --from it is the shooter" "$curtain" new plain
 check "as with it" diff <(plain shooter) <(plain plain)
 check "the API is beside it, for editors" diff <("$curtain" help lua --annotations) plain/.curtain.lua
