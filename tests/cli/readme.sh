@@ -13,8 +13,8 @@ for art in examples/*/art/*.png; do
     check "$art is the one of roms/glasstide" cmp "$art" "roms/glasstide/art/${art##*/}"
 done
 files() { ls "$scratch/blocks" | grep -c '\.file$'; }
-scripts=$(find examples/first -name '*.lua' ! -path '*/tests/*' | wc -l)
-check "README shows all of examples/first" test "$(files)" = "$scripts"
+scripts() { find examples/first -name '*.lua' ! -path '*/tests/*' | wc -l; }
+check "README shows all of the game in examples/first" test "$(files)" = "$(scripts)"
 lines() { cat examples/first/*.lua | wc -l; }
 check "in 30 lines" test "$(lines)" -le 30
 check "the sandbox runs" run examples/sandbox try 600
