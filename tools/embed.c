@@ -1,11 +1,14 @@
 /*
  * embed.c - files into a C source, for those the program carries inside: the standard library and the built-in game.
  *
- *     embed std NAME=FILE...     std_scripts[] and std_script_count
+ *     embed std NAME=FILE... -- NAME=FILE...     std_scripts[] and std_script_count; start_files[] and
+ *                                start_file_count, the games that `curtain new` writes; a file that is there twice is
+ *                                embedded once
  *     embed rom [FILE]           builtin_rom[] and builtin_rom_size; 0 without a file, for the program that packs it
  *
  * The source goes to standard output. Every array has one zero after its data, so that none is empty.
  */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,28 +37,65 @@ static unsigned long print_bytes(const char *file)
     return n;
 }
 
-static void embed_std(int n, char **args)
+static bool same_bytes(const char *a, const char *b)
+{
+    FILE *f = fopen(a, "rb"), *g = fopen(b, "rb");
+    int c = EOF;
+
+    if (f == NULL || g == NULL)
+        die("cannot be opened", f == NULL ? a : b);
+    for (bool same = true; same && (c = getc(f)) == getc(g) && c != EOF;)
+        same = true;
+    bool same = c == EOF && feof(g);
+    fclose(f);
+    fclose(g);
+    return same;
+}
+
+/* Prints the arrays NAME_0 ..., and list[] of them and count; args are NAME=FILE. */
+static void embed_list(const char *name, const char *list, const char *count, int n, char **args)
 {
     unsigned long *size = calloc((size_t)n + 1, sizeof *size);
+    char **file = calloc((size_t)n + 1, sizeof *file);
+    int *is = calloc((size_t)n + 1, sizeof *is);
 
-    if (size == NULL)
-        die("out of memory", "std");
-    printf("struct embedded {\n    const char *name;\n    const uint8_t *data;\n    size_t size;\n};\n"
-           "extern const struct embedded std_scripts[];\nextern const int std_script_count;\n");
+    if (size == NULL || file == NULL || is == NULL)
+        die("out of memory", list);
     for (int i = 0; i < n; i++) {
-        char *file = strchr(args[i], '=');
-        if (file == NULL)
+        file[i] = strchr(args[i], '=');
+        if (file[i] == NULL)
             die("expected NAME=FILE", args[i]);
-        *file++ = '\0';
-        printf("static const uint8_t std_%d[] = {\n", i);
-        size[i] = print_bytes(file);
+        *file[i]++ = '\0';
+        while (is[i] < i && !same_bytes(file[is[i]], file[i]))
+            is[i]++;
+        size[i] = size[is[i]];
+        if (is[i] < i)
+            continue;
+        printf("static const uint8_t %s_%d[] = {\n", name, i);
+        size[i] = print_bytes(file[i]);
         printf("\n};\n");
     }
-    printf("const struct embedded std_scripts[] = {\n");
+    printf("extern const struct embedded %s[];\nextern const int %s;\nconst struct embedded %s[] = {\n", list, count,
+           list);
     for (int i = 0; i < n; i++)
-        printf("    { \"%s\", std_%d, %lu },\n", args[i], i, size[i]);
-    printf("    { 0, 0, 0 },\n};\nconst int std_script_count = %d;\n", n);
+        printf("    { \"%s\", %s_%d, %lu },\n", args[i], name, is[i], size[i]);
+    printf("    { 0, 0, 0 },\n};\nconst int %s = %d;\n", count, n);
     free(size);
+    free(file);
+    free(is);
+}
+
+static void embed_std(int n, char **args)
+{
+    int scripts = 0;
+
+    while (scripts < n && strcmp(args[scripts], "--") != 0)
+        scripts++;
+    if (scripts == n)
+        die("expected -- before the files of games", "std");
+    printf("struct embedded {\n    const char *name;\n    const uint8_t *data;\n    size_t size;\n};\n");
+    embed_list("std", "std_scripts", "std_script_count", scripts, args);
+    embed_list("start", "start_files", "start_file_count", n - scripts - 1, args + scripts + 1);
 }
 
 static void embed_rom(const char *file)
@@ -79,7 +119,7 @@ int main(int argc, char **argv)
     else if ((argc == 2 || argc == 3) && strcmp(argv[1], "rom") == 0)
         embed_rom(argv[2]);
     else
-        die("expected std NAME=FILE... or rom [FILE]", "usage");
+        die("expected std NAME=FILE... -- NAME=FILE... or rom [FILE]", "usage");
     if (fflush(stdout) != 0 || ferror(stdout))
         die("cannot be written", "standard output");
     return 0;

@@ -5,7 +5,7 @@
 #     tools/manpage.sh "CURTAIN" >curtain.1      CURTAIN: the program, after what runs it if it is another machine's
 set -eu
 curtain=$1
-date=2026-11-22 # of the text below
+date=2026-11-23 # of the text below
 
 # Text made safe for roff: no escapes, hyphens that can be copied, no line that is a request.
 roff() {
@@ -167,6 +167,14 @@ END
 $curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E 's/^ *([0-9]) ([^.]*)\.?$/\1\t\t\2/' | entries
 cat <<'END'
 .SH EXAMPLES
+A game to begin with, in a folder of its own:
+.PP
+.nf
+.RS
+curtain new mine
+.RE
+.fi
+.PP
 Play a game's folder and record it, then see whether the recording holds:
 .PP
 .nf

@@ -1,5 +1,5 @@
 return {
-  title = "First Light", palette = "art/palette.png", font = "art/font.png",
+  id = "first", title = "First Light", palette = "art/palette.png", font = "art/font.png",
   sheets = { bullets = { file = "art/bullets.png", bank = 0 }, heron = { file = "art/heron.png", bank = 8 },
              enemies = { file = "art/enemies.png", bank = 10 } },
   sprites = {

@@ -1,6 +1,6 @@
 -- rom.lua - the sandbox: a bare game for trying the examples of docs/manual.md. Put one into try.lua.
 return {
-  title = "Sandbox", author = "The Curtain authors",
+  id = "sandbox", title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
             meet = true, items = 256, lines = 32, wide = true,
             lasers = 64, curve_points = 4096, options = 16, bodies = true, pierce = true }, -- for what the manual shows

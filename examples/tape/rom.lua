@@ -1,6 +1,6 @@
 -- rom.lua - a game whose sound is recordings: tools/recordings.py computes them. The loop stands in reel.ogg's tags.
 return {
-  title = "Tape", author = "The Curtain authors", palette = "art/palette.png", font = "art/font.png",
+  id = "tape", title = "Tape", author = "The Curtain authors", palette = "art/palette.png", font = "art/font.png",
   music = { reel = { file = "music/reel.ogg", title = "The Reel", tempo = 120, bar = 4,
                      markers = { around = 8, turn = 24 } } }, -- beats: the loop's first bar, and its fifth
   sounds = {

@@ -1,7 +1,7 @@
 -- rom.lua - the bench: steady scenes through the same tick and draw as any game. DIP does: which scene, see the file of that
 -- name (shuttle: main.lua); DIP n: how many bullets, or enemies of the battle.
 return {
-  title = "Bench", author = "The Curtain authors", version = 1, entry = "main",
+  id = "bench", title = "Bench", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 32 },
   board = { bullets = 1048576, shots = 512, enemies = 256, sparks = 0, sprites = 4096, motions = 96, tasks = 4112, lua_kib = 16384,
             items = 512, lasers = 64, curve_points = 4096 },

@@ -1,6 +1,6 @@
 -- rom.lua - the cookbook: what its recipes draw with, and room for all of them.
 return {
-  title = "Cookbook", author = "The Curtain authors",
+  id = "cookbook", title = "Cookbook", author = "The Curtain authors",
   screen = { w = 416, h = 320 }, field = { x = 176, y = 0, w = 240, h = 320 },
   board = { bullets = 2048, shots = 256, enemies = 64, sparks = 2048, sprites = 64, motions = 192,
             values = { bullet = 4 }, hp = true, around = true, frozen = true, meet = true,

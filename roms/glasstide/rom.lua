@@ -1,6 +1,6 @@
 -- rom.lua - Glass Tide: what the packer needs to know. tools/art/art.c draws the pictures in art/.
 return {
-  title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
+  id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320 },
   board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 64, motions = 64,
             tasks = 512, lua_kib = 2048,

@@ -1,6 +1,6 @@
 -- rom.lua - the test card: the first thing a new port runs. The pictures in art/ are drawn by `art OUTDIR card` (tools/art/art.c).
 return {
-  title = "Test Card", author = "The Curtain authors", version = 1, entry = "main",
+  id = "testcard", title = "Test Card", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 },
   board = { bullets = 64, shots = 0, enemies = 0, sparks = 0, sprites = 384, motions = 0, tasks = 16, lua_kib = 512 },
   palette = "art/palette.png", font = "art/font.png",

@@ -1,7 +1,7 @@
 -- rom.lua - torture: a game for tests. It calls every function of the API, runs every key of a motion step, and keeps
 -- every pool near its small capacity. tests/machine/test_uses.c counts. The art is the test card's.
 return {
-  title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
+  id = "torture", title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 16, y = 8, w = 224, h = 224, margin = 32 },
   board = { bullets = 200, shots = 40, enemies = 32, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,

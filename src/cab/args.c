@@ -27,6 +27,7 @@ enum {
     FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
     FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
+    FOR_NEW = 1 << COMMAND_NEW,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_BENCH = 1 << COMMAND_BENCH,
     FOR_SOUND = 1 << COMMAND_SOUND,
@@ -60,6 +61,7 @@ static const struct {
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
+    [COMMAND_NEW] = { "new", "DIR", 1, 1, "make a folder with a game to begin with: whole, and yours to change" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
@@ -116,6 +118,7 @@ enum option {
     OPTION_RESUME,
     OPTION_NO_RESUME,
     OPTION_NEAREST,
+    OPTION_FROM,
     OPTION_BISECT,
     OPTION_RESTAMP,
     OPTION_RERECORD,
@@ -192,6 +195,9 @@ static const struct {
                            "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES,
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
+    [OPTION_FROM] = { "--from", "NAME", FOR_NEW,
+                      "which game: shooter (ship, stage, boss, music; without --from), first (30 lines), pattern (a "
+                      "place to try patterns)" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY,
                         "verify --bisect A B: compare what hash printed of two runs (--parts or --trace); names the "
                         "first frame, part, slot and column that differ. - is standard input" },
@@ -557,6 +563,8 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_bank(a, value, err, err_size);
     case OPTION_FORMAT:
         return set_string(&a->format, o, value, err, err_size);
+    case OPTION_FROM:
+        return set_string(&a->from, o, value, err, err_size);
     case OPTION_SPEED:
         return set_speed(a, value, err, err_size);
     case OPTION_OUT:
@@ -776,7 +784,7 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
 
 static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
-    char with[64];
+    char with[160];
     const uint64_t practice = bit(OPTION_LIVES) | bit(OPTION_REGISTER) | bit(OPTION_INVINCIBLE);
     const uint64_t fixed = practice | bit(OPTION_SEED) | bit(OPTION_DIP) | bit(OPTION_STAGE) | bit(OPTION_DIFFICULTY) |
                            bit(OPTION_LANG) | bit(OPTION_PRESS);
@@ -908,7 +916,7 @@ static void help_all(void (*line)(const char *))
     }
     line("");
     line("The word play may be left out. Options, each explained by curtain help COMMAND:");
-    help_options(FOR_ALL, line);
+    help_options(FOR_ALL | FOR_NEW, line);
     line("");
     line("Exit codes: 0 done, 1 a demo does not hold or check found something, 2 bad input or a script fault, 3 the "
          "host failed.");
@@ -927,7 +935,7 @@ void args_help(int command, void (*line)(const char *))
     line(text);
     snprintf(text, sizeof text, "  %s", commands[command].help);
     line(text);
-    if (!((FOR_ALL | FOR_HELP) >> command & 1))
+    if (!((FOR_ALL | FOR_HELP | FOR_NEW) >> command & 1))
         return;
     line("");
     help_options(1u << command, line);

@@ -22,6 +22,7 @@ enum command {
     COMMAND_PACK,
     COMMAND_LIST,
     COMMAND_UNPACK,
+    COMMAND_NEW,
     COMMAND_CHECK,
     COMMAND_BENCH,
     COMMAND_SOUND,
@@ -63,10 +64,10 @@ struct args {
     enum command command;
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
-    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format; /* NULL: not given */
-    const char *atlas;                                                                  /* the same */
-    int bank;                                                                           /* -1: not given */
-    const char *dips[ARGS_MAX_DIPS];                                                    /* "NAME=VALUE" */
+    const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format, *from; /* NULL: not given */
+    const char *atlas;                                                                         /* the same */
+    int bank;                                                                                  /* -1: not given */
+    const char *dips[ARGS_MAX_DIPS];                                                           /* "NAME=VALUE" */
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
     int n_registers;

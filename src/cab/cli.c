@@ -29,6 +29,7 @@
 #include "host/keys.h"
 #include "host/progress.h"
 #include "host/report.h"
+#include "start/start.h"
 #include "store/replays_print.h"
 #include "testing/testing.h"
 #include "verify.h"
@@ -356,6 +357,15 @@ static void say(const char *line)
     puts(line);
 }
 
+static void print_prose(void (*write)(struct prose *))
+{
+    struct prose text = { 0 };
+
+    write(&text);
+    fwrite(text.bytes, 1, text.n, stdout);
+    free(text.bytes);
+}
+
 static enum result help_lua(const char *name)
 {
     if (api_help(name, say))
@@ -373,9 +383,9 @@ static enum result help(const struct args *a)
 
     if (a->annotations || a->luacheck) {
         if (strcmp(topic, "test") == 0)
-            annotations_test_print();
+            print_prose(annotations_test_write);
         else
-            a->annotations ? annotations_print() : luacheck_print();
+            a->annotations ? print_prose(annotations_write) : luacheck_print();
         return report_stdout(RESULT_DONE);
     }
     if (topic && strcmp(topic, "lua") == 0)
@@ -457,6 +467,8 @@ static enum result run(int argc, char **argv)
         return list(&a);
     case COMMAND_UNPACK:
         return unpack(&a);
+    case COMMAND_NEW:
+        return start_new(a.words[0], a.from);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
     case COMMAND_BENCH:

@@ -530,7 +530,7 @@ print(rom.text("cast.txt"))
 require("part" .. "one")
 LUA
 cat >u/rom.lua <<'LUA'
-return { screen = { w = 64, h = 64 }, sheets = { all = { file = "art/all.png" } },
+return { id = "u", screen = { w = 64, h = 64 }, sheets = { all = { file = "art/all.png" } },
   dip = { hull = { "wood", "iron" } },
   sprites = {
     bead1 = { sheet = "all", w = 8, h = 8 }, bead2 = { sheet = "all", w = 8, h = 8 },
@@ -704,7 +704,7 @@ import sys
 # One orb of 12 x 12 px, all in a colour of bank 0 but 17 pixels.
 folder = sys.argv[1]
 open(folder + "/rom.lua", "w").write('''return {
-  title = "First Light",
+  id = "mygame", title = "First Light",
   sheets = {
     bullets = { file = "art/bullets.png" },
   },

@@ -27,7 +27,7 @@ installed=$scratch/root/usr/bin/curtain-null
 check 'the program is there' "$installed" version
 check 'so is the one with a window' test -x "$scratch/root/usr/bin/curtain"
 check 'so are the documents' test -s "$scratch/root/usr/share/doc/curtain/manual.md"
-for dir in examples/first examples/sandbox roms/glasstide; do
+for dir in examples/first examples/sandbox examples/shooter roms/glasstide; do
     check "$dir is installed, whole" diff -r "$dir" "$share/$dir"
 done
 cd "$scratch" || exit 2
@@ -35,6 +35,10 @@ cp -r "$share/examples/first" mygame
 check 'an installed example, copied, is fine' "$installed" check mygame
 check 'and packs' "$installed" pack mygame -o mygame.rom
 check 'and runs' "$installed" hash mygame.rom --frames 60
+mkdir alone && cp "$installed" alone/ && rm -rf mine
+check 'the program alone, with nothing installed beside it, makes a game' alone/curtain-null new mine
+check 'which is the one that is installed' diff -r -x '.*' -x rom.lua -x README.md mine "$share/examples/shooter"
+rm -rf mine
 cd "$repo" || exit 2
 release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/host/version.h)
 named() { "$installed" version | grep -q "^curtain $release "; }

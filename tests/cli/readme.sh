@@ -3,10 +3,13 @@
 # Tide's.
 . "$(dirname "$0")/../pages.sh"
 
+rm -r "$bench/mygame" # which the page makes
 blocks README.md
+check "README's new game is the shooter" cmp "$bench/mygame/main.lua" examples/shooter/main.lua
 for art in examples/*/art/*.png; do
-    case $art in */glow.png | */items.png | */tiles.png) continue ;; esac # their own: tests/house/art.sh
-    case $art in */moth/art/palette.png) continue ;; esac                 # its own: tests/cli/art.sh
+    case $art in # their own: tests/house/art.sh, tests/cli/art.sh
+    */glow.png | */items.png | */tiles.png | */shooter/* | */pattern/* | */moth/art/palette.png) continue ;;
+    esac
     check "$art is the one of roms/glasstide" cmp "$art" "roms/glasstide/art/${art##*/}"
 done
 files() { ls "$scratch/blocks" | grep -c '\.file$'; }

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# art.sh - the pictures in roms/, the sandbox's own and the icons are what tools/art/art.c draws, pixel by pixel, with
-# gcc and clang.
+# art.sh - the pictures in roms/, the sandbox's own, those of the games that `curtain new` writes and the icons are what
+# tools/art/art.c draws, pixel by pixel, with gcc and clang.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
 compare() { # WHAT ROM MODE
-    local dir=$1-$2 picture
+    local dir=$1-${2//\//-} picture
     mkdir -p "$dir"
     "./$1" "$dir" ${3:+"$3"} || { not_ok "$1 draws $2"; return; }
-    for picture in "$repo/roms/$2/art"/*.png; do
+    for picture in "$repo/$2/art"/*.png; do
         python3 "$repo/tests/golden/png.py" "$picture" "$dir/$(basename "$picture")" difference.png >why 2>&1 ||
             { not_ok "$2/$(basename "$picture") is what $1 draws" "$(cat why)"; return; }
     done
-    same "$2 has no picture that $1 does not draw" "$(ls "$repo/roms/$2/art")" "$(ls "$dir")"
+    same "$2 has no picture that $1 does not draw" "$(ls "$repo/$2/art")" "$(ls "$dir")"
 }
 
 own() { # WHAT
@@ -32,15 +32,20 @@ icons() { # WHAT
     done
 }
 
+for picture in "$repo"/examples/pattern/art/*.png; do
+    name=$(basename "$picture")
+    check "pattern's $name is the shooter's" cmp "$picture" "$repo/examples/shooter/art/$name"
+done
 for cc in gcc clang; do
     opt=-O2
     [ $cc = gcc ] || opt=-O0
     $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art/*.c -lm -o art-$cc ||
         { not_ok "$cc builds tools/art/art.c"; continue; }
-    compare art-$cc glasstide
-    compare art-$cc testcard card
-    compare art-$cc bench bench
-    compare art-$cc cookbook cookbook
+    compare art-$cc roms/glasstide
+    compare art-$cc roms/testcard card
+    compare art-$cc roms/bench bench
+    compare art-$cc roms/cookbook cookbook
+    compare art-$cc examples/shooter night
     check "the sandbox's own pictures are what art-$cc draws" own art-$cc
     check "the icons are what art-$cc draws" icons art-$cc
 done

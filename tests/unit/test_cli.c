@@ -77,6 +77,9 @@ static void test_commands(void **state)
     reads("render --frames 0");
     assert_int_equal(a.command, COMMAND_RENDER);
     assert_int_equal(a.n_words, 0);
+    reads("new game --from first");
+    assert_int_equal(a.command, COMMAND_NEW);
+    assert_string_equal(a.from, "first");
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
     static const char *const names[COMMANDS] = { "play", "render", "capture", "hash",  "verify", "test",   "pack",
@@ -336,6 +339,7 @@ static void test_help_text(void **state)
     args_help(-1, collect);
     assert_non_null(strstr(help, "curtain verify ROM DEMO..."));
     assert_non_null(strstr(help, "--scale N"));
+    assert_non_null(strstr(help, "--from NAME"));
 }
 
 /* ---- whole commands ---- */

@@ -1,7 +1,7 @@
 /*
  * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
  * OUTDIR bench` the bench's, `art OUTDIR cookbook` the cookbook's; `art OUTDIR glow` what the sandbox has of its own;
- * and `art OUTDIR icon` the program's icons.
+ * `art OUTDIR night` those of examples/shooter; and `art OUTDIR icon` the program's icons.
  * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
@@ -43,6 +43,12 @@ static const struct picture BOOK[] = {
     { "bullets", art_bullets }, { "shots", art_shots }, { "sparks", art_sparks }, { "heron", art_heron },
     { "enemies", art_enemies }, { "queen", art_queen }, { "glow", art_glow },     { "items", art_items },
     { "tiles", art_tiles },     { "font", art_font },   { NULL, NULL },
+};
+
+static const struct picture NIGHT[] = {
+    { "bullets", art_bullets },   { "shots", art_shots },   { "sparks", art_sparks }, { "kite", art_kite },
+    { "lanterns", art_lanterns }, { "keeper", art_keeper }, { "night", art_night },   { "moon", art_moon },
+    { "font", art_font },         { NULL, NULL },
 };
 
 static bool write_png(const char *dir, const char *name, const uint8_t *rgba, int w, int h)
@@ -128,8 +134,8 @@ static const struct picture *pictures(const char *what)
     static const struct {
         const char *name;
         const struct picture *list;
-    } lists[] = { { "", GAME },       { "sheet", GAME },    { "card", CARD },
-                  { "bench", BENCH }, { "cookbook", BOOK }, { "glow", LIGHT } };
+    } lists[] = { { "", GAME },         { "sheet", GAME }, { "card", CARD },  { "bench", BENCH },
+                  { "cookbook", BOOK }, { "glow", LIGHT }, { "night", NIGHT } };
 
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
         if (!strcmp(what, lists[i].name))
@@ -146,10 +152,13 @@ int main(int argc, char **argv)
     uint32_t rgb[256];
 
     if (argc < 2 || argc > 3 || (!p && !icon)) {
-        fprintf(stderr, "usage: art OUTDIR [card | bench | cookbook | glow | icon | sheet]\n");
+        fprintf(stderr, "usage: art OUTDIR [card | bench | cookbook | glow | night | icon | sheet]\n");
         return 2;
     }
-    art_palette(rgb);
+    if (p == NIGHT)
+        art_night_palette(rgb);
+    else
+        art_palette(rgb);
     if (icon)
         return write_icons(dir, rgb) ? 0 : 3;
     for (; p->name && ok; p++) {

@@ -25,8 +25,9 @@ void sheet_free(struct sheet *s);
 void sheet_set(struct sheet *s, int x, int y, int shade);
 int sheet_get(const struct sheet *s, int x, int y);
 
-/* The 256 colours as 0xRRGGBB. */
+/* The 256 colours as 0xRRGGBB; those of the night, whose banks 0 to 7 are the same. */
 void art_palette(uint32_t rgb[256]);
+void art_night_palette(uint32_t rgb[256]);
 
 /* -- numbers -- */
 
@@ -104,6 +105,11 @@ struct sheet art_items(void);
 struct sheet art_tiles(void);
 struct sheet art_seabed(void);
 struct sheet art_finds(void);
+struct sheet art_kite(void);
+struct sheet art_lanterns(void);
+struct sheet art_keeper(void);
+struct sheet art_night(void);
+struct sheet art_moon(void);
 /* The program's icon, size x size pixels, 48 or 64. */
 struct sheet art_icon(int size);
 

@@ -121,6 +121,88 @@ static const struct key KEYS[16][12] = {
       { 15, 0xffffff } },
 };
 
+/* Banks 8 to 15 of the night. */
+static const struct key NIGHT[8][12] = {
+    /* 8 the kite: 2..6 paper, 7..9 red dye, 10..12 wood and gold, 13..15 its lamp */
+    { { 1, 0x140c1c },
+      { 2, 0x54486a },
+      { 4, 0xb8a8b8 },
+      { 6, 0xfff8ec },
+      { 7, 0x7c1428 },
+      { 8, 0xd82c38 },
+      { 9, 0xff7a68 },
+      { 10, 0x5c3818 },
+      { 11, 0xb88032 },
+      { 12, 0xf0c868 },
+      { 13, 0xffb040 },
+      { 15, 0xffffff } },
+    /* 9 iron, for whatever a game has of its own */
+    { { 1, 0x0c0e14 }, { 4, 0x3a4250 }, { 8, 0x76869a }, { 12, 0xb8c8d8 }, { 15, 0xffffff } },
+    /* 10 warm paper: 2..9 lit paper, 10..12 wood, 13..15 flame */
+    { { 1, 0x1c0610 },
+      { 2, 0x480c1c },
+      { 4, 0xa41c24 },
+      { 6, 0xea4c28 },
+      { 8, 0xff9a3c },
+      { 9, 0xffcc62 },
+      { 10, 0x2c1a22 },
+      { 11, 0x5e3a30 },
+      { 12, 0xa2764c },
+      { 13, 0xffe07a },
+      { 14, 0xfff4c4 },
+      { 15, 0xffffff } },
+    /* 11 moonlit paper: the same parts */
+    { { 1, 0x0a0a20 },
+      { 2, 0x221c54 },
+      { 4, 0x4c40a0 },
+      { 6, 0x8478dc },
+      { 8, 0xbcb4fc },
+      { 9, 0xe2dcff },
+      { 10, 0x241c38 },
+      { 11, 0x564878 },
+      { 12, 0x9a88c0 },
+      { 13, 0x8af0e0 },
+      { 14, 0xd0fff4 },
+      { 15, 0xffffff } },
+    /* 12 the keeper: 2..8 wings, 9..11 gold, 12..13 ember, 14..15 light */
+    { { 1, 0x0e0618 },
+      { 2, 0x2a0e3c },
+      { 4, 0x6a2468 },
+      { 6, 0xbc4a86 },
+      { 8, 0xffb0b4 },
+      { 9, 0x7a4a18 },
+      { 10, 0xd29a34 },
+      { 11, 0xffe68e },
+      { 12, 0xe0481c },
+      { 13, 0xff9c34 },
+      { 14, 0xffe88c },
+      { 15, 0xffffff } },
+    /* 13 the night: 1..6 sky and water, 7..10 hills and fields, 13..15 what glimmers */
+    { { 1, 0x080a1c },
+      { 2, 0x0c1028 },
+      { 3, 0x121838 },
+      { 4, 0x1c2148 },
+      { 5, 0x2c2a58 },
+      { 6, 0x443462 },
+      { 7, 0x080d16 },
+      { 8, 0x101824 },
+      { 9, 0x18242c },
+      { 10, 0x2c3a4c },
+      { 11, 0x3c4a60 },
+      { 15, 0xe8ecff } },
+    /* 14 fire */
+    { { 1, 0x1a0a22 },
+      { 2, 0x3a1040 },
+      { 4, 0xa2244c },
+      { 6, 0xf46036 },
+      { 8, 0xffb042 },
+      { 10, 0xffe682 },
+      { 13, 0xfff8d8 },
+      { 15, 0xffffff } },
+    /* 15 the moon */
+    { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
+};
+
 static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
 {
     uint32_t out = 0;
@@ -131,14 +213,26 @@ static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
     return out;
 }
 
+static void fill(uint32_t rgb[16], const struct key *k)
+{
+    rgb[0] = 0x04060e;
+    for (; k[0].at < 15; k++) {
+        for (int i = k[0].at; i <= k[1].at; i++)
+            rgb[i] = mix(k[0].rgb, k[1].rgb, i - k[0].at, k[1].at - k[0].at);
+    }
+}
+
 void art_palette(uint32_t rgb[256])
 {
-    for (int bank = 0; bank < 16; bank++) {
-        const struct key *k = KEYS[bank];
-        rgb[bank * 16] = 0x04060e;
-        for (; k[0].at < 15; k++) {
-            for (int i = k[0].at; i <= k[1].at; i++)
-                rgb[bank * 16 + i] = mix(k[0].rgb, k[1].rgb, i - k[0].at, k[1].at - k[0].at);
-        }
-    }
+    for (int bank = 0; bank < 16; bank++)
+        fill(&rgb[bank * 16], KEYS[bank]);
+}
+
+void art_night_palette(uint32_t rgb[256])
+{
+    art_palette(rgb);
+    for (int bank = 8; bank < 16; bank++)
+        fill(&rgb[bank * 16], NIGHT[bank - 8]);
+    rgb[13 * 16 + 13] = 0xffae4c; /* a lamp far away */
+    rgb[13 * 16 + 14] = 0x5c6496; /* a glint, a faint star */
 }

@@ -90,6 +90,16 @@ static void check_manifest(struct check *c)
     free(block);
 }
 
+/* Without an id the folder's name stands for it, so a copy of the folder is another game. */
+static void check_id(struct check *c)
+{
+    if (c->manifest && !symbols_returns(&c->rom, "id"))
+        diagnostics_add(&c->found, "rom.lua", 0,
+                        "id is missing: this folder's name stands for it, so a copy has none of its demos, saves and "
+                        "scores (id = \"%s\")",
+                        c->m.id);
+}
+
 /* ---- the folder ---- */
 
 static void ignore_file(void *user, const struct plat_file *file)
@@ -187,6 +197,7 @@ static enum result check_all(struct check *c)
 {
     progress_begin();
     check_manifest(c);
+    check_id(c);
     check_scripts(c);
     check_lua(c);
     check_sounds(c);

@@ -1029,6 +1029,11 @@ static int table_of(const struct symbols *f, int key)
     return -1;
 }
 
+bool symbols_returns(const struct symbols *f, const char *key)
+{
+    return f->result_table < 0 || find_key(f, f->result_table, key) >= 0;
+}
+
 int symbols_line(const struct symbols *f, const char *const *path)
 {
     int table = f->result_table, line = 1;

@@ -112,6 +112,9 @@ struct symbols {
 bool symbols_read(struct symbols *f, const char *text, size_t n, bool (*is_builtin)(const char *name));
 void symbols_free(struct symbols *f);
 
+/* May the table the script returns have that key? */
+bool symbols_returns(const struct symbols *f, const char *key);
+
 /* The line of a key in the table the script returns: "sheets", "small", "file", NULL. As deep as it is found; 1 when
  * nothing is. */
 int symbols_line(const struct symbols *f, const char *const *path);

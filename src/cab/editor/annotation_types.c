@@ -55,7 +55,7 @@ static const char *const types[] = {
     [A_ASK] = "ask_word",
 };
 
-void annotation_aliases(void)
+void annotation_aliases(struct prose *to)
 {
     const char *const *words;
     int n;
@@ -63,17 +63,17 @@ void annotation_aliases(void)
     for (size_t t = 0; t < COUNT(types); t++) {
         words = api_type_list((enum api_type)t, &n);
         if (words) {
-            printf("---@alias %s ", types[t]);
+            prose_add(to, "---@alias %s ", types[t]);
             for (int i = 0; i < n; i++)
-                printf("%s\"%s\"", i ? "|" : "", words[i]);
-            printf("\n");
+                prose_add(to, "%s\"%s\"", i ? "|" : "", words[i]);
+            prose_add(to, "\n");
         } else if (t >= A_BULLET_KIND) {
             if (!strchr(types[t], '|'))
-                printf("---@alias %s string\n", types[t]);
+                prose_add(to, "---@alias %s string\n", types[t]);
         }
     }
-    printf("---@alias motion_name string\n");
-    printf("\n---what path.def returned\n---@class route\n");
+    prose_add(to, "---@alias motion_name string\n");
+    prose_add(to, "\n---what path.def returned\n---@class route\n");
 }
 
 /* Adds text to the n letters of out; returns how many there are then. */
@@ -246,13 +246,13 @@ static const char *return_type(const char *word)
     return "any";
 }
 
-void annotation_returns(const char *words)
+void annotation_returns(struct prose *to, const char *words)
 {
     while (words && *words) {
         char word[32];
         const size_t n = strcspn(words, ",");
         snprintf(word, sizeof word, "%.*s", (int)n, words);
-        printf("---@return %s # %s\n", return_type(word), word);
+        prose_add(to, "---@return %s # %s\n", return_type(word), word);
         words += n;
         words += strspn(words, ", ");
     }

@@ -7,9 +7,10 @@
 
 #include <stddef.h>
 #include "../../board/api_table.h"
+#include "prose.h"
 
-/* Prints the aliases that the types below name: words, and names that a game declares. */
-void annotation_aliases(void);
+/* Adds the aliases that the types below name: words, and names that a game declares. */
+void annotation_aliases(struct prose *to);
 
 /* The type of a parameter of e, as it stands behind ---@param or ---@field: "integer", "bullet|enemy". */
 void annotation_type(const struct api_entry *e, const struct api_param *p, char *out, size_t size);
@@ -17,8 +18,8 @@ void annotation_type(const struct api_entry *e, const struct api_param *p, char 
 /* The type of a property as it is read. */
 void annotation_property(const struct api_prop *p, char *out, size_t size);
 
-/* What a function returns, `words` being what the table says: prints a line ---@return for each value. */
-void annotation_returns(const char *words);
+/* What a function returns, `words` being what the table says: adds a line ---@return for each value. */
+void annotation_returns(struct prose *to, const char *words);
 
 /* The type of a plain name ("rom.title"), or of an argument of a function without checks ("row"); NULL: none known. */
 const char *annotation_plain(const char *name);

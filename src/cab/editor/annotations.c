@@ -59,13 +59,13 @@ static void class_name(const struct api_entry *e, char out[NAME_SIZE])
             *c = '.';
 }
 
-static void field(const struct api_entry *e, const struct api_param *p, bool optional)
+static void field(struct prose *to, const struct api_entry *e, const struct api_param *p, bool optional)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
 
     annotation_type(e, p, type, sizeof type);
     api_param_words(p, words, sizeof words);
-    printf("---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
+    prose_add(to, "---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
 }
 
 /* ---- classes of arguments ---- */
@@ -80,7 +80,7 @@ static bool fired_before(int maker, const char *name)
 }
 
 /* The comment names the first maker that has the parameter. */
-static void fired_field(const struct api_entry *e, const struct api_param *p)
+static void fired_field(struct prose *to, const struct api_entry *e, const struct api_param *p)
 {
     struct api_param any = *p;
     char type[TYPE_SIZE], words[WORDS_SIZE];
@@ -90,19 +90,19 @@ static void fired_field(const struct api_entry *e, const struct api_param *p)
     if (any.type >= A_BULLET_KIND && any.type <= A_OPTION_KIND)
         any.type = A_STR; /* of whatever is fired */
     annotation_type(e, &any, type, sizeof type);
-    printf("---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
+    prose_add(to, "---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
 }
 
 /* All that a pattern hands on. All is optional here: some things do not take it, and what `each` calls may need none
  * of it. */
-static void fired(void)
+static void fired(struct prose *to)
 {
-    printf("\n---what a pattern hands on to what it fires\n---@class fired\n");
+    prose_add(to, "\n---what a pattern hands on to what it fires\n---@class fired\n");
     for (int m = 0; m < MAKERS; m++) {
         const struct api_entry *e = find(makers[m]);
         for (int i = e->plain; i < e->count; i++)
             if (!fired_before(m, e->params[i].name))
-                fired_field(e, &e->params[i]);
+                fired_field(to, e, &e->params[i]);
     }
 }
 
@@ -111,28 +111,28 @@ static bool has_table(const struct api_entry *e)
     return e->count > e->plain || e->flags & API_FIRE;
 }
 
-static void arguments_class(const struct api_entry *e)
+static void arguments_class(struct prose *to, const struct api_entry *e)
 {
     char name[NAME_SIZE];
 
     class_name(e, name);
-    printf("\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name, name,
-           e->flags & API_FIRE ? ": fired" : "");
+    prose_add(to, "\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name,
+              name, e->flags & API_FIRE ? ": fired" : "");
     for (int i = is_part(e) ? 0 : e->plain; i < e->count; i++)
-        field(e, &e->params[i], e->params[i].optional);
+        field(to, e, &e->params[i], e->params[i].optional);
 }
 
-static void argument_classes(void)
+static void argument_classes(struct prose *to)
 {
-    fired();
+    fired(to);
     for (int i = 0; i < api_count(); i++)
         if (is_public(api_entry(i)) && (is_part(api_entry(i)) || has_table(api_entry(i))))
-            arguments_class(api_entry(i));
+            arguments_class(to, api_entry(i));
 }
 
 /* ---- functions ---- */
 
-static void function_params(const struct api_entry *e)
+static void function_params(struct prose *to, const struct api_entry *e)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE], name[NAME_SIZE];
 
@@ -140,67 +140,67 @@ static void function_params(const struct api_entry *e)
         const struct api_param *p = &e->params[i];
         annotation_type(e, p, type, sizeof type);
         api_param_words(p, words, sizeof words);
-        printf("---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
+        prose_add(to, "---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
     }
     if (e->flags & API_MORE)
-        printf("---@param ... any\n");
+        prose_add(to, "---@param ... any\n");
     if (!has_table(e))
         return;
     class_name(e, name);
     bool must = false;
     for (int i = e->plain; i < e->count; i++)
         must = must || !e->params[i].optional;
-    printf("---@param args%s %s\n", must || e->flags & API_FIRE ? "" : "?", name);
+    prose_add(to, "---@param args%s %s\n", must || e->flags & API_FIRE ? "" : "?", name);
 }
 
 /* owner: the local that a kind of handle's methods stand in; NULL: the entry's own name. */
-static void function(const struct api_entry *e, const char *owner)
+static void function(struct prose *to, const struct api_entry *e, const char *owner)
 {
     const int first = e->flags & API_METHOD ? 1 : 0;
     const char *comma = "";
 
-    printf("\n---%s%s\n", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
-    function_params(e);
-    annotation_returns(e->returns);
-    printf("function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
+    prose_add(to, "\n---%s%s\n", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
+    function_params(to, e);
+    annotation_returns(to, e->returns);
+    prose_add(to, "function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
     for (int i = first; i < e->plain; i++, comma = ", ")
-        printf("%s%s", comma, e->params[i].name);
+        prose_add(to, "%s%s", comma, e->params[i].name);
     if (e->flags & API_MORE)
-        printf("%s...", comma), comma = ", ";
+        prose_add(to, "%s...", comma), comma = ", ";
     if (has_table(e))
-        printf("%sargs", comma);
-    printf(") end\n");
+        prose_add(to, "%sargs", comma);
+    prose_add(to, ") end\n");
 }
 
 /* ---- handles ---- */
 
-static void property(const struct api_prop *p)
+static void property(struct prose *to, const struct api_prop *p)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
     const bool nil = strstr(p->help, "nil") != NULL, read = p->write != PROP_WRITE;
 
     annotation_property(p, type, sizeof type);
     api_property_words(p, words, sizeof words);
-    printf("---@field %s%s %s # %s%s [%s]\n", p->value.name, nil ? "?" : "", type, read ? "read only: " : "", p->help,
-           words);
+    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->value.name, nil ? "?" : "", type, read ? "read only: " : "",
+              p->help, words);
 }
 
-static void handle(enum handle_kind kind)
+static void handle(struct prose *to, enum handle_kind kind)
 {
     const struct api_thing *t = api_things[kind];
     const size_t n = strlen(t->name);
     char owner[NAME_SIZE];
 
-    printf("\n---@class %s\n", t->name);
+    prose_add(to, "\n---@class %s\n", t->name);
     if (api_ends(kind))
-        printf("---@field alive boolean # read only: is it there?\n");
+        prose_add(to, "---@field alive boolean # read only: is it there?\n");
     for (int i = 0; i < t->n; i++)
-        property(&t->props[i]);
+        property(to, &t->props[i]);
     snprintf(owner, sizeof owner, "a_%s", t->name);
-    printf("local %s = {}\n", owner);
+    prose_add(to, "local %s = {}\n", owner);
     for (int i = 0; i < api_count(); i++)
         if (!strncmp(api_entry(i)->name, t->name, n) && api_entry(i)->name[n] == ':' && is_public(api_entry(i)))
-            function(api_entry(i), owner);
+            function(to, api_entry(i), owner);
 }
 
 /* ---- globals ---- */
@@ -235,7 +235,7 @@ static bool space_before(int i, const char *space)
     return false;
 }
 
-static void space_fields(const char *space)
+static void space_fields(struct prose *to, const char *space)
 {
     const char *name, *help;
     char of[NAME_SIZE];
@@ -245,11 +245,11 @@ static void space_fields(const char *space)
         if (strcmp(of, space) || strchr(name, '('))
             continue;
         const char *type = annotation_plain(name);
-        printf("---@field %s %s # %s\n", name + strlen(of) + 1, type ? type : "any", help);
+        prose_add(to, "---@field %s %s # %s\n", name + strlen(of) + 1, type ? type : "any", help);
     }
 }
 
-static void spaces(void)
+static void spaces(struct prose *to)
 {
     char space[NAME_SIZE];
 
@@ -257,62 +257,63 @@ static void spaces(void)
         space_of(any_name(i), space);
         if (!space[0] || space_before(i, space))
             continue;
-        printf("\n---@class %slib\n", space);
-        space_fields(space);
-        printf("%s = {}\n", space);
+        prose_add(to, "\n---@class %slib\n", space);
+        space_fields(to, space);
+        prose_add(to, "%s = {}\n", space);
     }
 }
 
 /* A function without a check: "hud.banner(lines?, frames?)". */
-static void plain_function(const char *name, const char *help)
+static void plain_function(struct prose *to, const char *name, const char *help)
 {
     char list[160] = "";
     size_t n = 0;
     const char *at = strchr(name, '(') + 1, *returns = strstr(help, "returns the row");
 
-    printf("\n---%s\n", help);
+    prose_add(to, "\n---%s\n", help);
     while (*at != ')') {
         char word[32];
         const size_t length = strcspn(at, "?,)");
         snprintf(word, sizeof word, "%.*s", (int)length, at);
         const char *type = annotation_plain(word);
-        printf("---@param %s%s %s\n", word, at[length] == '?' ? "?" : "", type ? type : "any");
+        prose_add(to, "---@param %s%s %s\n", word, at[length] == '?' ? "?" : "", type ? type : "any");
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", word);
         at += length;
         at += strspn(at, "?, ");
     }
     if (returns)
-        annotation_returns("row");
-    printf("function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
+        annotation_returns(to, "row");
+    prose_add(to, "function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
 }
 
 /* print and require are Lua's: the server knows them. */
-static void plain_names(void)
+static void plain_names(struct prose *to)
 {
     const char *name, *help;
 
     for (int i = 0; (name = api_plain(i, &help)); i++) {
         const char *type = annotation_plain(name);
         if (strchr(name, '(') && strcspn(name, ".") < strcspn(name, "("))
-            plain_function(name, help);
+            plain_function(to, name, help);
         else if (!strpbrk(name, ".("))
-            printf("\n---%s\n---@type %s\n%s = nil\n", help, type ? type : "any", name);
+            prose_add(to, "\n---%s\n---@type %s\n%s = nil\n", help, type ? type : "any", name);
     }
 }
 
-void annotations_print(void)
+void annotations_write(struct prose *to)
 {
-    printf("---@meta curtain\n");
-    printf("-- Curtain %s: what games call, for the Lua language server. Made by curtain help lua --annotations.\n\n",
-           CURTAIN_VERSION);
-    printf("-- luacheck: ignore\n");
-    annotation_aliases();
-    argument_classes();
+    prose_add(to, "---@meta curtain\n");
+    prose_add(
+        to, "-- Curtain %s: what games call, for the Lua language server. Made by curtain help lua --annotations.\n\n",
+        CURTAIN_VERSION);
+    prose_add(to, "-- luacheck: ignore\n");
+    annotation_aliases(to);
+    argument_classes(to);
     for (int k = 1; k < HANDLES; k++)
-        handle((enum handle_kind)k);
-    spaces();
+        handle(to, (enum handle_kind)k);
+    spaces(to);
     for (int i = 0; i < api_count(); i++)
         if (any_name(i)[0])
-            function(api_entry(i), NULL);
-    plain_names();
+            function(to, api_entry(i), NULL);
+    plain_names(to);
 }

@@ -6,10 +6,12 @@
 #ifndef CAB_ANNOTATIONS_H
 #define CAB_ANNOTATIONS_H
 
-/* Prints the file to standard output. It is Lua that an editor reads and no game runs. */
-void annotations_print(void);
+#include "prose.h"
+
+/* Adds the file's text. It is Lua that an editor reads and no game runs. */
+void annotations_write(struct prose *to);
 
 /* The same of what test scripts call (trial.h). */
-void annotations_test_print(void);
+void annotations_test_write(struct prose *to);
 
 #endif

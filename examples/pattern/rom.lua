@@ -1,0 +1,32 @@
+-- rom.lua - what there is to fire, and who fires it: docs/manual.md, chapter 21.
+return {
+  id = "pattern", title = "Patterns", author = "You", version = 1,
+  board = { bullets = 8192, shots = 128, enemies = 32, sparks = 512, sprites = 16, motions = 256, tasks = 512,
+            lua_kib = 2048, around = true, frozen = true },
+  palette = "art/palette.png", font = "art/font.png",
+  sheets = {
+    bullets = { file = "art/bullets.png", bank = 0 }, shots  = { file = "art/shots.png",  bank = 0 },
+    sparks  = { file = "art/sparks.png",  bank = 0 }, kite   = { file = "art/kite.png",   bank = 8 },
+    keeper  = { file = "art/keeper.png",  bank = 12 },
+  },
+  sprites = {
+    pellet = { sheet = "bullets", x = 0,   y = 0,  w = 8,  h = 8 },
+    orb    = { sheet = "bullets", x = 16,  y = 0,  w = 12, h = 12 },
+    ring   = { sheet = "bullets", x = 32,  y = 0,  w = 16, h = 16 },
+    rice   = { sheet = "bullets", x = 48,  y = 0,  w = 12, h = 12, rotations = 32 },
+    kunai  = { sheet = "bullets", x = 64,  y = 0,  w = 14, h = 14, rotations = 32 },
+    drop   = { sheet = "bullets", x = 80,  y = 0,  w = 14, h = 14, rotations = 32 },
+    shard  = { sheet = "bullets", x = 96,  y = 0,  w = 14, h = 14, rotations = 32 },
+    petal  = { sheet = "bullets", x = 112, y = 0,  w = 14, h = 14, rotations = 32 },
+    star   = { sheet = "bullets", x = 0,   y = 16, w = 16, h = 16, frames = 4, every = 4 },
+    needle = { sheet = "bullets", x = 64,  y = 16, w = 16, h = 16, rotations = 32 },
+    big    = { sheet = "bullets", x = 0,   y = 32, w = 24, h = 24 },
+    pearl  = { sheet = "bullets", x = 64,  y = 32, w = 18, h = 18 },
+    mist   = { sheet = "bullets", x = 0,   y = 64, w = 24, h = 24, frames = 4 },
+    dart   = { sheet = "shots",   x = 0,   y = 0,  w = 16, h = 16, rotations = 32 },
+    hoop   = { sheet = "sparks",  x = 80,  y = 0,  w = 12, h = 12, frames = 4, every = 3 },
+    kite   = { sheet = "kite",    x = 0,   y = 0,  w = 28,  h = 36, frames = 4, every = 5, origin = { 14, 19 } },
+    keeper = { sheet = "keeper",  x = 0,   y = 0,  w = 112, h = 96, frames = 4, every = 9 },
+  },
+  difficulties = { "easy", "normal", "hard" }, difficulty = "normal",
+}

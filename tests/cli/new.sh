@@ -1,0 +1,137 @@
+#!/usr/bin/env bash
+# new.sh - curtain new: the games it writes are those of examples/, named by their folder, and pass check; no folder is
+# written over, and where there is no room nothing is left behind.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+mounts=()
+clean() {
+    cd /
+    for m in "${mounts[@]}"; do umount "$m" 2>/dev/null; done
+    rm -rf "$scratch"
+}
+trap clean EXIT
+disk() { # NAME OPTIONS: a small disk of its own; false where there may be none
+    mkdir "$1" && mount -t tmpfs -o "$2" none "$1" 2>/dev/null && mounts+=("$scratch/$1") ||
+        { echo "# no disk of its own here: $1 is not tried"; return 1; }
+}
+
+# What is in a game's folder but for id, title, and what is for editors.
+plain() { (cd "$1" && find . -type f ! -name '.*' | sort | while read -r f; do
+    echo "$f"
+    sed -E '1,4s/id = "[^"]*"/id/; 1,4s/title = "([^"\\]|\\.)*"/title/; 1s/^# .*/#/' "$f" | cksum
+done); }
+for from in first pattern shooter; do
+    check "a new $from" "$curtain" new "$from" --from "$from"
+    check "it is examples/$from" diff <(plain "$repo/examples/$from") <(plain "$from")
+    check "there is nothing to say about it" "$curtain" check "$from"
+    check "it packs, and runs" "$curtain" hash "$from" --frames 60 --every 60
+    check "its test holds" "$curtain" test "$from"
+    check "its README has ten lines at most" test "$(wc -l <"$from/README.md")" -le 10
+done
+cp -r shooter broken
+sed -i 's/hp = 420/hp = 90000/' broken/bosses/keeper.lua
+refuse "planted: a boss that nobody beats" "wings: it can be beaten" "$curtain" test broken
+check "without --from it is the shooter" "$curtain" new plain
+check "as with it" diff <(plain shooter) <(plain plain)
+check "the API is beside it, for editors" diff <("$curtain" help lua --annotations) plain/.curtain.lua
+check "and what they read first, as the manual's chapter 27 has it" python3 - "$repo/docs/manual.md" <<'PY'
+import json, re, sys
+text = re.findall(r"```\n(\{.*?\})\n```", open(sys.argv[1], encoding="utf-8").read(), re.S)
+assert json.load(open("plain/.luarc.json")) in [json.loads(t) for t in text]
+PY
+
+# ---- names ----
+
+named() { # DIR ID TITLE: rom.lua has these, the packer takes them, and check has nothing to say
+    "$curtain" new "$1" >said || { cat said; return 1; }
+    grep -qF "id = \"$2\", title = \"$3\"," "$1/rom.lua" || { grep -m1 title "$1/rom.lua"; return 1; }
+    "$curtain" check "$1" && "$curtain" pack "$1" -o named.rom && "$curtain" hash named.rom --frames 30 --every 30
+}
+check "a name with blanks" named "Star Fall 2" star_fall_2 "Star Fall 2"
+check "with letters of Latin-1" named Blütenregen bl_tenregen Blütenregen
+check "with letters that the font has not" named 弾幕 game_c59a975f "Lantern Night"
+check "with quotes" named 'a "b" c'"'s" a_b_c_s 'a \"b\" c'"'s"
+check "with nothing an id may have" named '!!!' game_0638f078 '!!!'
+many() { printf "$1%.0s" $(seq "$2"); }
+check "longer than an id" named "$(many x 60)" "$(many x 31)" "$(many x 60)"
+check "longer than a title, cut between two letters" named "$(many ü 60)" game_c293e7c5 "$(many ü 31)"
+check "the last of a path, which is made" named deep/er/Moth moth Moth
+check "with slashes at its end" named Tail// tail Tail
+check "that begins with a dash" bash -c "'$curtain' new -- -dash && grep -q 'id = \"dash\"' ./-dash/rom.lua"
+mkdir hollow
+check "a folder that is there, and empty" named hollow hollow hollow
+ids() { sed -nE '1,4s/.*id = "([^"]*)".*/\1/p' "$1/rom.lua"; }
+"$curtain" new 幕弾 >said
+check "two names that leave nothing over are two ids" test "$(ids 弾幕)" != "$(ids 幕弾)"
+next() { # what is said can be done
+    local line n=0
+    while read -r line; do
+        eval "$line" || return
+        n=$((n + 1))
+    done < <("$curtain" new "$1" | sed -n 's/^  \(curtain [a-z]* *\(\x27.*\x27\|[^ ]*\)\)  .*/\1/p')
+    [ $n = 3 ] || { echo "$n lines"; return 1; }
+}
+curtain() {
+    [ "$1" != play ] || set -- hash "${@:2}" --frames 9
+    "$curtain" "$@" >/dev/null
+}
+check "what it says next can be typed" next "what's next"
+
+# ---- what is refused ----
+
+bad() { # NAME CODE LINE ARGUMENT...
+    local name=$1 code=$2 line=$3
+    shift 3
+    same "$name" "curtain: $line $code" "$("$curtain" "$@" 2>&1) $?"
+}
+again=$(cksum plain/main.lua)
+bad "a folder that has files" 2 'plain: has files in it already; new makes a folder, or fills an empty one' new plain
+mkdir hidden && : >hidden/.keep
+bad "a hidden one is a file too" 2 'hidden: has files in it already; new makes a folder, or fills an empty one' \
+    new hidden
+same "nothing in it was touched" "$again" "$(cksum plain/main.lua)"
+: >file
+bad "a file" 2 'file: is a file; new makes a folder' new file
+bad "below a file" 3 'file/game/README.md: cannot be written (Not a directory)' new file/game
+bad "a folder without a name" 2 'new: "." is no name to call a game by: expected a folder to make' new .
+bad "nor is there one above" 2 'new: "a/.." is no name to call a game by: expected a folder to make' new a/..
+bad "nothing" 2 'new: "" is no name to call a game by: expected a folder to make' new ''
+bad "no folder" 2 'new: expected DIR (curtain help new)' new
+bad "two folders" 2 'new: "b" is one argument too many (curtain help new)' new a b
+bad "another game" 2 '--from: expected shooter, first or pattern, got "shoter"' new a --from shoter
+bad "another game, part of a name" 2 '--from: expected shooter, first or pattern, got "fir"' new a --from fir
+bad "no game" 2 '--from: expected NAME, got nothing' new a --from=
+bad "--from of another command" 2 '--from does not go with pack (it goes with new)' pack plain --from first
+bad "an option of another command" 2 '--wav does not go with new (it goes with render, sound)' new a --wav a.wav
+check "nothing of these is there" test ! -e a
+line=$("$curtain" new told 2>&1 >/dev/full)
+same "standard output is full: the game is there, and that is said" '3 curtain: standard output cannot be written yes' \
+    "$? $line $([ -f told/main.lua ] && echo yes)"
+
+if disk locked size=64k; then
+    mkdir locked/empty
+    mount -o remount,ro locked
+    bad "a place that is read only" 3 'locked/game/README.md: cannot be written (Read-only file system)' new locked/game
+    bad "an empty folder there" 3 'locked/empty/README.md: cannot be written (Read-only file system)' new locked/empty
+fi
+if disk full size=64k; then
+    mkdir full/empty
+    "$curtain" new full/game >said 2>&1
+    same "a full disk" 3 $?
+    check "which file, and why, is said in a line" grep -Exq \
+        'curtain: full/game/[a-z./]+: cannot be written \(No space left on device\)' said
+    "$curtain" new full/empty >said 2>&1
+    same "and nothing of it is left" 'full full/empty' "$(find full | tr '\n' ' ' | sed 's/ $//')"
+fi
+
+# ---- an id that is missing ----
+
+cp -r plain copy
+check "a copy is the same game" test "$(ids copy)" = plain
+sed -i 's/id = "plain", //' copy/rom.lua
+missing="rom.lua: id is missing: this folder's name stands for it, so a copy has none of its demos, saves and scores \
+(id = \"copy\")"
+same "check says when an id is missing" "$missing"$'\n'"1 problem 1" "$("$curtain" check copy) $?"
+sed -i 's/title = "plain"/id = "copy", &/' copy/rom.lua
+check "and nothing when it is as it says" "$curtain" check copy
+finish
