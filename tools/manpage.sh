@@ -200,6 +200,14 @@ curtain capture mygame \-\-demo my.demo \-o my.gif
 curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
 .RE
 .fi
+.PP
+A run without a hit, or why there is none:
+.PP
+.nf
+.RS
+curtain survive mygame \-\-stage one \-\-frames 300 \-o one.demo
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;

@@ -27,9 +27,11 @@ enum {
     FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
+    FOR_SURVIVE = 1 << COMMAND_SURVIVE,
+    FOR_START = FOR_RUN | FOR_SURVIVE,
     FOR_SOUND = 1 << COMMAND_SOUND,
     FOR_HELP = 1 << COMMAND_HELP,
-    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND
+    FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SURVIVE | FOR_SOUND
 };
 
 static const struct {
@@ -54,6 +56,9 @@ static const struct {
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
+    [COMMAND_SURVIVE] = { "survive", "[ROM]", 0, 1,
+                          "look for a run without a hit, by trying: writes a demo of it, or a picture of where no way "
+                          "was found; and measure how hard it is" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
@@ -93,6 +98,9 @@ enum option {
     OPTION_NOTES,
     OPTION_PLAY,
     OPTION_OUT,
+    OPTION_MAP,
+    OPTION_ALL,
+    OPTION_EFFORT,
     OPTION_RESUME,
     OPTION_NO_RESUME,
     OPTION_NEAREST,
@@ -117,15 +125,16 @@ static const struct {
 } options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, "record the run as demo F" },
     [OPTION_DEMO] = { "--demo", "F", FOR_RUN, "play demo F; afterwards nothing is pressed" },
-    [OPTION_SEED] = { "--seed", "N", FOR_RUN, "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
-    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_RUN, "set a DIP switch of the game; may be given several times" },
-    [OPTION_STAGE] = { "--stage", "S", FOR_RUN, "start at NAME, NAME:MARK or BOSS/PHASE" },
+    [OPTION_SEED] = { "--seed", "N", FOR_START,
+                      "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
+    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_START, "set a DIP switch of the game; may be given several times" },
+    [OPTION_STAGE] = { "--stage", "S", FOR_START, "start at NAME, NAME:MARK or BOSS/PHASE" },
     [OPTION_LIVES] = { "--lives", "N", FOR_RUN, "with --stage: so many lives in all, 1 to 99" },
-    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN,
+    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_START,
                           "with --stage: a register of the ship starts so; may be given several times" },
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
-    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN, "start at this difficulty" },
-    [OPTION_LANG] = { "--lang", "NAME", FOR_RUN, "start in this language of the game, lang/NAME.txt" },
+    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_START, "start at this difficulty" },
+    [OPTION_LANG] = { "--lang", "NAME", FOR_START, "start in this language of the game, lang/NAME.txt" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE,
                        "pixels of the window, or of the film, a picture pixel, 1 to 16" },
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, "a film of 1 to 16 times the speed; or slower: 1/2 to 1/16" },
@@ -136,9 +145,9 @@ static const struct {
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS,
                        "buttons that player 1 holds: fire, or fire,focus, or bomb@200, left@60:90, fire@0:600:8 for "
                        "frames of the run; player 2: 2.fire" },
-    [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
+    [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS | FOR_SURVIVE,
                         "render: 600, or 1,60,600, or 0:600:60 (both ends included); capture: 60:600 or 60-600; hash: "
-                        "run N frames; with --trace, these frames" },
+                        "run N frames; with --trace, these frames; survive: so many at most, else 7200" },
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, "print every Nth frame only" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, "print the hash of each part as well" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
@@ -153,9 +162,15 @@ static const struct {
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SOUND,
+    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SURVIVE | FOR_SOUND,
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; sound: WAV file" },
+                     "pack: ROM file; survive: demo, or with .png in place of its ending the picture, with --all "
+                     "their folder; sound: WAV file" },
+    [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, "draw where the ship could be, frame by frame" },
+    [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE,
+                     "every stage and every phase of a boss at every difficulty, a line each, and what is harder where "
+                     "it should be easier; with --stage or --difficulty, those of it" },
+    [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, "plans to be made at most, in hundreds, 1 to 1000 (4)" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
                            "begin at the title without asking; a run that was left is kept until another begins" },
@@ -172,9 +187,10 @@ static const struct {
                           "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
                           "moments "
                           "and length are known to be the same; 1: not; 2: not written" },
-    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST,
+    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_SURVIVE,
                       "verify: print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
-                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay" },
+                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay; survive: one a "
+                      "section" },
     [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST,
                          "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
                          "end" },
@@ -420,10 +436,11 @@ static bool set_trace(struct args *a, const char *value, char *err, size_t err_s
 static bool set_number(struct args *a, enum option o, const char *value, char *err, size_t err_size)
 {
     uint64_t v = 0, low = o == OPTION_SEED ? 0 : 1;
-    uint64_t most = o == OPTION_SEED    ? UINT64_MAX
-                    : o == OPTION_SCALE ? ARGS_MAX_SCALE
-                    : o == OPTION_LIVES ? ARGS_MAX_LIVES
-                                        : ARGS_MAX_FRAME;
+    uint64_t most = o == OPTION_SEED     ? UINT64_MAX
+                    : o == OPTION_SCALE  ? ARGS_MAX_SCALE
+                    : o == OPTION_LIVES  ? ARGS_MAX_LIVES
+                    : o == OPTION_EFFORT ? ARGS_MAX_EFFORT
+                                         : ARGS_MAX_FRAME;
 
     if (!number_from(options[o].name, value, low, most, &v, err, err_size))
         return false;
@@ -433,6 +450,8 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
         a->lives = (int)v;
     else if (o == OPTION_EVERY)
         a->every = (uint32_t)v;
+    else if (o == OPTION_EFFORT)
+        a->effort = (uint32_t)v;
     else
         a->seed = v;
     return true;
@@ -523,7 +542,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
     case OPTION_SCALE:
     case OPTION_LIVES:
     case OPTION_EVERY:
+    case OPTION_EFFORT:
         return set_number(a, o, value, err, err_size);
+    case OPTION_MAP:
+        return set_string(&a->map, o, value, err, err_size);
+    case OPTION_ALL:
+        return set_switch(&a->all);
     case OPTION_INVINCIBLE:
         return set_switch(&a->invincible);
     case OPTION_FULLSCREEN:
@@ -665,6 +689,8 @@ static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t e
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
         if (seen & bit(others[i]))
             return err_set(err, err_size, "--resume does not go with %s", options[others[i]].name);
+    if (a->command == COMMAND_SURVIVE && a->all && a->map)
+        return err_set(err, err_size, "--all does not go with --map, which is of one section");
     if (a->command == COMMAND_LIST && a->json && !a->replays)
         return err_set(err, err_size, "list: --json needs --replays");
     return true;

@@ -22,6 +22,7 @@ enum command {
     COMMAND_LIST,
     COMMAND_UNPACK,
     COMMAND_CHECK,
+    COMMAND_SURVIVE,
     COMMAND_SOUND,
     COMMAND_HELP,
     COMMAND_VERSION,
@@ -38,7 +39,8 @@ enum {
     ARGS_MAX_WORD = 900, /* bytes of an argument */
     ARGS_MAX_FRAME = 1 << 23,
     ARGS_MAX_SCALE = 16,
-    ARGS_MAX_SPEED = 16
+    ARGS_MAX_SPEED = 16,
+    ARGS_MAX_EFFORT = 1000
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -58,6 +60,7 @@ struct args {
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
     const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format; /* NULL: not given */
+    const char *map;                                                                    /* the same */
     const char *dips[ARGS_MAX_DIPS];                                                    /* "NAME=VALUE" */
     int n_dips;
     const char *registers[ARGS_MAX_REGISTERS]; /* "NAME=VALUE" */
@@ -67,11 +70,12 @@ struct args {
     int n_traces;
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
-    bool json, resume, no_resume, replays, annotations, luacheck;
+    bool json, resume, no_resume, replays, annotations, luacheck, all;
     int scale;                 /* 0: not given */
     int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     uint32_t every;            /* 1: not given */
+    uint32_t effort;           /* 0: not given */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */
     struct press presses[ARGS_MAX_PRESSES];
