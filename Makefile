@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs
+         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -65,7 +65,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -85,6 +85,7 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make pacing   measure docs/pacing.md anew"
+	@echo "make survive  what can be survived, of every phase and page: docs/survive.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
@@ -323,6 +324,11 @@ cookbook: deps-play
 # README and docs/ as one file; make install takes it along, if it was made.
 docs: deps-docs
 	@tools/docs/docs.sh -o build/curtain.html
+
+# What can be survived, of Glass Tide and the cookbook; docs/survive.md.
+survive: deps-play
+	@$(MAKE) --no-print-directory build/curtain-null
+	@tools/survive.sh
 
 # ---- pages of measurements: text, tables, plots ----
 

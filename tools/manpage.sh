@@ -225,6 +225,14 @@ What its frames cost, and its dearest lines:
 curtain bench mygame
 .RE
 .fi
+.PP
+A run without a hit, or why there is none:
+.PP
+.nf
+.RS
+curtain survive mygame \-\-stage one \-\-frames 300 \-o one.demo
+.RE
+.fi
 .SH SEE ALSO
 The manual, the Lua functions and the file formats are in
 .IR share/doc/curtain ;

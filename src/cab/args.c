@@ -30,11 +30,13 @@ enum {
     FOR_NEW = 1 << COMMAND_NEW,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_BENCH = 1 << COMMAND_BENCH,
+    FOR_SURVIVE = 1 << COMMAND_SURVIVE,
+    FOR_START = FOR_RUN | FOR_BENCH | FOR_SURVIVE,
     FOR_SOUND = 1 << COMMAND_SOUND,
     FOR_ART = 1 << COMMAND_ART,
     FOR_PALETTE = 1 << COMMAND_PALETTE,
     FOR_HELP = 1 << COMMAND_HELP,
-    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_TEST | FOR_ROM | FOR_CHECK | FOR_BENCH | FOR_SOUND | FOR_ART,
+    FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_TEST | FOR_ROM | FOR_CHECK | FOR_BENCH | FOR_SURVIVE | FOR_SOUND | FOR_ART,
     FOR_ALL = FOR_GAMES | FOR_PALETTE
 };
 
@@ -67,6 +69,9 @@ static const struct {
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
                         "play the demos and sections of a game and print what its frames cost, its dearest lines of "
                         "Lua, and what of its capacities it uses" },
+    [COMMAND_SURVIVE] = { "survive", "[ROM]", 0, 1,
+                          "look for a run without a hit, by trying: writes a demo of it, or a picture of where no way "
+                          "was found; and measure how hard it is" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
                         "list the sounds and the music of a game, how long and how loud they are; or measure, hear or "
                         "write one" },
@@ -115,6 +120,9 @@ enum option {
     OPTION_ATLAS,
     OPTION_BANK,
     OPTION_OUT,
+    OPTION_MAP,
+    OPTION_ALL,
+    OPTION_EFFORT,
     OPTION_RESUME,
     OPTION_NO_RESUME,
     OPTION_NEAREST,
@@ -145,17 +153,16 @@ static const struct {
 } options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, "record the run as demo F" },
     [OPTION_DEMO] = { "--demo", "F", FOR_RUN | FOR_BENCH, "play demo F; afterwards nothing is pressed" },
-    [OPTION_SEED] = { "--seed", "N", FOR_RUN | FOR_BENCH,
+    [OPTION_SEED] = { "--seed", "N", FOR_START,
                       "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
-    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_RUN | FOR_BENCH,
-                     "set a DIP switch of the game; may be given several times" },
-    [OPTION_STAGE] = { "--stage", "S", FOR_RUN | FOR_BENCH, "start at NAME, NAME:MARK or BOSS/PHASE" },
+    [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_START, "set a DIP switch of the game; may be given several times" },
+    [OPTION_STAGE] = { "--stage", "S", FOR_START, "start at NAME, NAME:MARK or BOSS/PHASE" },
     [OPTION_LIVES] = { "--lives", "N", FOR_RUN, "with --stage: so many lives in all, 1 to 99" },
-    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN,
+    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_START,
                           "with --stage: a register of the ship starts so; may be given several times" },
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
-    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_RUN | FOR_BENCH, "start at this difficulty" },
-    [OPTION_LANG] = { "--lang", "NAME", FOR_RUN | FOR_BENCH, "start in this language of the game, lang/NAME.txt" },
+    [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_START, "start at this difficulty" },
+    [OPTION_LANG] = { "--lang", "NAME", FOR_START, "start in this language of the game, lang/NAME.txt" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE,
                        "pixels of the window, or of the film, a picture pixel, 1 to 16" },
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, "a film of 1 to 16 times the speed; or slower: 1/2 to 1/16" },
@@ -167,9 +174,9 @@ static const struct {
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS,
                        "buttons that player 1 holds: fire, or fire,focus, or bomb@200, left@60:90, fire@0:600:8 for "
                        "frames of the run; player 2: 2.fire" },
-    [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS,
+    [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS | FOR_SURVIVE,
                         "render: 600, or 1,60,600, or 0:600:60 (both ends included); capture: 60:600 or 60-600; hash: "
-                        "run N frames; with --trace, these frames" },
+                        "run N frames; with --trace, these frames; survive: so many at most, else 7200" },
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, "print every Nth frame only" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, "print the hash of each part as well" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH,
@@ -187,9 +194,15 @@ static const struct {
     [OPTION_ATLAS] = { "--atlas", "F.png", FOR_ART,
                        "all sprites, three times as large, with names, banks, origins and hit shapes" },
     [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, "the bank, 0 to 15" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SOUND | FOR_PALETTE,
+    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE,
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
+                     "pack: ROM file; survive: demo, or with .png in place of its ending the picture, with --all "
+                     "their folder; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
+    [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, "draw where the ship could be, frame by frame" },
+    [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE,
+                     "every stage and every phase of a boss at every difficulty, a line each, and what is harder where "
+                     "it should be easier; with --stage or --difficulty, those of it" },
+    [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, "plans to be made at most, in hundreds, 1 to 1000 (4)" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
                            "begin at the title without asking; a run that was left is kept until another begins" },
@@ -209,9 +222,10 @@ static const struct {
                           "of this one; says what became of prints, score, moments and length. Exit code 0: score, "
                           "moments "
                           "and length are known to be the same; 1: not; 2: not written" },
-    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH,
+    [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH | FOR_SURVIVE,
                       "verify: print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
-                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay; bench: one of all" },
+                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay; bench: one of all; "
+                      "survive: one a section" },
     [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST,
                          "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "
                          "end" },
@@ -471,6 +485,7 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
                     : o == OPTION_LIVES  ? ARGS_MAX_LIVES
                     : o == OPTION_SLOWER ? ARGS_MAX_SLOWER
                     : o == OPTION_JOBS   ? ARGS_MAX_JOBS
+                    : o == OPTION_EFFORT ? ARGS_MAX_EFFORT
                                          : ARGS_MAX_FRAME;
 
     if (!number_from(options[o].name, value, low, most, &v, err, err_size))
@@ -485,6 +500,8 @@ static bool set_number(struct args *a, enum option o, const char *value, char *e
         a->jobs = (int)v;
     else if (o == OPTION_EVERY)
         a->every = (uint32_t)v;
+    else if (o == OPTION_EFFORT)
+        a->effort = (uint32_t)v;
     else
         a->seed = v;
     return true;
@@ -593,7 +610,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
     case OPTION_SLOWER:
     case OPTION_EVERY:
     case OPTION_JOBS:
+    case OPTION_EFFORT:
         return set_number(a, o, value, err, err_size);
+    case OPTION_MAP:
+        return set_string(&a->map, o, value, err, err_size);
+    case OPTION_ALL:
+        return set_switch(&a->all);
     case OPTION_INVINCIBLE:
         return set_switch(&a->invincible);
     case OPTION_FULLSCREEN:
@@ -743,6 +765,8 @@ static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t e
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
         if (seen & bit(others[i]))
             return err_set(err, err_size, "--resume does not go with %s", options[others[i]].name);
+    if (a->command == COMMAND_SURVIVE && a->all && a->map)
+        return err_set(err, err_size, "--all does not go with --map, which is of one section");
     if (a->command == COMMAND_LIST && a->json && !a->replays)
         return err_set(err, err_size, "list: --json needs --replays");
     return true;

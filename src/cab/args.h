@@ -25,6 +25,7 @@ enum command {
     COMMAND_NEW,
     COMMAND_CHECK,
     COMMAND_BENCH,
+    COMMAND_SURVIVE,
     COMMAND_SOUND,
     COMMAND_ART,
     COMMAND_PALETTE,
@@ -45,7 +46,8 @@ enum {
     ARGS_MAX_SCALE = 16,
     ARGS_MAX_SPEED = 16,
     ARGS_MAX_SLOWER = 1000,
-    ARGS_MAX_JOBS = 64
+    ARGS_MAX_JOBS = 64,
+    ARGS_MAX_EFFORT = 1000
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -65,7 +67,7 @@ struct args {
     char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
     int n_words;
     const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format, *from; /* NULL: not given */
-    const char *atlas;                                                                         /* the same */
+    const char *atlas, *map;                                                                   /* the same */
     int bank;                                                                                  /* -1: not given */
     const char *dips[ARGS_MAX_DIPS];                                                           /* "NAME=VALUE" */
     int n_dips;
@@ -76,7 +78,7 @@ struct args {
     int n_traces;
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
-    bool json, resume, no_resume, replays, annotations, luacheck;
+    bool json, resume, no_resume, replays, annotations, luacheck, all;
     bool update, tap;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
@@ -85,6 +87,7 @@ struct args {
     int machine;               /* of --slower: this machine's pace by its; 1: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     uint32_t every;            /* 1: not given */
+    uint32_t effort;           /* 0: not given */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */
     struct press presses[ARGS_MAX_PRESSES];

@@ -32,6 +32,7 @@
 #include "start/start.h"
 #include "store/replays_print.h"
 #include "testing/testing.h"
+#include "survive/survive.h"
 #include "verify.h"
 #include "host/version.h"
 
@@ -257,6 +258,41 @@ static enum result bench(const struct args *a)
     return result;
 }
 
+/* ---- survive ---- */
+
+static enum result survive(const struct args *a)
+{
+    const bool one_frame = a->n_spans == 1 && a->spans[0].first == a->spans[0].last && a->spans[0].last > 0;
+    struct game *g = calloc(1, sizeof *g);
+    char err[1024];
+
+    if (!g)
+        return report_line(RESULT_HOST, "out of memory");
+    if ((a->n_spans && !one_frame) || !game_open(g, a->n_words ? a->words[0] : NULL, a, err, sizeof err)) {
+        free(g);
+        if (a->n_spans && !one_frame)
+            return report_line(RESULT_REFUSED, "--frames: survive takes one number, how far to look");
+        return report_error(err);
+    }
+    const struct survive_options o = { .path = g->path ? g->path : "the built-in game",
+                                       .rom = &g->rom,
+                                       .cart = &g->cart,
+                                       .start = g->start,
+                                       .all = a->all,
+                                       .difficulty = a->difficulty,
+                                       .stage = a->stage,
+                                       .out = a->out,
+                                       .map = a->map,
+                                       .frames = a->n_spans ? a->spans[0].last : SURVIVE_FRAMES,
+                                       .effort = a->effort ? a->effort : SURVIVE_EFFORT,
+                                       .json = a->json,
+                                       .verbose = a->verbose };
+    const enum result result = survive_run(&o);
+    game_close(g);
+    free(g);
+    return result;
+}
+
 /* ---- tests ---- */
 
 struct tested {
@@ -473,6 +509,8 @@ static enum result run(int argc, char **argv)
         return check_game(a.words[0], a.nearest);
     case COMMAND_BENCH:
         return bench(&a);
+    case COMMAND_SURVIVE:
+        return survive(&a);
     case COMMAND_SOUND:
         return listen_run(&a);
     case COMMAND_ART:

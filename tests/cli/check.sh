@@ -796,7 +796,7 @@ refuses 'a file' 'd/main.lua: is a file; check takes a game'"'"'s folder' check 
 refuses 'a folder without rom.lua' 'empty: is not a game'"'"'s folder: there is no rom.lua' check empty
 refuses 'no word' 'check: expected DIR (curtain help check)' check
 refuses 'a word too many' 'check: "d" is one argument too many (curtain help check)' check d d
-refuses 'an option of another command' '--frames does not go with check (it goes with render, capture, hash)' \
+refuses 'an option of another command' '--frames does not go with check (it goes with render, capture, hash, survive)' \
     check d --frames 3
 same 'its help' 'curtain check DIR [OPTIONS]' "$("$curtain" help check | head -1)"
 "$curtain" check d >/dev/full 2>err

@@ -68,8 +68,8 @@ examples() ( # PAGE
         eval "$line" >"$scratch/.ran" || { echo "$line"; return 1; }
         n=$((n + 1))
     done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
-    [ $n = 10 ] && [ -s atlas.png ] && [ -s mine/main.lua ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] &&
-        [ -s .curtain.lua ]
+    [ $n = 11 ] && [ -s atlas.png ] && [ -s mine/main.lua ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] &&
+        [ -s one.demo ] && [ -s .curtain.lua ]
 )
 program=$(realpath "$curtain")
 check "its examples run" examples "$page"

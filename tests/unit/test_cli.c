@@ -274,7 +274,7 @@ static void test_misfits(void **state)
     refuses("play -q", "unknown option -q (curtain help lists them)");
     refuses("play g --every 3", "--every does not go with play (it goes with hash)");
     refuses("play g --dim half", "--dim does not go with play (it goes with render, capture)");
-    refuses("pack g --frames 3", "--frames does not go with pack (it goes with render, capture, hash)");
+    refuses("pack g --frames 3", "--frames does not go with pack (it goes with render, capture, hash, survive)");
     refuses("hash g --demo d --stage one", "--stage does not go with --demo, which holds its own");
     refuses("hash g --seed 1 --demo d", "--seed does not go with --demo, which holds its own");
     refuses("rendr g --frames 1", "unknown command \"rendr\" (did you mean render?)");

@@ -1,0 +1,153 @@
+/*
+ * danger.c - see danger.h. What is left out here is what hit.c and hit_lasers.c pass over.
+ */
+#include "danger.h"
+#include "../lasers_run.h"
+#include "hit_parts.h"
+
+struct visit {
+    void (*each)(void *context, const struct danger *d);
+    void *context;
+};
+
+static uint16_t age_of(const struct board *b, uint32_t born)
+{
+    const uint32_t age = b->core.clock - born;
+
+    return (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
+}
+
+/* Tells the pieces of a thing; `d` has all of it but its shape. */
+static void tell_pieces(const struct visit *v, struct danger d, const struct body *piece, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        if (piece[i].shape == SHAPE_NONE)
+            continue;
+        d.shape = piece[i].shape == SHAPE_BOX       ? DANGER_BOX
+                  : piece[i].shape == SHAPE_CAPSULE ? DANGER_CAPSULE
+                                                    : DANGER_CIRCLE;
+        d.x = piece[i].x;
+        d.y = piece[i].y;
+        d.mx = piece[i].mx;
+        d.my = piece[i].my;
+        d.a = piece[i].a;
+        d.b = piece[i].b;
+        d.c = piece[i].c;
+        v->each(v->context, &d);
+    }
+}
+
+static void tell_bullets(const struct board *b, const struct visit *v)
+{
+    const struct bullets *s = &b->bullets;
+    const struct bullet_kinds *k = &b->bullet_kinds;
+    struct body piece[SHAPE_PARTS];
+
+    EACH_LIVE (i, &s->s) {
+        const unsigned flags = k->flags[s->kind[i]];
+        if (s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
+            continue;
+        const uint32_t n = hit_bullet_pieces(s, k, i, piece);
+        tell_pieces(v,
+                    (struct danger){
+                        .of = DANGER_BULLET, .swept = flags & KIND_SWEPT, .age = age_of(b, s->born[i]), .slot = i },
+                    piece, n);
+    }
+}
+
+static void tell_enemies(const struct board *b, const struct visit *v)
+{
+    struct body piece[SHAPE_PARTS];
+
+    EACH_LIVE (i, &b->enemies.s) {
+        const unsigned flags = b->enemy_kinds.flags[b->enemies.kind[i]];
+        if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
+            continue;
+        const uint32_t n = hit_enemy_pieces(b, i, piece);
+        tell_pieces(v, (struct danger){ .of = DANGER_ENEMY, .swept = flags & ENEMY_SWEPT, .slot = i }, piece, n);
+    }
+}
+
+static void tell_laser(const struct board *b, const struct visit *v, uint32_t i)
+{
+    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1, age = lasers_age(b, i);
+    const fx reach = hit_laser_reach(b, i, age);
+
+    if (reach < 0 || b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS)
+        return;
+    for (uint32_t k = 0; k < last; k++) {
+        const uint32_t next = k + 1 < n ? k + 1 : k;
+        struct danger d = { .shape = DANGER_BAR, .of = DANGER_LASER, .swept = true, .slot = i, .a = reach };
+        fx was_x, was_y, was_to_x, was_to_y;
+        d.age = (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
+        lasers_corner(b, i, k, &d.x, &d.y);
+        lasers_corner(b, i, next, &d.b, &d.c);
+        lasers_corner_was(b, i, k, &was_x, &was_y);
+        lasers_corner_was(b, i, next, &was_to_x, &was_to_y);
+        d.mx = d.x - was_x;
+        d.my = d.y - was_y;
+        d.d = d.b - was_to_x;
+        d.e = d.c - was_to_y;
+        v->each(v->context, &d);
+    }
+}
+
+void danger_each(const struct board *b, void (*each)(void *context, const struct danger *d), void *context)
+{
+    const struct visit v = { each, context };
+
+    tell_bullets(b, &v);
+    EACH_LIVE (i, &b->lasers.s)
+        tell_laser(b, &v, i);
+    tell_enemies(b, &v);
+}
+
+static bool bar_touches(const struct danger *d, const struct danger_way *way)
+{
+    const int64_t mx = (int64_t)way->x - way->was_x, my = (int64_t)way->y - way->was_y;
+    const struct geom_bar bar = {
+        (int64_t)d->x - d->mx - way->was_x, (int64_t)d->y - d->my - way->was_y, d->mx - mx, d->my - my,
+        (int64_t)d->b - d->d - way->was_x,  (int64_t)d->c - d->e - way->was_y,  d->d - mx,  d->e - my
+    };
+
+    return geom_swept_bar(&bar, (int64_t)d->a + way->radius);
+}
+
+bool danger_touches(const struct danger *d, const struct danger_way *way)
+{
+    static const uint8_t shapes[] = { SHAPE_CIRCLE, SHAPE_BOX, SHAPE_CAPSULE };
+
+    if (d->shape == DANGER_BAR)
+        return bar_touches(d, way);
+    const struct body p = { shapes[d->shape], d->a, d->b, d->x, d->y, d->mx, d->my, d->c };
+    const struct body q = { .shape = SHAPE_CIRCLE,
+                            .a = way->radius,
+                            .x = way->x,
+                            .y = way->y,
+                            .mx = way->x - way->was_x,
+                            .my = way->y - way->was_y };
+    return hit_pieces_touch(&p, 1, &q, 1, d->swept);
+}
+
+void danger_ship(const struct board *b, struct danger_ship *out)
+{
+    const struct player *p = &b->player;
+    const struct player_kinds *k = &b->player_kinds;
+    const uint16_t kind = p->kind[0];
+
+    *out = (struct danger_ship){ .in = p->in[0], .area = b->area };
+    if (!out->in)
+        return;
+    out->steers = !b->core.frozen && !p->hit[0] && !(board_withheld(b, 0) & PAD_UP);
+    out->hit = p->hit[0] > 0;
+    out->safe = p->safe[0] > 0;
+    out->lives = p->lives[0];
+    out->way = (struct danger_way){ p->was_x[0], p->was_y[0], p->x[0], p->y[0], k->radius[kind] };
+    out->speed = k->speed[kind];
+    out->focus = k->focus[kind];
+}
+
+void danger_spare(struct board *b, bool spared)
+{
+    b->start.practice.invincible = spared;
+}

@@ -1,0 +1,173 @@
+/*
+ * bots.c - see bots.h.
+ */
+#include "bots.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "reach.h"
+
+enum {
+    LATE = 12,  /* frames until a bot sees what is there */
+    THINKS = 4, /* frames between two decisions */
+    FLIES = 10, /* frames that it means to go one way */
+    LOOKS = 40, /* frames it looks ahead, every second of them */
+    ROOM = 20,  /* px that are room enough */
+    WAYS = REACH_WAYS,
+    SEEN = LATE + 1
+};
+
+static const int how_many[BOT_KINDS] = { [BOT_STAND] = 4, [BOT_WANDER] = 6, [BOT_DODGE] = 6 };
+
+struct bot {
+    enum bot_kind kind;
+    int number;
+    uint32_t random;
+    fx to_x, to_y; /* where it goes */
+    uint32_t until;
+    uint16_t pads;
+    struct forecast seen[SEEN]; /* the last frames, in turn; of BOT_DODGE */
+};
+
+static uint32_t draw(struct bot *b, uint32_t below)
+{
+    b->random = b->random * 1664525u + 1013904223u;
+    return (uint32_t)((uint64_t)b->random * below >> 32);
+}
+
+static uint16_t towards(const struct danger_ship *ship, fx x, fx y)
+{
+    const fx dx = x - ship->way.x, dy = y - ship->way.y;
+
+    return (uint16_t)((dx > ship->speed    ? PAD_RIGHT
+                       : dx < -ship->speed ? PAD_LEFT
+                                           : 0) |
+                      (dy > ship->speed    ? PAD_DOWN
+                       : dy < -ship->speed ? PAD_UP
+                                           : 0));
+}
+
+/* How near the nearest bullet comes to (x, y) in `ahead` frames, edge to edge, px: at most ROOM. */
+static double nearness(const struct forecast *f, double x, double y, double radius, int ahead)
+{
+    double best = ROOM;
+
+    for (size_t i = 0; i < f->n; i++) {
+        const struct danger *d = &f->list[i];
+        const double frames = ahead + LATE;
+        const double dx = fabs((d->x + d->mx * frames) / FX_ONE - x), dy = fabs((d->y + d->my * frames) / FX_ONE - y);
+        const double reach = (d->a + (double)(d->shape == DANGER_BOX ? d->b : 0)) / FX_ONE + radius;
+        if (dx > ROOM + reach || dy > ROOM + reach)
+            continue;
+        const double away = sqrt(dx * dx + dy * dy) - reach;
+        best = away < best ? away : best;
+    }
+    return best;
+}
+
+/* How long nothing hits on a way, in frames, and how much room there is on it; ties are for who stays low and in the
+ * middle. */
+static double worth(const struct forecast *f, const struct danger_ship *ship, int way)
+{
+    const double w = (double)ship->area.x1 - ship->area.x0, h = (double)ship->area.y1 - ship->area.y0;
+    fx x = ship->way.x, y = ship->way.y;
+    double room = ROOM;
+    int at = 0;
+
+    for (; at < LOOKS && room >= 0; at++) {
+        reach_step(ship, at < FLIES ? way : 0, &x, &y);
+        if (at % 2 == 0)
+            continue;
+        const double here = nearness(f, x / (double)FX_ONE, y / (double)FX_ONE, ship->way.radius / (double)FX_ONE, at);
+        room = here < room ? here : room;
+    }
+    return at + (room < 6 ? room : 6) - fabs(x - ship->area.x0 - w / 2) / w * 4 -
+           fabs(y - ship->area.y0 - h * 0.8) / h * 4;
+}
+
+static uint16_t dodge(struct bot *b, const struct danger_ship *ship, uint32_t frame)
+{
+    const struct forecast *old = &b->seen[(frame + 1) % SEEN];
+    double best = -1e9;
+    int chosen = 0;
+
+    for (int way = 0; way < WAYS; way++) {
+        const double v = worth(old, ship, way) + draw(b, 100) * 0.004;
+        if (v > best) {
+            best = v;
+            chosen = way;
+        }
+    }
+    return reach_pads(chosen);
+}
+
+static uint16_t think(struct bot *b, const struct danger_ship *ship, uint32_t frame)
+{
+    const fx w = ship->area.x1 - ship->area.x0, h = ship->area.y1 - ship->area.y0;
+
+    if (frame < b->until)
+        return b->kind == BOT_DODGE ? b->pads : towards(ship, b->to_x, b->to_y);
+    if (b->kind == BOT_DODGE) {
+        b->until = frame + THINKS;
+        b->pads = dodge(b, ship, frame);
+        return b->pads;
+    }
+    b->to_x = ship->area.x0 + (b->kind == BOT_STAND ? w / 8 * (1 + 2 * b->number) : (fx)draw(b, (uint32_t)w));
+    b->to_y = ship->area.y0 + h / 2 + (b->kind == BOT_STAND ? h / 4 : (fx)draw(b, (uint32_t)h / 2));
+    b->until = b->kind == BOT_STAND ? UINT32_MAX : frame + 20 + draw(b, 40);
+    return towards(ship, b->to_x, b->to_y);
+}
+
+static enum trial_end play(struct trial *t, struct bot *b, uint32_t limit)
+{
+    enum trial_end end = TRIAL_ON;
+
+    while (end == TRIAL_ON && board_frame(t->b) < limit) {
+        const uint32_t frame = board_frame(t->b);
+        uint16_t pads[PADS] = { trial_press(t), 0 };
+        if (trial_steers(t))
+            pads[0] = (uint16_t)(think(b, &t->ship, frame) | PAD_FIRE);
+        t->into = b->kind == BOT_DODGE ? &b->seen[frame % SEEN] : NULL;
+        forecast_clear(&b->seen[frame % SEEN], frame);
+        end = trial_tick(t, pads);
+    }
+    t->into = NULL;
+    return end;
+}
+
+bool bots_play(struct trial *t, const struct trial_mark *start, uint32_t limit, struct bots *out)
+{
+    struct bot *b = malloc(sizeof *b);
+
+    *out = (struct bots){ 0 };
+    for (int kind = 0; b && kind < BOT_KINDS; kind++)
+        for (int i = 0; i < how_many[kind]; i++) {
+            *b = (struct bot){ .kind = (enum bot_kind)kind, .number = i, .random = 77u * (uint32_t)(i + 1) };
+            trial_restore(t, start);
+            const enum trial_end end = play(t, b, limit);
+            const uint32_t frames = board_frame(t->b);
+            out->n[kind]++;
+            out->lived[kind] += end == TRIAL_ENDED || end == TRIAL_ON;
+            out->frames += frames - start->frame;
+            for (int k = 0; k < SEEN; k++)
+                forecast_close(&b->seen[k]);
+        }
+    free(b);
+    return b != NULL;
+}
+
+int bots_all(const struct bots *b)
+{
+    return b->n[BOT_STAND] + b->n[BOT_WANDER] + b->n[BOT_DODGE];
+}
+
+int bots_lived(const struct bots *b)
+{
+    return b->lived[BOT_STAND] + b->lived[BOT_WANDER] + b->lived[BOT_DODGE];
+}
+
+uint32_t bots_mean(const struct bots *b)
+{
+    return bots_all(b) ? b->frames / (uint32_t)bots_all(b) : 0;
+}

@@ -1,0 +1,157 @@
+/*
+ * measure.c - see measure.h.
+ */
+#include "measure.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include "plan.h"
+
+enum { WIDTHS = 12, LOOK = 240 /* frames a bullet is followed */, WAYS_GAP = 1 << 18 };
+
+/* ---- the narrowest gap ---- */
+
+/* Is there a way for a ship with a radius that much larger? */
+static bool fits(const struct forecast *f, fx grown, fx x, fx y)
+{
+    struct reach r;
+    struct plan p = { 0 };
+    bool good = reach_open(&r, f, 2 * FX_ONE, grown, x, y) && !reach_ended(&r);
+
+    if (good) {
+        reach_back(&r);
+        good = plan_make(&p, &r, x, y, WAYS_GAP, 0, false) && p.frames == f->frames;
+    }
+    plan_free(&p);
+    reach_close(&r);
+    return good;
+}
+
+/* The run itself says how much wider its ship could be. */
+static bool run_fits(const struct forecast *f, fx grown)
+{
+    for (uint32_t i = 0; i < f->frames; i++)
+        if (plan_hits(f, i, &f->frame[i].ship.way, grown))
+            return false;
+    return true;
+}
+
+static void measure_gap(struct measure *m, const struct forecast *f, fx x, fx y)
+{
+    static const int more[WIDTHS] = { 0, 2, 5, 10, 15, 20, 30, 40, 60, 80, 120, 160 }; /* tenths of a px of radius */
+    int lo = 0, hi = WIDTHS; /* more[lo] fits, more[hi] does not */
+
+    while (lo + 1 < WIDTHS && run_fits(f, (fx)((int64_t)more[lo + 1] * FX_ONE / 10)))
+        lo++;
+    while (hi - lo > 1) {
+        const int at = (lo + hi) / 2;
+        if (fits(f, (fx)((int64_t)more[at] * FX_ONE / 10), x, y))
+            lo = at;
+        else
+            hi = at;
+    }
+    m->gap = m->ship + 2 * more[lo];
+}
+
+/* ---- reaction ---- */
+
+/* The bullet or laser of that slot in a frame; NULL: it is gone. Dangers of bullets stand in slot order. */
+static const struct danger *find(const struct forecast *f, uint32_t frame, const struct danger *d)
+{
+    const struct forecast_frame *at = &f->frame[frame];
+    uint32_t lo = 0, hi = at->n;
+
+    while (lo < hi) {
+        const uint32_t mid = (lo + hi) / 2;
+        const struct danger *e = &f->list[at->first + mid];
+        if (e->of < d->of || (e->of == d->of && e->slot < d->slot))
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    const struct danger *e = lo < at->n ? &f->list[at->first + lo] : NULL;
+    return e && e->of == d->of && e->slot == d->slot ? e : NULL;
+}
+
+/* Frames until it would hit a ship that stays where it is; 0: it would not. */
+static int until_hit(const struct forecast *f, uint32_t frame, const struct danger *d)
+{
+    struct danger_way stay = f->frame[frame].ship.way;
+
+    stay.was_x = stay.x;
+    stay.was_y = stay.y;
+    for (uint32_t i = 1; i < LOOK && frame + i < f->frames; i++) {
+        if (f->frame[frame + i].n == 0)
+            continue;
+        const struct danger *now = find(f, frame + i, d);
+        if (!now || now->age < d->age)
+            return 0;
+        if (danger_touches(now, &stay))
+            return (int)i;
+    }
+    return 0;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    return *(const int *)a - *(const int *)b;
+}
+
+static void measure_reaction(struct measure *m, const struct forecast *f)
+{
+    int *frames = malloc((size_t)(m->fired + 1) * sizeof *frames);
+
+    for (uint32_t i = 0; frames && i < f->frames; i++) {
+        const struct forecast_frame *at = &f->frame[i];
+        for (uint32_t k = 0; k < at->n; k++) {
+            const struct danger *d = &f->list[at->first + k];
+            const int until = d->of == DANGER_BULLET && (d->age == 0 || i == 0) ? until_hit(f, i, d) : 0;
+            if (until && m->aimed < (int)m->fired)
+                frames[m->aimed++] = until;
+        }
+    }
+    if (m->aimed) {
+        qsort(frames, (size_t)m->aimed, sizeof *frames, by_size);
+        m->reaction = frames[m->aimed / 10];
+    }
+    free(frames);
+}
+
+void measure_run(struct measure *m, const struct forecast *course, fx x, fx y)
+{
+    for (uint32_t i = 0; i < course->frames; i++) {
+        m->fired += course->frame[i].fired;
+        m->most = course->frame[i].n > m->most ? course->frame[i].n : m->most;
+        if (course->frame[i].ship.in)
+            m->ship = (int)((int64_t)course->frame[i].ship.way.radius * 20 / FX_ONE);
+    }
+    m->seconds100 = course->frames * 100 / 60;
+    for (uint32_t i = 0; course->frames && i < course->frame[0].n; i++) /* those that were there */
+        m->fired += course->list[i].of != DANGER_ENEMY && course->list[i].age > 0;
+    measure_reaction(m, course);
+    measure_gap(m, course, x, y);
+}
+
+uint32_t measure_per_second(const struct measure *m)
+{
+    return m->seconds100 ? (uint32_t)((uint64_t)m->fired * 10000 / m->seconds100) : 0;
+}
+
+void measure_compare(const struct measure *easier, const struct measure *harder, char *why, size_t size)
+{
+    const int live = bots_lived(&easier->bots), live_then = bots_lived(&harder->bots);
+    const uint32_t rate = measure_per_second(easier), rate_then = measure_per_second(harder);
+    const uint32_t last = bots_mean(&easier->bots), last_then = bots_mean(&harder->bots);
+
+    why[0] = 0;
+    if (live + 2 < live_then)
+        snprintf(why, size, "%d of %d bots live, and %d then", live, bots_all(&easier->bots), live_then);
+    else if (live <= live_then && last + last / 5 + 60 < last_then)
+        snprintf(why, size, "bots last %u.%u s, and %u.%u then", (unsigned)(last / 60), (unsigned)(last / 6 % 10),
+                 (unsigned)(last_then / 60), (unsigned)(last_then / 6 % 10));
+    else if (rate > rate_then + rate_then / 10 + 100 && live <= live_then)
+        snprintf(why, size, "%u bullets a second, and %u then", (unsigned)(rate / 100), (unsigned)(rate_then / 100));
+    else if (easier->gap > 0 && easier->gap + 20 < harder->gap && live <= live_then)
+        snprintf(why, size, "a narrowest gap of %d.%d px, and %d.%d then", easier->gap / 10, easier->gap % 10,
+                 harder->gap / 10, harder->gap % 10);
+}

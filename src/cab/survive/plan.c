@@ -1,0 +1,198 @@
+/*
+ * plan.c - see plan.h. A search in depth: where sets of cells say what leads on, the first choice is nearly always
+ * right, so it is the one that leaves most room around it.
+ */
+#include "plan.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { NEAR = 4 /* distances that room is looked for at */ };
+
+struct step {
+    fx x, y;
+    uint8_t order[REACH_WAYS]; /* the ways from here, the best first */
+    uint8_t next, n, way;      /* to be tried; the one that led here */
+};
+
+struct search {
+    const struct reach *r;
+    struct plan *plan;
+    struct step *step;
+    uint8_t *seen; /* a bit a cell a frame */
+    uint32_t taste;
+    bool aims;
+};
+
+bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_way *way, fx grown)
+{
+    const struct forecast_frame *at = &f->frame[frame];
+    struct danger_way wide = *way;
+    const fx far = fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
+
+    wide.radius += grown;
+    if (at->safe)
+        return false;
+    for (uint32_t i = 0; i < at->n; i++) {
+        const struct danger *d = &f->list[at->first + i];
+        const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + wide.radius + far;
+        if (d->shape != DANGER_BAR && (int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx))
+            continue;
+        if (d->shape != DANGER_BAR && (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my))
+            continue;
+        if (danger_touches(d, &wide))
+            return true;
+    }
+    return false;
+}
+
+static uint32_t mix(uint32_t v)
+{
+    v = (v ^ v >> 16) * 0x7feb352du;
+    v = (v ^ v >> 15) * 0x846ca68bu;
+    return v ^ v >> 16;
+}
+
+/* How much room there is round a place: of places 1, 2, 4 ... px away in four directions those that lead on. */
+static int room_round(const struct reach *r, uint32_t t, fx x, fx y)
+{
+    static const int towards[4][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
+    int room = 0;
+
+    for (int k = 0; k < NEAR; k++)
+        for (int i = 0; i < 4; i++)
+            room += (NEAR - k) * reach_has(r, t, x + towards[i][0] * (FX_ONE << k), y + towards[i][1] * (FX_ONE << k));
+    return room;
+}
+
+/* The better, the higher. */
+static int64_t worth(const struct search *s, uint32_t t, fx x, fx y, int way, int before)
+{
+    const struct forecast_frame *frame = &s->r->f->frame[t];
+    const struct box *a = &s->r->area;
+    const fx low = a->y0 + (fx)(((int64_t)a->y1 - a->y0) * 4 / 5);
+    const fx middle = s->aims ? frame->foe_x : a->x0 + (a->x1 - a->x0) / 2;
+    int64_t v = (int64_t)room_round(s->r, t + 1, x, y) * 16 * FX_ONE;
+
+    v -= ((int64_t)fx_abs(x - middle) + fx_abs(y - low)) * 2 / 3;
+    v += way == before ? 2 * FX_ONE : way == 0 ? FX_ONE : 0;
+    if (s->taste)
+        v += (int64_t)(mix(s->taste * 2654435761u ^ t / 16 * 97 ^ (uint32_t)way) % 64) * FX_ONE;
+    return v;
+}
+
+/* Puts the ways on from a step in order. */
+static void look(const struct search *s, uint32_t t, struct step *at)
+{
+    const struct forecast_frame *frame = &s->r->f->frame[t];
+    int64_t value[REACH_WAYS];
+
+    at->next = at->n = 0;
+    for (int way = 0; way < (frame->moves ? REACH_WAYS : 1); way++) {
+        fx x = at->x, y = at->y;
+        if (frame->moves)
+            reach_step(&frame->ship, way, &x, &y);
+        if (!reach_has(s->r, t + 1, x, y))
+            continue;
+        const int64_t v = worth(s, t, x, y, way, at->way);
+        int i = at->n++;
+        for (; i > 0 && value[i - 1] < v; i--) {
+            value[i] = value[i - 1];
+            at->order[i] = at->order[i - 1];
+        }
+        value[i] = v;
+        at->order[i] = (uint8_t)way;
+    }
+}
+
+static bool first_time(struct search *s, uint32_t t, fx x, fx y)
+{
+    const struct reach *r = s->r;
+    const size_t cell = (size_t)((y - r->area.y0) / r->cell) * (size_t)r->w + (size_t)((x - r->area.x0) / r->cell);
+    uint8_t *byte = s->seen + (size_t)t * r->bytes + cell / 8;
+    const uint8_t bit = (uint8_t)(1 << cell % 8);
+    const bool seen = *byte & bit;
+
+    *byte |= bit;
+    return !seen;
+}
+
+/* Tries the next way of the step at t; true: it leads on. */
+static bool go_on(struct search *s, uint32_t t)
+{
+    const struct forecast_frame *frame = &s->r->f->frame[t];
+    struct step *at = &s->step[t];
+    const int way = at->order[at->next++];
+    struct danger_way move = { .was_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
+
+    move.radius = frame->ship.way.radius;
+    if (frame->moves)
+        reach_step(&frame->ship, way, &move.x, &move.y);
+    s->plan->tried++;
+    if (plan_hits(s->r->f, t, &move, s->r->grown) || !first_time(s, t + 1, move.x, move.y))
+        return false;
+    s->step[t + 1].x = move.x;
+    s->step[t + 1].y = move.y;
+    s->step[t + 1].way = (uint8_t)way;
+    return true;
+}
+
+static void keep(struct search *s, uint32_t t)
+{
+    if (t <= s->plan->frames)
+        return;
+    s->plan->frames = t;
+    for (uint32_t i = 0; i < t; i++)
+        s->plan->pads[i] = reach_pads(s->step[i + 1].way);
+}
+
+static void run(struct search *s, uint64_t most)
+{
+    const uint32_t end = s->r->f->frames < s->r->frames ? s->r->f->frames : s->r->frames;
+    uint32_t t = 0, deepest = 0;
+
+    look(s, 0, &s->step[0]);
+    while (t < end && s->plan->tried < most) {
+        if (s->step[t].next < s->step[t].n) {
+            if (!go_on(s, t))
+                continue;
+            t++;
+            if (t < end)
+                look(s, t, &s->step[t]);
+            continue;
+        }
+        if (t > deepest) { /* it goes back from here */
+            deepest = t;
+            keep(s, t);
+        }
+        if (t-- == 0)
+            return;
+    }
+    keep(s, t);
+}
+
+bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most, uint32_t taste, bool aims)
+{
+    const size_t n = (size_t)r->f->frames + 1;
+    struct search s = { .r = r, .plan = p, .taste = taste, .aims = aims };
+
+    *p = (struct plan){ .pads = calloc(n, sizeof *p->pads) };
+    s.step = calloc(n, sizeof *s.step);
+    s.seen = calloc(n, r->bytes);
+    const bool good = p->pads && s.step && s.seen;
+    if (good) {
+        s.step[0] = (struct step){ .x = fx_clamp(x, r->area.x0, r->area.x1),
+                                   .y = fx_clamp(y, r->area.y0, r->area.y1),
+                                   .way = 0 };
+        run(&s, most);
+    }
+    free(s.step);
+    free(s.seen);
+    return good;
+}
+
+void plan_free(struct plan *p)
+{
+    free(p->pads);
+    *p = (struct plan){ 0 };
+}

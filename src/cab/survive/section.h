@@ -1,0 +1,32 @@
+/*
+ * section.h - one section of a game at one difficulty: is there a way, and how hard is it?
+ * floor: cab
+ */
+#ifndef CAB_SECTION_H
+#define CAB_SECTION_H
+
+#include "measure.h"
+#include "seek.h"
+
+struct section_run {
+    struct trial trial;
+    struct seek seek;
+    struct forecast course; /* what happened in the run that came furthest, from when it was steered */
+    fx x, y;                /* where the ship was then */
+    struct measure measure;
+    char err[1024];
+};
+
+/* Looks, within effort and limit; measures what was survived, if that is wanted. Close it either way. False: err says
+ * why, and `host` whether the host is to blame. */
+bool section_look(struct section_run *s, const struct rom *rom, const struct board_start *start, bool measured,
+                  bool *host);
+void section_close(struct section_run *s);
+
+/* Is there a run without a hit? */
+static inline bool section_survived(const struct section_run *s)
+{
+    return s->seek.verdict == SEEK_SURVIVED || s->seek.verdict == SEEK_LASTED;
+}
+
+#endif

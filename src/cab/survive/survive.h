@@ -1,0 +1,31 @@
+/*
+ * survive.h - can a game be survived? `curtain survive`.
+ * floor: cab
+ */
+#ifndef CAB_SURVIVE_H
+#define CAB_SURVIVE_H
+
+#include "../../board/board.h"
+#include "../../board/rom/cart.h"
+#include "../host/result.h"
+
+enum { SURVIVE_FRAMES = 7200, SURVIVE_EFFORT = 4 /* where nothing is said */ };
+
+struct survive_options {
+    const char *path; /* of the game, for messages */
+    const struct rom *rom;
+    const struct cart *cart;
+    struct board_start start;
+    bool all;        /* every stage and phase, but for `stage` (NULL: none is named) of that name, ... */
+    bool difficulty; /* and but for start's difficulty every one */
+    const char *stage;
+    const char *out; /* the demo, or a folder for those of all; NULL: as survive.demo, none */
+    const char *map; /* NULL: none */
+    uint32_t frames, effort;
+    bool json, verbose;
+};
+
+/* What is not done has been told on plat_log. RESULT_DIFFERS: no way was found, or an easier difficulty is harder. */
+enum result survive_run(const struct survive_options *o);
+
+#endif

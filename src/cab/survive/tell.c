@@ -1,0 +1,195 @@
+/*
+ * tell.c - see tell.h.
+ */
+#include "tell.h"
+
+#include <stdio.h>
+#include "../store/json.h"
+
+const char *tell_verdict(enum seek_verdict v)
+{
+    switch (v) {
+    case SEEK_SURVIVED:
+        return "survived";
+    case SEEK_LASTED:
+        return "survived so far";
+    case SEEK_CANNOT:
+        return "cannot be survived";
+    case SEEK_NO_SHIP:
+        return "no ship";
+    case SEEK_FAULT:
+        return "fault";
+    default:
+        return "no way found";
+    }
+}
+
+static unsigned tenth(uint32_t frames)
+{
+    return (unsigned)(frames * 10 / 60);
+}
+
+static void tell_survived(const struct seek *s)
+{
+    printf("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
+           tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
+           s->verdict == SEEK_LASTED ? "; it was not over by then (--frames says how far to look)" : "");
+}
+
+static void tell_cannot(const struct seek *s)
+{
+    printf("cannot be survived: frame %u is the first in which no ship is left, whatever it pressed but bombs\n",
+           (unsigned)s->last);
+    printf("  covered: every place that any steering from frame %u on reaches, taken too large; what hits too small\n",
+           (unsigned)s->begin);
+    printf(
+        "  it holds for these bullets; they flew alike in %u more runs with other buttons, fire held or not. It does "
+        "not\n  for a script that looks at the player where none of these was, or for one that is saved by a bomb\n",
+        (unsigned)s->probes);
+    printf("  the longest run found lives to frame %u\n", (unsigned)s->frames);
+}
+
+static void tell_not_found(const struct seek *s)
+{
+    printf("no way found: in %u plans none got past frame %u (begun at %u). That is no proof that there is none:\n",
+           (unsigned)s->plans, (unsigned)s->frames, (unsigned)s->begin);
+    printf("  in a frame a ship has 17 ways, and of each %s cell of the field one place was followed\n",
+           s->reacts ? "two-pixel" : "half-pixel");
+    if (s->reacts)
+        printf("  bullets depend on what the ship does (from frame %u on at the latest), so nothing can be proved\n",
+               (unsigned)s->reacts_at);
+    else
+        printf("  --effort makes more of them\n");
+}
+
+static void tell_measure(const struct measure *m, bool survived)
+{
+    const struct bots *b = &m->bots;
+
+    printf("  bots that live     %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); all last %u.%u s on average\n",
+           bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER], b->n[BOT_WANDER],
+           b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10, tenth(bots_mean(b)) % 10);
+    if (!survived)
+        return;
+    printf("  narrowest gap      at least %d.%d px; the ship is %d.%d px wide\n", m->gap / 10, m->gap % 10,
+           m->ship / 10, m->ship % 10);
+    printf("  bullets            %u.%u a second, %u at once\n", (unsigned)(measure_per_second(m) / 100),
+           (unsigned)(measure_per_second(m) / 10 % 10), (unsigned)m->most);
+    if (m->aimed)
+        printf("  reaction           %d frames: of %d bullets that would hit the ship where it is, a tenth leave no "
+               "more\n",
+               m->reaction, m->aimed);
+    else
+        printf("  reaction           no bullet would hit the ship where it is\n");
+}
+
+void tell_section(const struct tell_of *of, const struct section_run *s)
+{
+    const struct seek *k = &s->seek;
+
+    printf("%s%s%s: ", of->section[0] ? of->section : "from the title", of->difficulty[0] ? ", " : "", of->difficulty);
+    if (section_survived(s))
+        tell_survived(k);
+    else if (k->verdict == SEEK_CANNOT)
+        tell_cannot(k);
+    else if (k->verdict == SEEK_NO_SHIP)
+        printf("no ship could be steered in %u frames\n", (unsigned)k->frames);
+    else
+        tell_not_found(k);
+    if (k->verdict != SEEK_NO_SHIP)
+        tell_measure(&s->measure, section_survived(s));
+    if (of->demo)
+        printf("  demo               %s\n", of->demo);
+    if (of->picture)
+        printf("  picture            %s\n", of->picture);
+    if (of->map)
+        printf("  map                %s\n", of->map);
+}
+
+static const char *word(enum seek_verdict v)
+{
+    static const char *const words[] = {
+        [SEEK_SURVIVED] = "survived",   [SEEK_LASTED] = "lasted",   [SEEK_CANNOT] = "cannot",
+        [SEEK_NOT_FOUND] = "not found", [SEEK_NO_SHIP] = "no ship", [SEEK_FAULT] = "fault",
+        [SEEK_NO_MEMORY] = "no memory",
+    };
+
+    return words[v];
+}
+
+static void json_bots(struct json *j, const struct bots *b)
+{
+    static const char *const names[BOT_KINDS] = { "stand", "wander", "dodge" };
+
+    json_open(j, "bots", '{');
+    for (int i = 0; i < BOT_KINDS; i++) {
+        json_open(j, names[i], '{');
+        json_number(j, "lived", b->lived[i]);
+        json_number(j, "of", b->n[i]);
+        json_close(j, '}');
+    }
+    json_number(j, "frames", bots_mean(b)); /* on average */
+    json_close(j, '}');
+}
+
+static void json_measure(struct json *j, const struct measure *m)
+{
+    json_open(j, "tenths", '{'); /* of px, and of bullets a second */
+    json_number(j, "gap", m->gap);
+    json_number(j, "ship", m->ship);
+    json_number(j, "rate", measure_per_second(m) / 10);
+    json_close(j, '}');
+    json_number(j, "most", m->most);
+    json_number(j, "aimed", m->aimed);
+    json_number(j, "reaction", m->reaction);
+}
+
+void tell_json(const struct tell_of *of, const struct section_run *s)
+{
+    const struct seek *k = &s->seek;
+    struct json j = { .out = stdout };
+
+    json_open(&j, NULL, '{');
+    json_text(&j, "section", of->section);
+    json_text(&j, "difficulty", of->difficulty);
+    json_text(&j, "verdict", word(k->verdict));
+    json_number(&j, "begin", k->begin);
+    json_number(&j, "frames", k->frames);
+    json_number(&j, "last", k->last);
+    json_number(&j, "plans", k->plans);
+    json_number(&j, "probes", k->probes);
+    json_bool(&j, "reacts", k->reacts);
+    if (k->verdict != SEEK_NO_SHIP && k->verdict != SEEK_FAULT)
+        json_bots(&j, &s->measure.bots);
+    if (section_survived(s))
+        json_measure(&j, &s->measure);
+    json_text(&j, "demo", of->demo);
+    json_text(&j, "picture", of->picture);
+    json_text(&j, "map", of->map);
+    json_close(&j, '}');
+    putchar('\n');
+}
+
+void tell_head(void)
+{
+    printf("%-24s %-10s %-18s %7s %5s %6s %9s %8s %8s\n", "section", "difficulty", "verdict", "seconds", "bots", "last",
+           "gap px", "bullets", "reaction");
+}
+
+void tell_row(const struct tell_of *of, const struct section_run *s)
+{
+    const struct measure *m = &s->measure;
+    const unsigned length = tenth(s->seek.frames - s->seek.begin), last = tenth(bots_mean(&m->bots));
+    char bots[16], gap[24] = "", rate[24] = "", reaction[16] = "";
+
+    snprintf(bots, sizeof bots, "%d/%d", bots_lived(&m->bots), bots_all(&m->bots));
+    if (section_survived(s)) {
+        snprintf(gap, sizeof gap, ">= %d.%d", m->gap / 10, m->gap % 10);
+        snprintf(rate, sizeof rate, "%u.%u/s", (unsigned)(measure_per_second(m) / 100),
+                 (unsigned)(measure_per_second(m) / 10 % 10));
+        if (m->aimed)
+            snprintf(reaction, sizeof reaction, "%d", m->reaction);
+    }
+    printf("%-24s %-10s %-18s %5u.%u %5s %4u.%u %9s %8s %8s\n", of->section, of->difficulty,
+           tell_verdict(s->seek.verdict), length / 10, length % 10, bots, last / 10, last % 10, gap, rate, reaction);
+}

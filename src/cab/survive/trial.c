@@ -1,0 +1,342 @@
+/*
+ * trial.c - see trial.h. Instructions are counted throughout, so that a script's endless loop ends as a fault.
+ */
+#include "trial.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/err.h"
+#include "../../board/inspect.h"
+#include "../demo/demo.h"
+
+enum { ALIGN = 64, DIAGONAL = 46341 /* as in player.c */ };
+
+/* ---- what happens, written down ---- */
+
+void forecast_clear(struct forecast *f, uint32_t from)
+{
+    f->from = from;
+    f->frames = 0;
+    f->n = 0;
+    f->full = false;
+}
+
+void forecast_close(struct forecast *f)
+{
+    free(f->frame);
+    free(f->list);
+    *f = (struct forecast){ 0 };
+}
+
+static void fold(uint64_t *print, uint64_t v)
+{
+    *print = (*print ^ v) * 0x9e3779b97f4a7c15u;
+    *print ^= *print >> 29;
+}
+
+static void fold_danger(uint64_t *print, const struct danger *d)
+{
+    fold(print, (uint64_t)d->shape << 8 | d->swept);
+    fold(print, (uint64_t)(uint32_t)d->x << 32 | (uint32_t)d->y);
+    fold(print, (uint64_t)(uint32_t)d->mx << 32 | (uint32_t)d->my);
+    fold(print, (uint64_t)(uint32_t)d->a << 32 | (uint32_t)d->b);
+    fold(print, (uint64_t)(uint32_t)d->c << 32 | (uint32_t)d->d);
+    fold(print, (uint32_t)d->e);
+}
+
+static void add_danger(void *context, const struct danger *d)
+{
+    struct forecast *f = context;
+    struct forecast_frame *frame = &f->frame[f->frames];
+
+    if (f->n == f->list_room) {
+        const size_t room = f->list_room ? 2 * f->list_room : 4096;
+        struct danger *list = realloc(f->list, room * sizeof *list);
+        f->full |= !list;
+        if (!list)
+            return;
+        f->list = list;
+        f->list_room = room;
+    }
+    frame->fired += d->age == 0 && d->of != DANGER_ENEMY;
+    fold_danger(&frame->print, d);
+    f->list[f->n++] = *d;
+    frame->n++;
+}
+
+static bool room_for_frame(struct forecast *f)
+{
+    if (f->frames < f->room)
+        return true;
+    const uint32_t room = f->room ? 2 * f->room : 256;
+    struct forecast_frame *frame = realloc(f->frame, room * sizeof *frame);
+    f->full |= !frame;
+    if (!frame)
+        return false;
+    f->frame = frame;
+    f->room = room;
+    return true;
+}
+
+struct foe {
+    int32_t x, y, away;
+    const struct danger_ship *ship;
+    struct inspect_area field;
+};
+
+static void look_for_foe(void *context, const struct inspect_body *body)
+{
+    struct foe *foe = context;
+    const int32_t x = body->x - foe->field.x * FX_ONE, y = body->y - foe->field.y * FX_ONE;
+    const int32_t away = fx_abs(x - foe->ship->way.x);
+
+    if (body->kind != INSPECT_ENEMY || y < 0 || y > foe->ship->way.y || x < 0 || x > foe->field.w * FX_ONE ||
+        away >= foe->away)
+        return;
+    foe->away = away;
+    foe->x = x;
+}
+
+/* Of a frame in which nothing moved, there is nothing that could hit. */
+static void write_frame(struct trial *t)
+{
+    struct forecast *f = t->into;
+
+    if (f->full || !room_for_frame(f))
+        return;
+    struct forecast_frame *frame = &f->frame[f->frames];
+    *frame = (struct forecast_frame){ .first = f->n };
+    danger_ship(t->b, &frame->ship);
+    frame->moves = t->moved && frame->ship.steers;
+    frame->safe = frame->ship.safe;
+    fold(&frame->print, (uint64_t)frame->moves << 2 | (uint64_t)frame->safe << 1 | frame->ship.in);
+    fold(&frame->print, (uint64_t)(uint32_t)frame->ship.speed << 32 | (uint32_t)frame->ship.focus);
+    fold(&frame->print, (uint64_t)(uint32_t)frame->ship.way.radius);
+    danger_each(t->b, add_danger, f);
+    struct foe foe = { .away = FX_MAX, .ship = &frame->ship, .field = inspect_field(t->b) };
+    foe.x = foe.field.w * (FX_ONE / 2);
+    inspect_bodies(t->b, look_for_foe, &foe);
+    frame->foe_x = foe.x;
+}
+
+/* ---- power ---- */
+
+bool trial_open(struct trial *t, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
+{
+    *t = (struct trial){ .rom = rom, .start = start };
+    if (!board_size(rom, &t->size, err, err_size))
+        return false;
+    t->block = malloc(t->size + ALIGN);
+    if (!t->block)
+        return err_set(err, err_size, "out of memory");
+    const char *section = start->practice.section;
+    t->section = !section[0] ? 0 : strchr(section, '/') ? '/' : ':';
+    return trial_again(t, err, err_size);
+}
+
+bool trial_again(struct trial *t, char *err, size_t err_size)
+{
+    void *ram = (void *)(((uintptr_t)t->block + ALIGN - 1) / ALIGN * ALIGN);
+
+    t->starts = 0;
+    t->moved = t->astray = false;
+    t->ship = (struct danger_ship){ 0 };
+    t->b = board_power(ram, t->size, t->rom, t->start, true, err, err_size);
+    return t->b != NULL;
+}
+
+void trial_close(struct trial *t)
+{
+    free(t->block);
+    *t = (struct trial){ 0 };
+}
+
+/* ---- ticks ---- */
+
+/* Where it was steered to from where it was. */
+static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
+{
+    int dx = !!(pads & PAD_RIGHT) - !!(pads & PAD_LEFT), dy = !!(pads & PAD_DOWN) - !!(pads & PAD_UP);
+    fx speed = pads & PAD_FOCUS ? s->focus : s->speed;
+
+    if (dx && dy)
+        speed = fx_mul(speed, DIAGONAL);
+    *x = fx_clamp(s->way.was_x + dx * speed, s->area.x0, s->area.x1);
+    *y = fx_clamp(s->way.was_y + dy * speed, s->area.y0, s->area.y1);
+}
+
+struct tick {
+    struct trial *t;
+    uint16_t pads;
+    bool touched; /* the ship, which was not safe */
+};
+
+static void look_for_touch(void *context, const struct danger *d)
+{
+    struct tick *tick = context;
+    const struct danger_way *way = &tick->t->ship.way;
+    const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + way->radius +
+                          fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
+
+    if (d->shape != DANGER_BAR && ((int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx) ||
+                                   (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my)))
+        return;
+    tick->touched |= danger_touches(d, way);
+}
+
+static void motion_done(void *context, enum board_phase phase)
+{
+    struct tick *tick = context;
+    struct trial *t = tick->t;
+    const struct danger_way before = t->ship.way;
+    const bool was_in = t->ship.in;
+    fx x, y;
+
+    if (phase != PHASE_MOTION)
+        return;
+    t->moved = true;
+    danger_ship(t->b, &t->ship);
+    if (t->into)
+        write_frame(t);
+    if (t->ship.in && !t->ship.safe)
+        danger_each(t->b, look_for_touch, tick);
+    if (!t->ship.in || !was_in || !t->ship.steers)
+        return;
+    steered(&t->ship, tick->pads, &x, &y);
+    t->astray |=
+        t->ship.way.was_x != before.x || t->ship.way.was_y != before.y || x != t->ship.way.x || y != t->ship.way.y;
+}
+
+/* Is the section over? A stage's bosses have phases of their own. */
+static bool is_over(struct trial *t, const struct board_marker *m)
+{
+    switch (m->kind) {
+    case MARKER_START:
+        return ++t->starts > 1;
+    case MARKER_WON:
+    case MARKER_LOST:
+        return t->section == '/';
+    case MARKER_CLEAR:
+        return t->section == ':';
+    case MARKER_OVER:
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* touched: something that hits touched the ship. A script that makes the ship safe then has saved it, from a hit. */
+static enum trial_end outcome(struct trial *t, const struct board_out *out, const struct danger_ship *before,
+                              bool touched)
+{
+    struct danger_ship now;
+    bool over = out->request == REQUEST_QUIT, hit = false;
+
+    if (out->fault)
+        return TRIAL_FAULT;
+    for (int i = 0; i < out->markers; i++) {
+        over |= is_over(t, &out->marker[i]);
+        hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1';
+    }
+    danger_ship(t->b, &now);
+    hit |= touched && now.safe && !before->safe;
+    hit |= now.in && (now.hit || (before->in && now.lives < before->lives));
+    return hit ? TRIAL_HIT : over ? TRIAL_ENDED : TRIAL_ON;
+}
+
+enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS])
+{
+    struct danger_ship before;
+    struct tick tick = { t, pads[0], false };
+
+    danger_ship(t->b, &before);
+    t->moved = false;
+    board_on_phase(t->b, motion_done, &tick);
+    const struct board_out *out = board_tick(t->b, pads);
+    board_on_phase(t->b, NULL, NULL);
+    t->ticks++;
+    if (t->into && !t->moved)
+        if (room_for_frame(t->into))
+            t->into->frame[t->into->frames] = (struct forecast_frame){ .first = t->into->n, .ship = t->ship };
+    if (t->into && !t->into->full)
+        t->into->frames++;
+    return outcome(t, out, &before, tick.touched);
+}
+
+bool trial_steers(const struct trial *t)
+{
+    struct danger_ship now;
+
+    danger_ship(t->b, &now);
+    return now.in && now.steers;
+}
+
+uint16_t trial_press(const struct trial *t)
+{
+    const uint32_t frame = board_frame(t->b);
+    struct danger_ship now;
+
+    danger_ship(t->b, &now);
+    if (now.in) /* it is talked; start would pause that */
+        return frame % 75 == 60 ? PAD_FIRE : 0;
+    return frame % 75 == 60 ? PAD_FIRE : frame % 75 == 20 ? PAD_START : 0;
+}
+
+/* ---- back ---- */
+
+bool trial_save(const struct trial *t, struct trial_mark *m)
+{
+    const size_t need = board_snapshot_size(t->b);
+
+    if (need > m->room) {
+        free(m->block);
+        m->room = need + need / 4;
+        m->block = malloc(m->room + ALIGN);
+        if (!m->block) {
+            m->room = 0;
+            return false;
+        }
+        m->at = (void *)(((uintptr_t)m->block + ALIGN - 1) / ALIGN * ALIGN);
+    }
+    board_save(t->b, m->at);
+    danger_ship(t->b, &m->ship);
+    m->starts = t->starts;
+    m->frame = board_frame(t->b);
+    return true;
+}
+
+void trial_restore(struct trial *t, const struct trial_mark *m)
+{
+    board_restore(t->b, m->at);
+    board_count(t->b, true);
+    t->ship = m->ship;
+    t->starts = m->starts;
+}
+
+void trial_mark_free(struct trial_mark *m)
+{
+    free(m->block);
+    *m = (struct trial_mark){ 0 };
+}
+
+/* ---- a demo ---- */
+
+bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
+                  char *err, size_t err_size)
+{
+    struct demo_writer w = { 0 };
+    bool good = trial_again(t, err, err_size);
+
+    if (good && !demo_begin(&w, path, cart, t->b, t->start, 0))
+        good = err_set(err, err_size, "%s", w.err);
+    for (uint32_t f = 0; good && f < frames; f++) {
+        const uint16_t now[PADS] = { pads[f], 0 };
+        trial_tick(t, now);
+        if (!demo_frame(&w, t->b, now))
+            good = err_set(err, err_size, "%s", w.err);
+    }
+    if (w.on && !demo_end(&w, t->b) && good)
+        good = err_set(err, err_size, "%s", w.err);
+    demo_free(&w.demo);
+    return good;
+}

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# survive.sh - `curtain survive`: sets of bullets of which it is known whether they can be survived
+# (tests/survive/game/main.lua says why), what it says and writes, and what it refuses.
+. "$(dirname "$0")/../tap.sh"
+sets=$repo/tests/survive
+sandbox
+cp -r "$sets/game" planted
+mkdir planted/art known
+python3 "$repo/tests/cli/png_make.py" planted/art/all.png 16 16 ffffff
+
+# unhurt DEMO: it holds, comes to the end of its stage, and nobody dies in it
+unhurt() {
+    "$curtain" verify --json planted "$1" >"$1.json" || return 1
+    grep -q '"verdict":"holds"' "$1.json" && grep -q '"kind":"clear"' "$1.json" && ! grep -q '"kind":"death"' "$1.json"
+}
+
+# known SET BUTTONS: those bring a ship through it
+known() {
+    local press=()
+    [ "$2" = - ] || press=(--press "$2")
+    "$curtain" hash planted --stage "$1" --frames 190 "${press[@]}" --record "known/$1.demo" >/dev/null &&
+        unhurt "known/$1.demo"
+}
+
+# way SET: one is found, and the demo of it is one
+way() {
+    "$curtain" survive planted --stage "$1" --json -o "$1.demo" >"$1.said" || { cat "$1.said"; return 1; }
+    grep -q '"verdict":"survived"' "$1.said" && unhurt "$1.demo"
+}
+
+# proved SET: there is none, which is proved: no demo, but a picture
+proved() {
+    "$curtain" survive planted --stage "$1" --json -o "$1.demo" >"$1.said"
+    [ $? = 1 ] || { cat "$1.said"; return 1; }
+    grep -q '"verdict":"cannot"' "$1.said" || { cat "$1.said"; return 1; }
+    [ ! -e "$1.demo" ] && python3 "$repo/tests/cli/png_read.py" "$1.png" >"$1.text"
+}
+
+while read -r set buttons; do
+    check "$set: the known buttons bring a ship through" known "$set" "$buttons"
+    check "$set: a way is found, and its demo holds" way "$set"
+done < <(grep -v '^#' "$sets/known")
+same "20 sets can be survived" 20 "$(ls known/*.demo | wc -l)"
+cannot=$(grep -oE '^  cannot_[a-z_]+' "$sets/game/main.lua")
+for set in $cannot; do check "$set: it is proved" proved "$set"; done
+same "20 sets cannot" 20 "$(wc -w <<<"$cannot")"
+check "planted: buttons that do not" eval '! known can_gap left@2:20'
+
+# ---- what it says ----
+
+says() { # WORDS ARGUMENT...
+    local words=$1
+    shift
+    "$curtain" survive planted "$@" >said 2>&1
+    grep -qF -- "$words" said || { cat said; return 1; }
+}
+check "of a way: its length" says "can_gap: survived: frames" --stage can_gap -o a.demo
+check "of a way: what it was measured by" says "narrowest gap      at least 4." --stage can_gap -o a.demo
+check "of a proof: what it rests on" says "flew alike in 8 more runs" --stage cannot_gap -o b.demo
+check "where bullets go after the ship, nothing is proved" \
+    says "so nothing can be proved" --stage cannot_but_reacts --effort 1 -o c.demo
+check "no demo of it" [ ! -e c.demo ]
+check "but a picture" [ -s c.png ]
+check "how far it was to look" says "was not over by then" --stage can_rest --frames 60 -o d.demo
+check "the map" says "map.png" --stage can_zigzag --map map.png -o e.demo
+check "which is a PNG" [ -s map.png ]
+cp -r planted broken
+sed -i 's/^boot.run.*/stage.def("fault", function() wait(20) error("planted fault") end)\n&/
+    s/stages = names/stages = { "fault" }/' broken/main.lua
+refuse "a script's fault is said as ever" "planted fault" "$curtain" survive broken --stage fault
+same "and is exit code 2" 2 "$("$curtain" survive broken --stage fault >/dev/null 2>&1; echo $?)"
+same "the same each time" "$("$curtain" survive planted --stage can_ring --json -o f.demo; sha256sum <f.demo)" \
+    "$("$curtain" survive planted --stage can_ring --json -o f.demo; sha256sum <f.demo)"
+
+# ---- difficulties ----
+
+sed -i 's/^  sheets/  difficulties = { "easy", "hard" }, difficulty = "easy",\n&/' planted/rom.lua
+cat >>planted/main.lua <<'LUA'
+stage.def("upside_down", function()
+  for i = 1, board.difficulty() == "easy" and 30 or 2 do
+    bullet.fire { kind = "orb", x = i * 3, y = -8, speed = 2 }
+    wait(2)
+  end
+  wait(90)
+  stage.clear()
+end)
+LUA
+sed -i 's/^boot.run/table.insert(names, "upside_down")\n&/' planted/main.lua
+python3 - <<'PY'
+text = open("planted/main.lua").read()
+at = text.index("table.insert(names")
+end = text.index("\n", text.index("boot.run", at)) + 1
+open("planted/main.lua", "w").write(text[:at] + text[end:] + text[at:end])
+PY
+check "an easier difficulty that is harder is told" says "upside_down: easy is harder than hard" --all \
+    --stage upside_down
+same "and is exit code 1" 1 "$("$curtain" survive planted --all --stage upside_down >/dev/null 2>&1; echo $?)"
+"$curtain" survive planted --all --json --stage can_gap >said 2>/dev/null
+same "a JSON line a difficulty" 2 "$(grep -c '"section":"can_gap"' said)"
+check "the demos of all go into a folder" eval \
+    '"$curtain" survive planted --all --stage can_gap -o all >/dev/null && unhurt all/can_gap-hard.demo'
+check "one of the difficulties alone" says "can_gap                  hard" --all --stage can_gap --difficulty hard
+
+# ---- what it refuses ----
+
+bad() { # NAME WORDS ARGUMENT...
+    local name=$1 words=$2
+    shift 2
+    refuse "$name" "$words" "$curtain" survive "$@"
+    same "$name: one line" 1 "$(wc -l <"$scratch/.said")"
+}
+bad "no such folder" "nowhere: no such file or folder" nowhere
+bad "no such stage" "nowhere" planted --stage nowhere
+bad "no such difficulty" 'unknown difficulty "mild"' planted --difficulty mild
+bad "an effort that is none" "--effort: expected a whole number from 1 to 1000" planted --effort 0
+bad "several lengths" "--frames: survive takes one number" planted --frames 60,90
+bad "a length of nothing" "--frames: survive takes one number" planted --frames 0
+bad "all of it and a map" "--all does not go with --map" planted --all --map a.png
+bad "all of what is not there" "no such stage or boss" planted --all --stage nowhere
+bad "a map that cannot be written" "cannot be written" planted --stage can_rest --frames 9 --map planted/rom.lua/a.png
+bad "a demo that cannot be written" "planted/rom.lua/a.demo" planted --stage can_rest --frames 9 \
+    -o planted/rom.lua/a.demo
+refuse "a map for another command" "--map does not go with hash (it goes with survive)" \
+    "$curtain" hash planted --map a.png
+finish
