@@ -23,12 +23,14 @@ enum {
     FOR_VERIFY = 1 << COMMAND_VERIFY,
     FOR_PACK = 1 << COMMAND_PACK,
     FOR_LIST = 1 << COMMAND_LIST,
-    FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
+    FOR_EXPORT = 1 << COMMAND_EXPORT,
+    FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK | FOR_EXPORT,
     FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_CHECK = 1 << COMMAND_CHECK,
     FOR_SOUND = 1 << COMMAND_SOUND,
     FOR_HELP = 1 << COMMAND_HELP,
+    FOR_LICENCES = 1 << COMMAND_LICENCES,
     FOR_ALL = FOR_RUN | FOR_VERIFY | FOR_ROM | FOR_CHECK | FOR_SOUND
 };
 
@@ -52,6 +54,10 @@ static const struct {
     [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file of a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
+    [COMMAND_EXPORT] = { "export", "ROM", 1, 1,
+                         "make one file of a game that runs by itself, under its own name: this program and the game "
+                         "in "
+                         "it" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
@@ -62,6 +68,7 @@ static const struct {
                        "it" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
+    [COMMAND_LICENCES] = { "licences", "", 0, 0, "whose work is in this program, and under which licence" },
 };
 
 enum option {
@@ -104,6 +111,9 @@ enum option {
     OPTION_NULL,
     OPTION_ANNOTATIONS,
     OPTION_LUACHECK,
+    OPTION_KEYS,
+    OPTION_DESKTOP,
+    OPTION_FULL,
     OPTION_VERBOSE,
     OPTION_HELP,
     OPTION_VERSION,
@@ -153,9 +163,9 @@ static const struct {
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, "print the notes and settings of one, a line each (docs/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, "hear NAME, in a window that shows the mixer; Escape ends" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SOUND,
+    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SOUND,
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; sound: WAV file" },
+                     "pack: ROM file; export: the program; sound: WAV file" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY,
                            "begin at the title without asking; a run that was left is kept until another begins" },
@@ -183,6 +193,13 @@ static const struct {
                              "help lua: print the API as definitions for editors (LuaLS, the Lua language server)" },
     [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP,
                           "help lua: print the API's names as a .luacheckrc, the settings of luacheck" },
+    [OPTION_KEYS] = { "--keys", NULL, FOR_EXPORT,
+                      "the program keeps the keys and commands of those who make games: rewind, steps, console, "
+                      "panels; "
+                      "verify, render" },
+    [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT,
+                         "also write FILE.desktop and FILE.png, an entry for the desktop's menu" },
+    [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, "also the texts of the licences, to be given along" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
                          "moment and buttons of a difference too (also -v, --traceback)" },
@@ -247,6 +264,11 @@ int args_command(const char *name)
             return i;
     }
     return -1;
+}
+
+const char *args_name(enum command command)
+{
+    return commands[command].name;
 }
 
 /* ---- values ---- */
@@ -558,6 +580,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->annotations);
     case OPTION_LUACHECK:
         return set_switch(&a->luacheck);
+    case OPTION_KEYS:
+        return set_switch(&a->keys);
+    case OPTION_DESKTOP:
+        return set_switch(&a->desktop);
+    case OPTION_FULL:
+        return set_switch(&a->full);
     case OPTION_VERBOSE:
         return set_switch(&a->verbose);
     default:
@@ -855,7 +883,7 @@ void args_help(int command, void (*line)(const char *))
     line(text);
     snprintf(text, sizeof text, "  %s", commands[command].help);
     line(text);
-    if (!((FOR_ALL | FOR_HELP) >> command & 1))
+    if (!((FOR_ALL | FOR_HELP | FOR_LICENCES) >> command & 1))
         return;
     line("");
     help_options(1u << command, line);

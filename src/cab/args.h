@@ -21,10 +21,12 @@ enum command {
     COMMAND_PACK,
     COMMAND_LIST,
     COMMAND_UNPACK,
+    COMMAND_EXPORT,
     COMMAND_CHECK,
     COMMAND_SOUND,
     COMMAND_HELP,
     COMMAND_VERSION,
+    COMMAND_LICENCES,
     COMMANDS
 };
 
@@ -68,6 +70,7 @@ struct args {
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     bool json, resume, no_resume, replays, annotations, luacheck;
+    bool keys, desktop, full;
     int scale;                 /* 0: not given */
     int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
@@ -92,8 +95,9 @@ void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS]);
 bool args_wants(const struct args *a, uint32_t frame);
 uint32_t args_last_frame(const struct args *a);
 
-/* The command of that name, or -1. */
+/* The command of that name, or -1; and its name. */
 int args_command(const char *name);
+const char *args_name(enum command command);
 
 /* The nearest of n words, close enough to be a slip of the finger; NULL: none is. */
 const char *args_near(const char *word, const char *const *list, int n);

@@ -23,6 +23,9 @@
 #include "game.h"
 #include "headless.h"
 #include "listen.h"
+#include "share/export.h"
+#include "share/licences.h"
+#include "share/own.h"
 #include "host/keys.h"
 #include "host/report.h"
 #include "store/replays_print.h"
@@ -110,6 +113,7 @@ static enum result play_it(struct play *p)
     o.resume = a->resume;
     o.no_resume = a->no_resume;
     o.version = CURTAIN_VERSION;
+    o.sealed = own_sealed();
     o.user = p;
     o.open = is_games_folder(p->path) ? open_game : NULL;
     enum cab_opened opened = open_game(p, &o, err, sizeof err);
@@ -119,10 +123,28 @@ static enum result play_it(struct play *p)
     return cab_play(&o);
 }
 
+/* A game that was dropped on the window: with what was said of the window, and nothing of the run. */
+static enum result play_next(struct play *p, const char *path)
+{
+    const struct args *was = p->a;
+    struct args a = { .command = COMMAND_PLAY, .every = 1, .scale = was->scale, .fullscreen = was->fullscreen };
+
+    a.mute = was->mute;
+    a.nearest = was->nearest;
+    a.verbose = was->verbose;
+    game_close(&p->game);
+    p->a = &a;
+    p->path = path;
+    enum result result = play_it(p);
+    p->a = was;
+    return result;
+}
+
 /* named: the command was. */
 static enum result play(const struct args *a, bool named)
 {
     const char *path = a->n_words ? a->words[0] : NULL;
+    char next[FILES_PATH];
 
     if (path && is_nothing(path))
         return no_such_word(path, named);
@@ -132,6 +154,8 @@ static enum result play(const struct args *a, bool named)
     p->a = a;
     p->path = path;
     enum result result = play_it(p);
+    while (cab_next(next, sizeof next))
+        result = play_next(p, next);
     game_close(&p->game);
     free(p);
     return result;
@@ -253,11 +277,14 @@ static enum result help(const struct args *a)
     }
     if (a->n_words > 1)
         return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
-    args_help(command, say);
-    if (command == COMMAND_PLAY) {
+    if (own_sealed())
+        own_help(say);
+    else
+        args_help(command, say);
+    if (command == COMMAND_PLAY || own_sealed()) {
         say("");
         say("Keys, and the names to change them by:");
-        keys_help(say);
+        keys_help(own_sealed() ? KEYS_INSIDE : 0, say);
         say("");
         say("Controllers: the first that is used plays for player 1, START on another one takes the place of player "
             "2.");
@@ -280,6 +307,8 @@ static const char *byte_order(void)
 
 static enum result version(void)
 {
+    if (own_game()->rom)
+        printf("%s %d (%s)\n", own_game()->m.title, (int)own_game()->m.version, own_game()->m.id);
     printf("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
@@ -292,7 +321,10 @@ static enum result run(int argc, char **argv)
     struct args a;
     char err[512];
 
-    if (!args_parse(&a, argc, argv, err, sizeof err))
+    enum result own = own_open(err, sizeof err);
+    if (own != RESULT_DONE)
+        return report_line(own, "%s", err);
+    if (!args_parse(&a, argc, argv, err, sizeof err) || !own_allows(&a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
@@ -312,6 +344,10 @@ static enum result run(int argc, char **argv)
         return list(&a);
     case COMMAND_UNPACK:
         return unpack(&a);
+    case COMMAND_EXPORT:
+        return export_run(&a);
+    case COMMAND_LICENCES:
+        return licences_run(&a);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
     case COMMAND_SOUND:

@@ -159,6 +159,7 @@ bool art_is_recording(const char *file);
 
 struct art {
     char palette[ART_FILE], font[ART_FILE], border[ART_FILE]; /* "": none */
+    char icon[ART_FILE];                                      /* a .png, else the name of a sprite; "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

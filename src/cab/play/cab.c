@@ -399,6 +399,14 @@ bool cab_power(void)
     return true;
 }
 
+bool cab_next(char *path, size_t size)
+{
+    const bool is = cab.dropped[0] && snprintf(path, size, "%s", cab.dropped) < (int)size;
+
+    cab.dropped[0] = '\0';
+    return is;
+}
+
 enum result cab_play(const struct cab_options *options)
 {
     char err[FILES_ERR + CONFIG_LINE];

@@ -102,6 +102,7 @@ static void poll(void)
         cab.quit = !plat_open(&cab.want) || cab.quit;
     }
     cab_scroll(&cab.waiting.top, cab.waiting.most, k.pads[0], in.wheel);
+    cab_drop();
 }
 
 /* The folder has changed: the game, or another sentence. */
