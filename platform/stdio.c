@@ -37,6 +37,9 @@
 #include <sys/time.h>
 #include <sys/utsname.h>
 #endif
+#ifdef __linux__
+#include <sys/auxv.h>
+#endif
 
 #if defined(__GNUC__) || defined(__clang__)
 #define DEFAULT __attribute__((weak))
@@ -188,7 +191,8 @@ DEFAULT void plat_log(const char *line)
 #endif
 
 #ifndef PLAT_OWN_PROGRAM
-/* Systems with such a link keep it right when the file is renamed, and make of a name in PATH the file itself. */
+/* Systems with such a link keep it right when the file is renamed, and make of a name in PATH the file itself. Where
+ * nobody has mounted /proc, Linux still says under which name the program was started. */
 DEFAULT bool plat_program(char *name, size_t size)
 {
 #ifdef PROCESSES
@@ -196,6 +200,11 @@ DEFAULT bool plat_program(char *name, size_t size)
     for (size_t i = 0; i < sizeof links / sizeof *links; i++)
         if (access(links[i], F_OK) == 0)
             return snprintf(name, size, "%s", links[i]) < (int)size;
+#endif
+#ifdef __linux__
+    const char *started = (const char *)getauxval(AT_EXECFN);
+    if (started && access(started, F_OK) == 0)
+        return snprintf(name, size, "%s", started) < (int)size;
 #endif
     (void)name;
     (void)size;

@@ -129,17 +129,19 @@ static bool can_be_played(const char *path)
 
 void cab_drop(void)
 {
-    static char path[FILES_PATH]; /* the question outlives this call */
+    static char asked[FILES_PATH]; /* the question outlives this call */
+    char path[FILES_PATH];
 
     if (!plat_dropped(path, sizeof path) || cab.options.sealed || !can_be_played(path))
         return;
+    snprintf(asked, sizeof asked, "%s", path);
     if (cab.waiting.on || !cab_run_is_on())
         play_dropped(path);
     else
         screens_ask(&cab.screens,
                     cab.keep.on && cab.keep.spare ? "Another game begins. The run that is on is kept for next time."
                                                   : "Another game begins. The run that is on is lost.",
-                    "play it", play_dropped, path);
+                    "play it", play_dropped, asked);
 }
 
 /* The player's own switch for it; one that no setting takes away, where the keyboard has none. */

@@ -165,7 +165,7 @@ static void escaped(const char *line, char *out)
 static bool save_entry(struct export *e)
 {
     char path[FILES_PATH], exec[2 * FILES_PATH], title[2 * sizeof e->cart.m.title];
-    char name[FILES_PATH + 16], text[4 * FILES_PATH];
+    char shown[2 * FILES_PATH], name[FILES_PATH + 16], text[8 * FILES_PATH];
     uint8_t *png = NULL;
     size_t size = 0;
 
@@ -173,11 +173,12 @@ static bool save_entry(struct export *e)
         return err_set(e->err, e->err_size, "%s: the path is too long", e->out);
     quoted(path, exec, sizeof exec);
     escaped(e->cart.m.title, title);
+    escaped(path, shown);
     const bool icon = icon_png(&e->cart, ICON_SAVED, &png, &size);
     snprintf(text, sizeof text,
              "[Desktop Entry]\nType=Application\nName=%s\nExec=\"%s\"\nIcon=%s%s\nTerminal=false\n"
              "Categories=Game;ArcadeGame;\n",
-             title, exec, icon ? path : "applications-games", icon ? ".png" : "");
+             title, exec, icon ? shown : "applications-games", icon ? ".png" : "");
     snprintf(name, sizeof name, "%s.desktop", path);
     bool good = files_save(name, text, strlen(text), e->err, e->err_size);
     snprintf(name, sizeof name, "%s.png", path);
