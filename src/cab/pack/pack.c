@@ -33,7 +33,7 @@
 #include "tree.h"
 #include "png.h"
 #include "../picture/border.h"
-#include "../share/icon.h"
+#include "icon.h"
 
 enum { PATH = TREE_PATH };
 

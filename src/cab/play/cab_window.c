@@ -11,7 +11,7 @@
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
 #include "../pack/png.h"
-#include "../share/icon.h"
+#include "../pack/icon.h"
 
 static struct cab_window *const window = &cab.window;
 

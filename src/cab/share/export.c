@@ -11,7 +11,7 @@
 #include "../game.h"
 #include "../host/files.h"
 #include "../host/report.h"
-#include "icon.h"
+#include "../pack/icon.h"
 #include "image.h"
 #include "mark.h"
 #include "own.h"

@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../pack/png.h"
+#include "png.h"
 
 struct rgba {
     uint8_t *pix; /* malloc */
