@@ -28,6 +28,25 @@ check 'it says what it is' is_game ./game
 check 'it is a program' test -x game
 same 'anybody who can read it can run it' "$(stat -c %a game | tr 0-7 00004444)" "$(stat -c %a game | tr 0-7 04040404)"
 
+# The icon is no part of what is recorded, and a game without one is as it was.
+sums() { "$null" list "$1" | tail -n 2 | cut -d ' ' -f 2 | paste -sd ' '; }
+cp -r lanterns plain
+sed -i 's/icon = "ship", //; s/, icon = "ship"//' plain/rom.lua
+same 'the game is the same with an icon' "$(sums plain | cut -d ' ' -f 1)" "$(sums lanterns | cut -d ' ' -f 1)"
+check '... and the ROM another' [ "$(sums plain)" != "$(sums lanterns)" ]
+check 'check has nothing to say of it' "$null" check lanterns
+cp lanterns/art/bullets.png lanterns/art/icon.png
+check 'nor of one in a file' bash -c 'sed -i "s,icon = \"ship\",icon = \"art/icon.png\"," lanterns/rom.lua &&
+    "$1" check lanterns' - "$null"
+truncate -s 90 lanterns/art/icon.png
+refuse 'a file that is no picture' 'lanterns: art/icon.png: ' "$curtain" export lanterns -o other
+python3 "$repo/tests/cli/png_make.py" lanterns/art/icon.png 12 15 ffffff
+bad 'one that is too small' \
+    'lanterns: art/icon.png: expected an icon whose longer side is 16 to 1024 px, got 12 x 15' export lanterns -o other
+rm lanterns/art/icon.png
+bad 'one that is not there' 'lanterns: rom.lua:2: there is no art/icon.png' export lanterns -o other
+sed -i 's,icon = "art/icon.png",icon = "ship",' lanterns/rom.lua
+
 # However it is started.
 mkdir -p bin "with a blank"
 cp game "with a blank/pâté \$1"
@@ -35,7 +54,8 @@ check 'renamed' is_game "./with a blank/pâté \$1"
 ln -s "../game" bin/lanterns
 check 'by a link' is_game bin/lanterns
 check 'through PATH' is_game env PATH="$scratch/bin:$PATH" lanterns
-check 'from elsewhere' bash -c 'cd / && [ "$("$1" version | head -1)" = "Paper \\ Lanterns 1 (lanterns)" ]' - "$PWD/game"
+elsewhere() (cd / && is_game "$1")
+check 'from elsewhere' elsewhere "$PWD/game"
 cp game gone
 check 'which is removed as it starts' bash -c 'exec 9<gone; rm gone; sleep 0; exec /proc/self/fd/9 version >/dev/null'
 cat game bin/lanterns >longer
@@ -121,8 +141,8 @@ bad 'in place of a file that is none of its own' \
 bad 'nor of curtain itself' 'mine: is already there, and is no exported program: remove it first' \
     export lanterns -o "$(cp "$curtain" mine && echo mine)"
 says 'in place of an older one' 0 '' "$curtain" export lanterns -o game
-says 'where nothing can be written' 3 \
-    'curtain: /proc/none/game: cannot be written (No such file or directory)' "$curtain" export lanterns -o /proc/none/game
+says 'where nothing can be written' 3 'curtain: /proc/none/game: cannot be written (No such file or directory)' \
+    "$curtain" export lanterns -o /proc/none/game
 says 'by an exported program' 2 \
     'lanterns: export: this program is Paper \ Lanterns, exported already: export with curtain' ./keys export lanterns
 says 'by a program without a window' 2 \

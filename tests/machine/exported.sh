@@ -15,7 +15,7 @@ sed -i 's/title = "First Light"/id = "lanterns", title = "Lanterns", icon = "shi
 
 icon() { xprop -id "$win" -notype _NET_WM_ICON 2>/dev/null | grep -o 'Icon ([^)]*)'; }
 class() { xprop -id "$win" -notype WM_CLASS | sed 's/.*= //'; }
-flags() { "$null" verify lanterns "$1" --json | python3 -c 'import json,sys; print(*json.loads(sys.stdin.read())["flags"])'; }
+flags() { "$null" verify lanterns "$1" --json | jq -r '.flags[]'; }
 pressed() { # KEY...
     local key
     for key; do
@@ -58,7 +58,8 @@ bare_debian() { # ROOT: of Debian's packages
 alone() {
     local what=$1 root=$2 inside=(chroot "$2" /usr/bin/env -i HOME=/home DISPLAY="$DISPLAY" SDL_AUDIODRIVER=dummy)
     [ "$(id -u)" = 0 ] || inside=(unshare -r "${inside[@]}")
-    cp game "$root/game" && mkdir -p "$root/usr/bin" "$root/home" "$root/tmp/.X11-unix" && cp -L /usr/bin/env "$root/usr/bin/"
+    mkdir -p "$root/usr/bin" "$root/home" "$root/tmp/.X11-unix"
+    cp -L game "$root/" && cp -L /usr/bin/env "$root/usr/bin/"
     ln "/tmp/.X11-unix/X${DISPLAY#:}" "$root/tmp/.X11-unix/" 2>/dev/null
     "$null" hash lanterns --press fire --frames 60 --record "$root/run.demo" >/dev/null
     same "$what: it says what it is" 'Lanterns 1 (lanterns)' "$("${inside[@]}" /game version 2>&1 | head -1)"
