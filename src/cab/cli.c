@@ -254,6 +254,19 @@ static enum result help_lua(const char *name)
     return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
 }
 
+/* Of the help of play the options. */
+static void say_option(const char *line)
+{
+    if (strncmp(line, "  -", 3) == 0)
+        say(line);
+}
+
+static void help_own(void)
+{
+    own_help(say);
+    args_help(COMMAND_PLAY, say_option);
+}
+
 static enum result help(const struct args *a)
 {
     const char *topic = a->n_words ? a->words[0] : NULL;
@@ -278,7 +291,7 @@ static enum result help(const struct args *a)
     if (a->n_words > 1)
         return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
     if (own_sealed())
-        own_help(say);
+        help_own();
     else
         args_help(command, say);
     if (command == COMMAND_PLAY || own_sealed()) {
@@ -316,6 +329,32 @@ static enum result version(void)
     return report_stdout(RESULT_DONE);
 }
 
+/* Is it what an exported game does? */
+static bool allowed(const struct args *a, char *err, size_t err_size)
+{
+    const bool tells = a->command == COMMAND_HELP || a->command == COMMAND_VERSION || a->command == COMMAND_LICENCES;
+
+    if (!own_sealed() || tells || (a->command == COMMAND_PLAY && !a->n_words))
+        return true;
+    if (a->command == COMMAND_PLAY)
+        own_refuses_game(a->words[0], err, err_size);
+    else
+        own_refuses_command(args_name(a->command), err, err_size);
+    return false;
+}
+
+static enum result export(const struct args *a) {
+    const struct export_want want = { .rom = a->words[0],
+                                      .out = a->out,
+                                      .nearest = a->nearest,
+                                      .keys = a->keys,
+                                      .desktop = a->desktop,
+                                      .builtin = builtin_rom,
+                                      .builtin_size = builtin_rom_size };
+
+    return export_run(&want);
+}
+
 static enum result run(int argc, char **argv)
 {
     struct args a;
@@ -324,7 +363,7 @@ static enum result run(int argc, char **argv)
     enum result own = own_open(err, sizeof err);
     if (own != RESULT_DONE)
         return report_line(own, "%s", err);
-    if (!args_parse(&a, argc, argv, err, sizeof err) || !own_allows(&a, err, sizeof err))
+    if (!args_parse(&a, argc, argv, err, sizeof err) || !allowed(&a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
@@ -345,9 +384,9 @@ static enum result run(int argc, char **argv)
     case COMMAND_UNPACK:
         return unpack(&a);
     case COMMAND_EXPORT:
-        return export_run(&a);
+        return export(&a);
     case COMMAND_LICENCES:
-        return licences_run(&a);
+        return licences_run(a.full);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
     case COMMAND_SOUND:

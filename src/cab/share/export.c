@@ -8,10 +8,11 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../game.h"
+#include "../../board/rom/cart.h"
 #include "../host/files.h"
 #include "../host/report.h"
 #include "../pack/icon.h"
+#include "../pack/pack.h"
 #include "image.h"
 #include "mark.h"
 #include "own.h"
@@ -20,7 +21,7 @@ enum { PROGRAM = 1 << 30, EXPORT_ERR = FILES_ERR + 256 };
 
 struct export
 {
-    const struct args *a;
+    const struct export_want *want;
     struct rom_image image;
     struct cart cart;
     const char *out;
@@ -33,17 +34,17 @@ struct export
 /* ---- the program ---- */
 
 /* A game that is built in is not given along: zeroes are, which any archive makes nothing of. */
-static void blank_builtin(uint8_t *file, size_t size)
+static void blank_builtin(const struct export_want *w, uint8_t *file, size_t size)
 {
-    if (!builtin_rom_size)
+    if (!w->builtin_size)
         return;
-    for (size_t i = 0; i + builtin_rom_size <= size; i++) {
-        const uint8_t *next = memchr(file + i, builtin_rom[0], size - builtin_rom_size + 1 - i);
+    for (size_t i = 0; i + w->builtin_size <= size; i++) {
+        const uint8_t *next = memchr(file + i, w->builtin[0], size - w->builtin_size + 1 - i);
         if (!next)
             return;
         i = (size_t)(next - file);
-        if (memcmp(next, builtin_rom, builtin_rom_size) == 0) {
-            memset(file + i, 0, builtin_rom_size);
+        if (memcmp(next, w->builtin, w->builtin_size) == 0) {
+            memset(file + i, 0, w->builtin_size);
             return;
         }
     }
@@ -61,13 +62,13 @@ static bool load_program(struct export *e)
 /* The file: the program, its mark, and the game behind. */
 static bool build(struct export *e)
 {
-    struct mark m = { .flags = e->a->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->image.size };
+    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->image.size };
     size_t at, end = image_trim(e->file, e->size);
 
     m.at = (end + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
     if (!mark_find(e->file, end, &at))
         return err_set(e->err, e->err_size, "export: this program's own file is not the one that runs");
-    blank_builtin(e->file, end);
+    blank_builtin(e->want, e->file, end);
     mark_put(e->file + at, &m);
     uint8_t *more = realloc(e->file, (size_t)m.at + e->image.size);
     if (!more)
@@ -93,7 +94,7 @@ static bool nothing_beside(struct export *e)
     static const char *const ends[] = { ".desktop", ".png" };
     char name[FILES_PATH + 16];
 
-    for (int i = 0; e->a->desktop && i < 2; i++) {
+    for (int i = 0; e->want->desktop && i < 2; i++) {
         snprintf(name, sizeof name, "%s%s", e->out, ends[i]);
         if (plat_size(name) >= 0)
             return err_set(e->err, e->err_size, "%s: is already there: remove it first", name);
@@ -193,11 +194,11 @@ static bool load_game(struct export *e)
 {
     char why[256];
 
-    if (!rom_image_load(e->a->words[0], e->a->nearest, &e->image, e->err, e->err_size))
+    if (!rom_image_load(e->want->rom, e->want->nearest, &e->image, e->err, e->err_size))
         return false;
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
-        return err_set(e->err, e->err_size, "%s: %s", e->a->words[0], why);
-    e->out = e->a->out ? e->a->out : e->cart.m.id;
+        return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
+    e->out = e->want->out ? e->want->out : e->cart.m.id;
     return true;
 }
 
@@ -221,13 +222,13 @@ static bool may_export(struct export *e)
     return true;
 }
 
-enum result export_run(const struct args *a)
+enum result export_run(const struct export_want *want)
 {
     char err[EXPORT_ERR];
-    struct export e = { .a = a, .err = err, .err_size = sizeof err };
+    struct export e = { .want = want, .err = err, .err_size = sizeof err };
 
     bool good = may_export(&e) && load_game(&e) && may_write(&e) && load_program(&e) && build(&e) && save(&e) &&
-                (!a->desktop || save_entry(&e));
+                (!want->desktop || save_entry(&e));
     free(e.file);
     rom_image_free(&e.image);
     return good ? RESULT_DONE : report_error(err);

@@ -8,10 +8,19 @@
 #ifndef CAB_EXPORT_H
 #define CAB_EXPORT_H
 
-#include "../args.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 #include "../host/result.h"
 
+struct export_want {
+    const char *rom, *out; /* a folder or a ROM; the file, NULL: the game's id */
+    bool nearest, keys, desktop;
+    const uint8_t *builtin; /* the game that is linked into this program */
+    size_t builtin_size;
+};
+
 /* Exit code and sentence as everywhere. */
-enum result export_run(const struct args *a);
+enum result export_run(const struct export_want *want);
 
 #endif

@@ -115,7 +115,7 @@ static void print_texts(const struct work *all, int n)
     }
 }
 
-enum result licences_run(const struct args *a)
+enum result licences_run(bool full)
 {
     struct work all[WORKS];
     const int n = list(all);
@@ -129,7 +129,7 @@ enum result licences_run(const struct args *a)
                all[i].what);
     puts("Packing opens libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) where they are installed, for recordings;");
     puts("a game that is played needs neither.");
-    if (a->full)
+    if (full)
         print_texts(all, n);
     else
         puts("Who gives this program to others gives along the texts that --full prints.");

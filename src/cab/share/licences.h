@@ -6,9 +6,10 @@
 #ifndef CAB_LICENCES_H
 #define CAB_LICENCES_H
 
-#include "../args.h"
+#include <stdbool.h>
 #include "../host/result.h"
 
-enum result licences_run(const struct args *a);
+/* full: with the texts. */
+enum result licences_run(bool full);
 
 #endif

@@ -82,27 +82,17 @@ bool own_sealed(void)
     return own.rom && !own.keys;
 }
 
-bool own_allows(const struct args *a, char *err, size_t err_size)
+const char *own_refuses_command(const char *command, char *err, size_t err_size)
 {
-    const bool whole = a->command == COMMAND_HELP || a->command == COMMAND_VERSION || a->command == COMMAND_LICENCES;
-
-    if (!own_sealed() || whole)
-        return true;
-    if (a->command != COMMAND_PLAY)
-        return err_set(err, err_size, "%s: this program plays %s, and has no other commands of Curtain (--help)",
-                       args_name(a->command), own.m.title);
-    if (a->n_words)
-        return err_set(err, err_size, "%s: this program plays %s, and nothing else (--help)", a->words[0], own.m.title);
-    return true;
+    err_set(err, err_size, "%s: this program plays %s, and has no other commands of Curtain (--help)", command,
+            own.m.title);
+    return err;
 }
 
-/* Of the help of play the options. */
-static void (*options_to)(const char *);
-
-static void option(const char *line)
+const char *own_refuses_game(const char *path, char *err, size_t err_size)
 {
-    if (strncmp(line, "  -", 3) == 0)
-        options_to(line);
+    err_set(err, err_size, "%s: this program plays %s, and nothing else (--help)", path, own.m.title);
+    return err;
 }
 
 void own_help(void (*line)(const char *))
@@ -119,6 +109,4 @@ void own_help(void (*line)(const char *))
     line("  help [config]         this; the settings and their file");
     line("");
     line("Options:");
-    options_to = line;
-    args_help(COMMAND_PLAY, option);
 }

@@ -9,7 +9,6 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../../board/rom/manifest.h"
-#include "../args.h"
 #include "../host/result.h"
 
 struct own {
@@ -29,10 +28,11 @@ const struct own *own_game(void);
 /* Does it play its game, and nothing else? */
 bool own_sealed(void);
 
-/* Is that what such a program does? False and one sentence. */
-bool own_allows(const struct args *a, char *err, size_t err_size);
+/* The sentences for what such a program does not do: a command, another game. */
+const char *own_refuses_command(const char *command, char *err, size_t err_size);
+const char *own_refuses_game(const char *path, char *err, size_t err_size);
 
-/* Its help, a line a call. */
+/* Its help, a line a call, without the options. */
 void own_help(void (*line)(const char *));
 
 #endif
