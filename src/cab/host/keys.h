@@ -59,8 +59,8 @@ enum cab_key {
     CAB_KEYS
 };
 
-/* Of 1 << enum cab_key, the keys of those who make games: to move in time, which a replay has for everybody, and to look
- * into the board. */
+/* Of 1 << enum cab_key, the keys of those who make games: to move in time, which a replay has for everybody, and to
+ * look into the board. */
 #define KEYS_IN_TIME                                                                                                   \
     (1u << CAB_STEP | 1u << CAB_SLOW | 1u << CAB_TURBO | 1u << CAB_REWIND | 1u << CAB_BACK | 1u << CAB_BEFORE |        \
      1u << CAB_AFTER | 1u << CAB_GOTO)

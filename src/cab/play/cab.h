@@ -46,8 +46,8 @@ struct cab_options {
  * traceback too. */
 enum result cab_play(const struct cab_options *options);
 
-/* After cab_play: hands out, once, the folder or ROM that was dropped on the window and is to be played now. False: there
- * is none. */
+/* After cab_play: hands out, once, the folder or ROM that was dropped on the window and is to be played now. False:
+ * there is none. */
 bool cab_next(char *path, size_t size);
 
 #endif
