@@ -2,9 +2,9 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other nineteen have defaults in stdio.c, which is linked with
- * every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it. For a
- * compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
+ * To port: copy template.c, write its six functions. The other twenty-four have defaults in stdio.c, which is linked
+ * with every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it.
+ * For a compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
  * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
  * and nothing else of ours. Everything is called from one thread.
@@ -145,6 +145,13 @@ bool plat_window(struct plat_window *out);
  * show than plat_show can: a picture turned, smooth, with lines, a border, or panels beside it. */
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
 
+/* Gives the open window an icon: bytes R G B A a pixel, a row after another. */
+void plat_icon(const uint8_t *rgba, int w, int h);
+
+/* The path of a file or folder that was dropped on the window since the last call; of several, the last. False: none
+ * was. */
+bool plat_dropped(char *path, size_t size);
+
 /* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
  * from here, so what must happen at the end, frame does before it returns false. */
 void plat_loop(bool (*frame)(void));
@@ -166,6 +173,18 @@ int plat_sound(const int16_t *lr, int frames);
  * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain); `pictures:NAME` is NAME in the folder
  * Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the environment or user-dirs.dirs says, or
  * ~/Pictures; without a home, the current folder). Saving makes the folders a name asks for. */
+
+/* From now on the program is called so, 1 to 63 of a-z 0-9 _: user: is the folder curtain-NAME instead of curtain,
+ * pictures: the folder NAME instead of Curtain, and a line of the log that would begin with "curtain: " begins with
+ * "NAME: ". */
+void plat_name(const char *name);
+
+/* Writes a name by which the program's own file can be read, whatever it is called by now. False: the host does not
+ * say. */
+bool plat_program(char *name, size_t size);
+
+/* Lets those who can read a file run it as a program; where there is no such thing, nothing. False: it cannot be. */
+bool plat_runnable(const char *name);
 
 /* Writes the path by which the user finds the file of a name, from the root where that can be told. False: there is
  * none, or it does not fit. */
@@ -204,7 +223,8 @@ int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *
  * NULL: no more. False: the host has nothing like it. */
 bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)));
 
-/* For reports: what the port is made with, as "SDL 2.28.5, x11", and what it runs on, as "Linux 6.1.0 x86_64". */
+/* For reports: what the port is made with, as "SDL 2.28.5, x11", or "no window" if nothing can be played in it; and
+ * what it runs on, as "Linux 6.1.0 x86_64". */
 void plat_about(char *text, size_t size);
 void plat_system(char *text, size_t size);
 

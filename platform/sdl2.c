@@ -42,6 +42,7 @@ static struct {
     int wheel;
     bool quit;
     char text[PLAT_TEXT];
+    char *dropped; /* SDL's; NULL: nothing was */
 } in;
 
 static bool failed(const char *what)
@@ -148,6 +149,19 @@ static void change_window(const struct plat_want *want)
     plat_fit(want, room_w, room_h, &w, &h);
     SDL_SetWindowMinimumSize(port.window, want->w, want->h);
     SDL_SetWindowSize(port.window, w, h);
+}
+
+/* SDL keeps a copy of its own. */
+void plat_icon(const uint8_t *rgba, int w, int h)
+{
+    SDL_Surface *icon = port.window ? SDL_CreateRGBSurfaceWithFormat(0, w, h, 32, SDL_PIXELFORMAT_RGBA32) : NULL;
+    if (!icon)
+        return;
+    for (int y = 0; y < h; y++)
+        memcpy((uint8_t *)icon->pixels + (size_t)y * (size_t)icon->pitch, rgba + (size_t)y * (size_t)w * 4,
+               (size_t)w * 4);
+    SDL_SetWindowIcon(port.window, icon);
+    SDL_FreeSurface(icon);
 }
 
 /* ---- speaker ---- */
@@ -303,6 +317,7 @@ void plat_close(void)
         SDL_DestroyRenderer(port.renderer);
     if (port.window)
         SDL_DestroyWindow(port.window);
+    SDL_free(in.dropped);
     memset(&port, 0, sizeof port);
     memset(&in, 0, sizeof in);
     SDL_Quit();
@@ -478,6 +493,19 @@ static uint8_t mouse_bit(unsigned button)
     return button == SDL_BUTTON_LEFT ? 1 : button == SDL_BUTTON_RIGHT ? 2 : button == SDL_BUTTON_MIDDLE ? 4 : 0;
 }
 
+static void drop(char *path)
+{
+    SDL_free(in.dropped);
+    in.dropped = path;
+}
+
+bool plat_dropped(char *path, size_t size)
+{
+    const bool was = in.dropped && snprintf(path, size, "%s", in.dropped) < (int)size;
+    drop(NULL);
+    return was;
+}
+
 static void event(const SDL_Event *e)
 {
     switch (e->type) {
@@ -490,6 +518,9 @@ static void event(const SDL_Event *e)
         break;
     case SDL_TEXTINPUT:
         typed(e->text.text);
+        break;
+    case SDL_DROPFILE:
+        drop(e->drop.file);
         break;
     case SDL_MOUSEBUTTONDOWN:
         in.mouse_down |= mouse_bit(e->button.button);

@@ -3,8 +3,9 @@
  * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
- * out that the port has, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _LOOP, _ALARM, _CONTROLLER, _SOUND, _LOG, _CRASH,
- * _ABOUT, _SYSTEM and _FILES (path, size, load, save, append, remove and list together).
+ * out that the port has, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _LOOP, _ALARM, _CONTROLLER,
+ * _SOUND, _LOG, _NAME, _PROGRAM, _CRASH, _ABOUT, _SYSTEM and _FILES (path, size, load, save, append, remove, list and
+ * runnable together).
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
 #define _XOPEN_SOURCE 700
@@ -35,6 +36,9 @@
 #include <signal.h>
 #include <sys/time.h>
 #include <sys/utsname.h>
+#endif
+#ifdef __linux__
+#include <sys/auxv.h>
 #endif
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -120,6 +124,24 @@ DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 }
 #endif
 
+#ifndef PLAT_OWN_ICON
+DEFAULT void plat_icon(const uint8_t *rgba, int w, int h)
+{
+    (void)rgba;
+    (void)w;
+    (void)h;
+}
+#endif
+
+#ifndef PLAT_OWN_DROPPED
+DEFAULT bool plat_dropped(char *path, size_t size)
+{
+    (void)path;
+    (void)size;
+    return false;
+}
+#endif
+
 #ifndef PLAT_OWN_LOOP
 DEFAULT void plat_loop(bool (*frame)(void))
 {
@@ -146,10 +168,47 @@ DEFAULT int plat_sound(const int16_t *lr, int frames)
 }
 #endif
 
+/* ---- the program's name ---- */
+
+static char given_name[64]; /* "": it is curtain */
+
+#ifndef PLAT_OWN_NAME
+DEFAULT void plat_name(const char *name)
+{
+    snprintf(given_name, sizeof given_name, "%s", name);
+}
+#endif
+
 #ifndef PLAT_OWN_LOG
 DEFAULT void plat_log(const char *line)
 {
-    fprintf(stderr, "%s\n", line);
+    const size_t own = strlen("curtain: ");
+    if (given_name[0] && strncmp(line, "curtain: ", own) == 0)
+        fprintf(stderr, "%s: %s\n", given_name, line + own);
+    else
+        fprintf(stderr, "%s\n", line);
+}
+#endif
+
+#ifndef PLAT_OWN_PROGRAM
+/* Systems with such a link keep it right when the file is renamed, and make of a name in PATH the file itself. Where
+ * nobody has mounted /proc, Linux still says under which name the program was started. */
+DEFAULT bool plat_program(char *name, size_t size)
+{
+#ifdef PROCESSES
+    static const char *const links[] = { "/proc/self/exe", "/proc/curproc/file", "/proc/curproc/exe" };
+    for (size_t i = 0; i < sizeof links / sizeof *links; i++)
+        if (access(links[i], F_OK) == 0)
+            return snprintf(name, size, "%s", links[i]) < (int)size;
+#endif
+#ifdef __linux__
+    const char *started = (const char *)getauxval(AT_EXECFN);
+    if (started && access(started, F_OK) == 0)
+        return snprintf(name, size, "%s", started) < (int)size;
+#endif
+    (void)name;
+    (void)size;
+    return false;
 }
 #endif
 
@@ -303,7 +362,9 @@ static bool picture_path(char path[MAX_PATH_BYTES], const char *name)
 {
     char folder[MAX_PATH_BYTES];
     pictures_folder(folder);
-    return fits(snprintf(path, MAX_PATH_BYTES, "%s%s%s", folder, folder[0] ? "/Curtain/" : "", name));
+    if (!folder[0])
+        return fits(snprintf(path, MAX_PATH_BYTES, "%s", name));
+    return fits(snprintf(path, MAX_PATH_BYTES, "%s/%s/%s", folder, given_name[0] ? given_name : "Curtain", name));
 }
 
 /* The path of a name; false when it is too long or the user has no folder. */
@@ -317,7 +378,8 @@ static bool path_of(char path[MAX_PATH_BYTES], const char *name)
     data = data_folder(&below);
     if (!data || !data[0])
         return false;
-    return fits(snprintf(path, MAX_PATH_BYTES, "%s%s/curtain/%s", data, below, name + strlen("user:")));
+    return fits(snprintf(path, MAX_PATH_BYTES, "%s%s/curtain%s%s/%s", data, below, given_name[0] ? "-" : "", given_name,
+                         name + strlen("user:")));
 }
 
 /* The current folder and a slash before a path that needs them; "" else, and where nobody knows. */
@@ -441,6 +503,16 @@ static bool replace(const char *from, const char *to)
 {
     return rename(from, to) == 0;
 }
+
+static bool make_runnable(const char *path)
+{
+#ifdef PROCESSES
+    struct stat st;
+    return stat(path, &st) == 0 && chmod(path, (st.st_mode & 0777) | (st.st_mode & 0444) >> 2) == 0;
+#else
+    return path != NULL;
+#endif
+}
 #else
 static int make_folders(char *path)
 {
@@ -490,6 +562,12 @@ static long size_of(const char *path)
     long size = fseek(f, 0, SEEK_END) == 0 ? ftell(f) : -1;
     fclose(f);
     return size;
+}
+
+static bool make_runnable(const char *path)
+{
+    (void)path;
+    return true;
 }
 
 /* ISO C lets rename refuse a name that is taken. */
@@ -592,6 +670,12 @@ DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
     }
     bool good = fwrite(buf, 1, len, f) == len;
     return fclose(f) == 0 && good;
+}
+
+DEFAULT bool plat_runnable(const char *name)
+{
+    char path[MAX_PATH_BYTES];
+    return path_of(path, name) && make_runnable(path);
 }
 
 DEFAULT bool plat_remove(const char *name)
@@ -769,7 +853,8 @@ static void crashes(int sig)
     for (int i = 0; i < CRASH_SIGNALS; i++)
         what = crash_signals[i].sig == sig ? crash_signals[i].name : what;
     crash_disarm();
-    write_text(STDERR_FILENO, "curtain: crashed (");
+    write_text(STDERR_FILENO, given_name[0] ? given_name : "curtain");
+    write_text(STDERR_FILENO, ": crashed (");
     write_text(STDERR_FILENO, what);
     if (crash_open()) {
         crash.fn(what, crash_out);

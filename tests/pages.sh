@@ -11,6 +11,7 @@ ln -s "$PWD/roms" "$bench/roms"
 cat >"$bench/build/curtain" <<END
 #!/bin/sh
 set -eu
+[ "\${1:-}" != export ] || exec "$OUT/curtain" "\$@"
 [ "\${1:-}" = play ] || exec "$OUT/curtain-null" "\$@"
 shift
 game=

@@ -65,6 +65,8 @@ for what; do
         have identify || need imagemagick
         [ -e /usr/share/i18n/locales/de_DE ] || need locales
         have desktop-file-validate || need desktop-file-utils
+        have update-mime-database || need shared-mime-info
+        have gio || need libglib2.0-bin
         have appstreamcli || need appstream
         have mandoc || need mandoc
         have pcf2bdf || need pcf2bdf
@@ -83,6 +85,7 @@ for what; do
         have cppcheck || need cppcheck
         have chromium || need chromium
         have chromedriver || need chromium-driver
+        have debootstrap || need debootstrap
         ;;
     bench)
         header libfixmath/fix16.h || need libfixmath-dev

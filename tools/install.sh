@@ -17,6 +17,7 @@ list() {
     echo "644 build/curtain.1 $man/curtain.1"
     echo "644 build/curtain-null.1 $man/curtain-null.1"
     echo "644 share/curtain.desktop share/applications/curtain.desktop"
+    echo "644 share/curtain-mime.xml share/mime/packages/curtain.xml"
     echo "644 share/org.curtain.Curtain.metainfo.xml share/metainfo/org.curtain.Curtain.metainfo.xml"
     for size in 48 128 256; do
         echo "644 share/icons/$size.png share/icons/hicolor/${size}x$size/apps/curtain.png"
@@ -29,6 +30,15 @@ list() {
     find examples roms -type f | sort | sed "s,.*,644 & $data/&,"
 }
 
+# What desktops look up is made anew: here, and not where a package is made, whose installation does it.
+look_up() {
+    [ -z "${DESTDIR:-}" ] || return 0
+    [ ! -d "$root/share/mime" ] || ! command -v update-mime-database >/dev/null ||
+        update-mime-database "$root/share/mime"
+    [ ! -d "$root/share/applications" ] || ! command -v update-desktop-database >/dev/null ||
+        update-desktop-database "$root/share/applications"
+}
+
 case ${1:-} in
 install)
     list | while read -r mode file target; do
@@ -36,6 +46,7 @@ install)
         install -d "$root/${target%/*}"
         install -m "$mode" "$file" "$root/$target"
     done
+    look_up
     ;;
 uninstall)
     list | while read -r mode file target; do
@@ -44,6 +55,7 @@ uninstall)
     for own in "$root/$doc" "$root/$data"; do
         [ ! -d "$own" ] || find "$own" -depth -type d -exec rmdir --ignore-fail-on-non-empty {} +
     done
+    look_up
     ;;
 *)
     echo "tools/install.sh: expected install or uninstall, got \"${1:-}\"" >&2

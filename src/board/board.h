@@ -296,6 +296,9 @@ size_t board_lua_peak(const struct board *b);
 /* The release of Lua that scripts run in: "5.4.6". */
 const char *board_lua_release(void);
 
+/* And whose it is: "Copyright (C) ...". */
+const char *board_lua_copyright(void);
+
 /* The phases of a tick, so that the host can measure them: the board cannot read a clock. `done` is called at the end
  * of each phase, in this order (while the game is frozen, without motion), with the host's settings put aside. It must
  * not touch the board. NULL, as after power-on and after a restore: nothing is called. */

@@ -20,6 +20,13 @@ const char *board_lua_release(void)
     return &LUA_RELEASE[sizeof "Lua"];
 }
 
+const char *board_lua_copyright(void)
+{
+    const char *whose = strstr(LUA_COPYRIGHT, "Copyright");
+
+    return whose ? whose : LUA_COPYRIGHT;
+}
+
 /* Level 0 is a C function, or in a hook the function that was interrupted. The place of a task that the library
  * started is the author's line that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)

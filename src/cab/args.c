@@ -24,7 +24,8 @@ enum {
     FOR_TEST = 1 << COMMAND_TEST,
     FOR_PACK = 1 << COMMAND_PACK,
     FOR_LIST = 1 << COMMAND_LIST,
-    FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK,
+    FOR_EXPORT = 1 << COMMAND_EXPORT,
+    FOR_ROM = FOR_PACK | FOR_LIST | 1 << COMMAND_UNPACK | FOR_EXPORT,
     FOR_HEADLESS = FOR_VIEW | FOR_HASH,
     FOR_RUN = FOR_PLAY | FOR_HEADLESS,
     FOR_NEW = 1 << COMMAND_NEW,
@@ -36,6 +37,7 @@ enum {
     FOR_ART = 1 << COMMAND_ART,
     FOR_PALETTE = 1 << COMMAND_PALETTE,
     FOR_HELP = 1 << COMMAND_HELP,
+    FOR_LICENCES = 1 << COMMAND_LICENCES,
     FOR_GAMES = FOR_RUN | FOR_VERIFY | FOR_TEST | FOR_ROM | FOR_CHECK | FOR_BENCH | FOR_SURVIVE | FOR_SOUND | FOR_ART,
     FOR_ALL = FOR_GAMES | FOR_PALETTE
 };
@@ -64,6 +66,10 @@ static const struct {
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "print what is in a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM as a file below DIR" },
     [COMMAND_NEW] = { "new", "DIR", 1, 1, "make a folder with a game to begin with: whole, and yours to change" },
+    [COMMAND_EXPORT] = { "export", "ROM", 1, 1,
+                         "make one file of a game that runs by itself, under its own name: this program and the game "
+                         "in "
+                         "it" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "look for mistakes in a game's folder: scripts, art, missing and unused files, Lua RAM" },
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
@@ -86,6 +92,7 @@ static const struct {
                        "it" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "release, core version, Lua release, compiler and flags (also --version)" },
+    [COMMAND_LICENCES] = { "licences", "", 0, 0, "whose work is in this program, and under which licence" },
 };
 
 enum option {
@@ -140,6 +147,9 @@ enum option {
     OPTION_JOBS,
     OPTION_ANNOTATIONS,
     OPTION_LUACHECK,
+    OPTION_KEYS,
+    OPTION_DESKTOP,
+    OPTION_FULL,
     OPTION_VERBOSE,
     OPTION_HELP,
     OPTION_VERSION,
@@ -158,7 +168,7 @@ static const struct {
     [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_START, "set a DIP switch of the game; may be given several times" },
     [OPTION_STAGE] = { "--stage", "S", FOR_START, "start at NAME, NAME:MARK or BOSS/PHASE" },
     [OPTION_LIVES] = { "--lives", "N", FOR_RUN, "with --stage: so many lives in all, 1 to 99" },
-    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_START,
+    [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN | FOR_SURVIVE,
                           "with --stage: a register of the ship starts so; may be given several times" },
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, "with --stage: nothing hits the player" },
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_START, "start at this difficulty" },
@@ -194,9 +204,10 @@ static const struct {
     [OPTION_ATLAS] = { "--atlas", "F.png", FOR_ART,
                        "all sprites, three times as large, with names, banks, origins and hit shapes" },
     [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, "the bank, 0 to 15" },
-    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE,
+    [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE,
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; survive: demo, or with .png in place of its ending the picture, with --all "
+                     "pack: ROM file; export: the program; survive: demo, or with .png in place of its ending the "
+                     "picture, with --all "
                      "their folder; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, "draw where the ship could be, frame by frame" },
     [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE,
@@ -243,6 +254,13 @@ static const struct {
                              "server)" },
     [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP,
                           "help lua: print the API's names as a .luacheckrc, the settings of luacheck" },
+    [OPTION_KEYS] = { "--keys", NULL, FOR_EXPORT,
+                      "the program keeps the keys and commands of those who make games: rewind, steps, console, "
+                      "panels; "
+                      "verify, render" },
+    [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT,
+                         "also write FILE.desktop and FILE.png, an entry for the desktop's menu" },
+    [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, "also the texts of the licences, to be given along" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY,
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
                          "moment and buttons of a difference too (also -v, --traceback)" },
@@ -307,6 +325,11 @@ int args_command(const char *name)
             return i;
     }
     return -1;
+}
+
+const char *args_name(enum command command)
+{
+    return commands[command].name;
 }
 
 /* ---- values ---- */
@@ -658,6 +681,12 @@ static bool set(struct args *a, enum option o, const char *value, char *err, siz
         return set_switch(&a->annotations);
     case OPTION_LUACHECK:
         return set_switch(&a->luacheck);
+    case OPTION_KEYS:
+        return set_switch(&a->keys);
+    case OPTION_DESKTOP:
+        return set_switch(&a->desktop);
+    case OPTION_FULL:
+        return set_switch(&a->full);
     case OPTION_VERBOSE:
         return set_switch(&a->verbose);
     default:
@@ -959,7 +988,7 @@ void args_help(int command, void (*line)(const char *))
     line(text);
     snprintf(text, sizeof text, "  %s", commands[command].help);
     line(text);
-    if (!((FOR_ALL | FOR_HELP | FOR_NEW) >> command & 1))
+    if (!((FOR_ALL | FOR_HELP | FOR_NEW | FOR_LICENCES) >> command & 1))
         return;
     line("");
     help_options(1u << command, line);

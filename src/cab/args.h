@@ -23,6 +23,7 @@ enum command {
     COMMAND_LIST,
     COMMAND_UNPACK,
     COMMAND_NEW,
+    COMMAND_EXPORT,
     COMMAND_CHECK,
     COMMAND_BENCH,
     COMMAND_SURVIVE,
@@ -31,6 +32,7 @@ enum command {
     COMMAND_PALETTE,
     COMMAND_HELP,
     COMMAND_VERSION,
+    COMMAND_LICENCES,
     COMMANDS
 };
 
@@ -79,7 +81,7 @@ struct args {
     uint64_t seed;
     bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
-    bool update, tap;
+    bool update, tap, keys, desktop, full;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */
@@ -111,8 +113,9 @@ void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS]);
 bool args_wants(const struct args *a, uint32_t frame);
 uint32_t args_last_frame(const struct args *a);
 
-/* The command of that name, or -1. */
+/* The command of that name, or -1; and its name. */
 int args_command(const char *name);
+const char *args_name(enum command command);
 
 /* The nearest of n words, close enough to be a slip of the finger; NULL: none is. */
 const char *args_near(const char *word, const char *const *list, int n);

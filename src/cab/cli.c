@@ -26,6 +26,9 @@
 #include "headless.h"
 #include "listen.h"
 #include "measure/bench.h"
+#include "share/export.h"
+#include "share/licences.h"
+#include "share/own.h"
 #include "host/keys.h"
 #include "host/progress.h"
 #include "host/report.h"
@@ -117,6 +120,7 @@ static enum result play_it(struct play *p)
     o.resume = a->resume;
     o.no_resume = a->no_resume;
     o.version = CURTAIN_VERSION;
+    o.sealed = own_sealed();
     o.user = p;
     o.open = is_games_folder(p->path) ? open_game : NULL;
     enum cab_opened opened = open_game(p, &o, err, sizeof err);
@@ -126,10 +130,28 @@ static enum result play_it(struct play *p)
     return cab_play(&o);
 }
 
+/* A game that was dropped on the window: with what was said of the window, and nothing of the run. */
+static enum result play_next(struct play *p, const char *path)
+{
+    const struct args *was = p->a;
+    struct args a = { .command = COMMAND_PLAY, .every = 1, .scale = was->scale, .fullscreen = was->fullscreen };
+
+    a.mute = was->mute;
+    a.nearest = was->nearest;
+    a.verbose = was->verbose;
+    game_close(&p->game);
+    p->a = &a;
+    p->path = path;
+    enum result result = play_it(p);
+    p->a = was;
+    return result;
+}
+
 /* named: the command was. */
 static enum result play(const struct args *a, bool named)
 {
     const char *path = a->n_words ? a->words[0] : NULL;
+    char next[FILES_PATH];
 
     if (path && is_nothing(path))
         return no_such_word(path, named);
@@ -139,6 +161,8 @@ static enum result play(const struct args *a, bool named)
     p->a = a;
     p->path = path;
     enum result result = play_it(p);
+    while (cab_next(next, sizeof next))
+        result = play_next(p, next);
     game_close(&p->game);
     free(p);
     return result;
@@ -412,6 +436,19 @@ static enum result help_lua(const char *name)
     return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
 }
 
+/* Of the help of play the options. */
+static void say_option(const char *line)
+{
+    if (strncmp(line, "  -", 3) == 0)
+        say(line);
+}
+
+static void help_own(void)
+{
+    own_help(say);
+    args_help(COMMAND_PLAY, say_option);
+}
+
 static enum result help(const struct args *a)
 {
     const char *topic = a->n_words ? a->words[0] : NULL;
@@ -438,15 +475,18 @@ static enum result help(const struct args *a)
     }
     if (a->n_words > 1)
         return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
-    args_help(command, say);
+    if (own_sealed())
+        help_own();
+    else
+        args_help(command, say);
     if (command == COMMAND_TEST) {
         say("");
         testing_help(say);
     }
-    if (command == COMMAND_PLAY) {
+    if (command == COMMAND_PLAY || own_sealed()) {
         say("");
         say("Keys, and the names to change them by:");
-        keys_help(say);
+        keys_help(own_sealed() ? KEYS_INSIDE : 0, say);
         say("");
         say("Controllers: the first that is used plays for player 1, START on another one takes the place of player "
             "2.");
@@ -469,6 +509,8 @@ static const char *byte_order(void)
 
 static enum result version(void)
 {
+    if (own_game()->rom)
+        printf("%s %d (%s)\n", own_game()->m.title, (int)own_game()->m.version, own_game()->m.id);
     printf("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
@@ -476,12 +518,41 @@ static enum result version(void)
     return report_stdout(RESULT_DONE);
 }
 
+/* Is it what an exported game does? */
+static bool allowed(const struct args *a, char *err, size_t err_size)
+{
+    const bool tells = a->command == COMMAND_HELP || a->command == COMMAND_VERSION || a->command == COMMAND_LICENCES;
+
+    if (!own_sealed() || tells || (a->command == COMMAND_PLAY && !a->n_words))
+        return true;
+    if (a->command == COMMAND_PLAY)
+        own_refuses_game(a->words[0], err, err_size);
+    else
+        own_refuses_command(args_name(a->command), err, err_size);
+    return false;
+}
+
+static enum result export(const struct args *a) {
+    const struct export_want want = { .rom = a->words[0],
+                                      .out = a->out,
+                                      .nearest = a->nearest,
+                                      .keys = a->keys,
+                                      .desktop = a->desktop,
+                                      .builtin = builtin_rom,
+                                      .builtin_size = builtin_rom_size };
+
+    return export_run(&want);
+}
+
 static enum result run(int argc, char **argv)
 {
     struct args a;
     char err[512];
 
-    if (!args_parse(&a, argc, argv, err, sizeof err))
+    enum result own = own_open(err, sizeof err);
+    if (own != RESULT_DONE)
+        return report_line(own, "%s", err);
+    if (!args_parse(&a, argc, argv, err, sizeof err) || !allowed(&a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
@@ -505,6 +576,10 @@ static enum result run(int argc, char **argv)
         return unpack(&a);
     case COMMAND_NEW:
         return start_new(a.words[0], a.from);
+    case COMMAND_EXPORT:
+        return export(&a);
+    case COMMAND_LICENCES:
+        return licences_run(a.full);
     case COMMAND_CHECK:
         return check_game(a.words[0], a.nearest);
     case COMMAND_BENCH:

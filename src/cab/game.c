@@ -8,17 +8,20 @@
 #include <string.h>
 #include "../base/err.h"
 #include "host/report.h"
+#include "share/own.h"
 
 /* ---- loading ---- */
 
 static bool load_builtin(struct game *g, char *err, size_t err_size)
 {
+    const struct own *own = own_game();
+    const uint8_t *rom = own->rom ? own->rom : builtin_rom;
+    const size_t size = own->rom ? own->size : builtin_rom_size;
     char why[512];
 
-    if (builtin_rom_size == 0)
+    if (size == 0)
         return err_set(err, err_size, "no game is built in: name a ROM (curtain help)");
-    if (rom_open(&g->rom, builtin_rom, builtin_rom_size, why, sizeof why) &&
-        cart_open(&g->cart, &g->rom, why, sizeof why))
+    if (rom_open(&g->rom, rom, size, why, sizeof why) && cart_open(&g->cart, &g->rom, why, sizeof why))
         return true;
     return err_set(err, err_size, "the built-in game: %s", why);
 }

@@ -11,7 +11,7 @@
 #include "demo/demo.h"
 #include "pack/pack.h"
 
-/* The game linked into the program; size 0: none. */
+/* The game linked into the program; size 0: none. An exported one (share/own.h) comes before it. */
 extern const uint8_t builtin_rom[];
 extern const size_t builtin_rom_size;
 

@@ -157,6 +157,28 @@ check "-O0 and -O2 make the same bytes" cmp twice-O0.gif twice-O2.gif
 same "which ImageMagick reads, too" "23 77x53" "$(identify -format '%W %H\n' twice-O0.gif | awk '{ n++ }
     END { print n, $1 "x" $2 }')"
 
+# ImageMagick's frames of a film, each for as long as it is shown, are the frames that render writes. A GIF has
+# pictures of two hundredths at the least: 50 a second, each the frame that stands then.
+shown_by_magick() { # FILM DIR LAST
+    local at=0 delay n=0 first differs
+    rm -rf magick && mkdir magick && convert "$1" -coalesce magick/%04d.png || return
+    for delay in $(identify -format '%T ' "$1"); do
+        first=$((at * 60 / 100))
+        [ "$first" -le "$3" ] || { echo "picture $n begins at frame $first"; return 1; }
+        differs=$(compare -metric AE "$(printf 'magick/%04d.png' $n)" "$(printf '%s/%06d.png' "$2" $first)" null: 2>&1)
+        [ "$differs" = 0 ] || { echo "picture $n is not frame $first"; return 1; }
+        at=$((at + delay)) n=$((n + 1))
+    done
+    echo "$n pictures"
+    [ $n -gt 20 ]
+}
+rm -rf frames
+"$curtain" render plain --seed 3 --frames 0:90 -o frames
+"$curtain" capture plain --seed 3 --frames 0:90 -o film.gif
+check "the frames as ImageMagick decodes them" shown_by_magick film.gif frames 90
+"$curtain" render plain --seed 4 --frames 0:90 -o frames
+refuse "planted: frames of another run" "is not frame" shown_by_magick film.gif frames 90
+
 # MP4 and WebM are another program's work: what it is given.
 mkdir bin
 cat >bin/ffmpeg <<'SH'

@@ -56,7 +56,7 @@ other_name() { [ "$(cat "$usr/share/man/man1/curtain-null.1")" = '.so man1/curta
 check 'curtain-null has the same page' other_name
 entry=$usr/share/applications/curtain.desktop
 check 'the entry of the menu is valid' desktop-file-validate "$entry"
-starts() { [ -x "$usr/bin/$(sed -n 's/^Exec=//p' "$entry")" ]; }
+starts() { [ -x "$usr/bin/$(sed -n 's/^Exec=\([a-z]*\) %f$/\1/p' "$entry")" ]; }
 check 'it starts the installed program' starts
 icons() { # of three sizes
     local size
@@ -73,6 +73,35 @@ refuse 'planted: without an id' 'Validation failed' \
     appstreamcli validate --no-net "$scratch/org.curtain.Curtain.metainfo.xml"
 sed '/^Type=/d' "$entry" >"$scratch/curtain.desktop"
 refuse 'planted: an entry of no type' 'Type' desktop-file-validate "$scratch/curtain.desktop"
+
+# A double click: the kind of a file that is a ROM, by its name or by how it begins, and what opens it.
+desktop() { # COMMAND...: as one that knows this installation alone
+    env -u DISPLAY XDG_DATA_HOME="$scratch/mine" XDG_DATA_DIRS="$usr/share" XDG_CONFIG_HOME="$scratch/mine" \
+        PATH="$usr/bin:$PATH" "$@"
+}
+kind() { desktop gio info -a standard::content-type "$1" | sed -n 's/.*content-type: //p'; }
+known() { update-mime-database "$usr/share/mime" && update-desktop-database "$usr/share/applications"; }
+is_rom() { [ "$(kind "$1")" = application/x-curtain-rom ] || { echo "it is a $(kind "$1")"; return 1; }; }
+refuse 'before the types are made known it is none' 'it is a ' is_rom "$scratch/mygame.rom"
+check 'the type is made known' known
+cp "$scratch/mygame.rom" "$scratch/by-name.rom"
+cp "$scratch/mygame.rom" "$scratch/by-its-first-bytes"
+for file in by-name.rom by-its-first-bytes; do
+    check "a ROM is told: $file" is_rom "$scratch/$file"
+done
+opens() { desktop gio mime application/x-curtain-rom | grep -q 'curtain\.desktop'; }
+check 'curtain opens it' opens
+find "$usr/share/mime" -mindepth 1 -maxdepth 1 ! -name packages -exec rm -r {} +
+rm "$usr/share/applications/mimeinfo.cache"
+makes install PREFIX="$scratch/here" >/dev/null 2>&1
+by_itself() {
+    [ -s "$scratch/here/share/mime/mime.cache" ] &&
+        grep -q x-curtain "$scratch/here/share/applications/mimeinfo.cache"
+}
+check 'make install makes it known, where it is installed for good' by_itself
+makes uninstall PREFIX="$scratch/here" >/dev/null 2>&1
+forgotten() { ! grep -q curtain "$scratch/here/share/mime/globs2" "$scratch/here/share/applications/mimeinfo.cache"; }
+check '... and make uninstall unknown' forgotten
 
 # Away again: all that was put there, and nothing else.
 gone() { # what is left is FILE..., and no folder of ours is without a file

@@ -84,6 +84,7 @@ tracks() { # PROGRAM FOLDER
     "$1" render "$glasstide" --demo "$glasstide/demos/run.demo" --frames 600:3000:300 -o "$2/frames" \
         --sheet "$2/sheet.png" 2>/dev/null
     "$1" render "$repo/roms/testcard" --frames 1,2,100 -o "$2/frames" 2>/dev/null
+    "$1" capture "$glasstide" --stage one --press fire --frames 0:240 -o "$2/film.gif" 2>/dev/null
 }
 tracks "$curtain" here
 same 'the script that uses everything runs to its end' 'exit 0' "$(tail -1 here/everything)"
@@ -119,7 +120,7 @@ other() { # NAME MAKE-ARGUMENT...
     ok "builds with $*"
     same "$name: without a warning" '' "$(grep -i warning make.log)"
     tracks "$repo/build/cross-$name/curtain-bare" "$name"
-    for file in everything demo verify boss g.rom glasstide.rom frames sheet.png; do
+    for file in everything demo verify boss g.rom glasstide.rom frames sheet.png film.gif; do
         if diff -r "here/$file" "$name/$file" >differs 2>&1; then ok "$name: the same $file"
             else not_ok "$name: the same $file" "$(head -c 400 differs)"; fi
     done

@@ -2,12 +2,13 @@
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, f when another window has the
  * keys, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to
- * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_kind, -N pulls it
- * out; without any such word all of them are there, of no known kind. Time passes only when waited for. Of every
- * picture shown, a line: a hash of it without its last 26 rows, where the cabinet draws the bar of time and writes
- * its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N picture N is written to
- * picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be composed; those are
- * hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of that rate.
+ * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_kind, -N pulls
+ * it out; without any such word all of them are there, of no known kind. =PATH is dropped on the window. Time passes
+ * only when waited for. Of every picture shown, a line: a hash of it without its last 26 rows, where the cabinet
+ * draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N
+ * picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be
+ * composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of
+ * that rate.
  * floor: tests
  */
 #include <inttypes.h>
@@ -19,6 +20,7 @@
 
 static uint64_t now = 1000000;
 static bool text; /* is wanted */
+static char dropped[256];
 
 static struct plat_controller plugged[PLAT_CONTROLLERS];
 static bool there[PLAT_CONTROLLERS], plugs; /* plugs: the script says what is there */
@@ -51,6 +53,15 @@ bool plat_controller(int i, struct plat_controller *controller)
     return there[i] || !plugs;
 }
 
+bool plat_dropped(char *path, size_t size)
+{
+    const bool was = dropped[0];
+
+    snprintf(path, size, "%s", dropped);
+    dropped[0] = 0;
+    return was;
+}
+
 bool plat_open(const struct plat_want *want)
 {
     text = want->text;
@@ -81,6 +92,8 @@ void plat_poll(struct plat_input *in)
             sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
         } else if (word[0] == '+' || word[0] == '-') {
             plug(word);
+        } else if (word[0] == '=') {
+            snprintf(dropped, sizeof dropped, "%s", word + 1);
         } else if (word[0] == 'c') {
             unsigned which = 1, bits = 0;
             if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)

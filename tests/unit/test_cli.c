@@ -80,10 +80,16 @@ static void test_commands(void **state)
     reads("new game --from first");
     assert_int_equal(a.command, COMMAND_NEW);
     assert_string_equal(a.from, "first");
+    reads("export game -o g --keys --desktop");
+    assert_true(a.command == COMMAND_EXPORT && a.keys && a.desktop && !a.full);
+    reads("licences --full");
+    assert_true(a.command == COMMAND_LICENCES && a.full && !a.keys);
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
-    static const char *const names[COMMANDS] = { "play", "render", "capture", "hash",  "verify", "test",   "pack",
-                                                 "list", "unpack", "check",   "sound", "help",   "version" };
+    static const char *const names[COMMANDS] = { "play",   "render",  "capture", "hash",    "verify",
+                                                 "test",   "pack",    "list",    "unpack",  "new",
+                                                 "export", "check",   "bench",   "survive", "sound",
+                                                 "art",    "palette", "help",    "version", "licences" };
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(args_command(names[i]), i);
     assert_int_equal(args_command("Play"), -1);
@@ -286,6 +292,11 @@ static void test_misfits(void **state)
     refuses("verify --restamp a b --bisect", "--restamp does not go with --bisect");
     refuses("play g --rerecord", "--rerecord does not go with play (it goes with verify)");
     refuses("verify g", "verify: expected ROM DEMO... (curtain help verify)");
+    refuses("export", "export: expected ROM (curtain help export)");
+    refuses("export g --full", "--full does not go with export (it goes with licences)");
+    refuses("pack g --desktop", "--desktop does not go with pack (it goes with export)");
+    refuses("licences --keys", "--keys does not go with licences (it goes with export)");
+    refuses("licences g", "licences: \"g\" is one argument too many (curtain help licences)");
     refuses("hash g h", "hash: \"h\" is one argument too many (curtain help hash)");
 }
 

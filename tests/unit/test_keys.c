@@ -562,7 +562,7 @@ static void help_has_them_all(void **state)
 {
     (void)state;
     lines = 0;
-    keys_help(count_line);
+    keys_help(0, count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
     int settings = 0;

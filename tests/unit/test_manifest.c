@@ -433,6 +433,10 @@ static void test_art_errors(void **state)
     entry_refused("palette = 3", "palette: expected a file, got 3");
     entry_refused("font = '/etc/font.png'",
                   "font: expected a file inside the folder (letters, digits, _ - . /), got \"/etc/font.png\"");
+    entry_refused("icon = 3", "icon: expected a file or a sprite's name, got 3");
+    entry_refused("icon = 'ship'", "icon: expected a .png or the name of a sprite, got \"ship\"");
+    entry_refused("icon = '../a.png'",
+                  "icon: expected a file inside the folder (letters, digits, _ - . /), got \"../a.png\"");
     entry_refused("palettes = { a = 'x/../y' }",
                   "palettes.a: expected a file inside the folder (letters, digits, _ - . /), got \"x/../y\"");
     entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is that of `palette`");

@@ -228,6 +228,35 @@ static void real_paths(void **state)
     setenv("XDG_DATA_HOME", home, 1);
 }
 
+/* Another name has other folders; without one, those of Curtain. */
+static void another_name(void **state)
+{
+    (void)state;
+    plat_name("lanterns");
+    is_below("/curtain-lanterns/a.nv", "user:a.nv");
+    setenv("XDG_PICTURES_DIR", home, 1);
+    is_below("/lanterns/a.png", "pictures:a.png");
+    plat_name("");
+    is_below("/curtain/a.nv", "user:a.nv");
+    is_below("/Curtain/a.png", "pictures:a.png");
+    unsetenv("XDG_PICTURES_DIR");
+}
+
+/* The program's own file is there under the name it says; a file that could be read can be run. */
+static void programs(void **state)
+{
+    char own[256];
+    struct stat st;
+
+    (void)state;
+    assert_true(plat_program(own, sizeof own) && plat_size(own) > 1000);
+    assert_false(plat_program(own, 3));
+    assert_true(plat_save("tool", "x", 1) && chmod("tool", 0640) == 0);
+    assert_true(plat_runnable("tool") && stat("tool", &st) == 0);
+    assert_int_equal(st.st_mode & 0777, 0750);
+    assert_false(plat_runnable("none"));
+}
+
 static void user_dirs_say(const char *text)
 {
     assert_true(plat_save("conf/user-dirs.dirs", text, strlen(text)));
@@ -480,6 +509,8 @@ int main(void)
         cmocka_unit_test(about),
         cmocka_unit_test(a_crash_is_told),
         cmocka_unit_test(listing),
+        cmocka_unit_test(another_name),
+        cmocka_unit_test(programs),
         cmocka_unit_test(a_failed_save_leaves_all),
         cmocka_unit_test(the_alarm_rings_where_it_was_armed),
     };

@@ -168,6 +168,7 @@ bool art_is_ase(const char *file);
 struct art {
     char palette[ART_FILE], font[ART_FILE], border[ART_FILE]; /* "": none */
     bool by_index;                                            /* the font, and what says nothing of its own */
+    char icon[ART_FILE];                                      /* a .png, else the name of a sprite; "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

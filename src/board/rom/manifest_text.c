@@ -870,6 +870,25 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
         bad(a->lua, a->path, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
 }
 
+/* A file, or one of the sprites. */
+static void read_icon(const struct at *root, struct art *art)
+{
+    int i = 0;
+
+    if (!get_text(root, "icon", "a file or a sprite's name", art->icon, sizeof art->icon))
+        return;
+    if (ends(art->icon, ".png")) {
+        if (!manifest_path_ok(art->icon))
+            bad(root->lua, "icon", "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"",
+                art->icon);
+        return;
+    }
+    while (i < art->n_sprites && strcmp(art->sprites[i].name, art->icon) != 0)
+        i++;
+    if (i == art->n_sprites)
+        bad(root->lua, "icon", "expected a .png or the name of a sprite, got \"%s\"", art->icon);
+}
+
 /* Maps alone switch backgrounds on. */
 static void read_maps(const struct at *root, struct manifest *m, struct art *art)
 {
@@ -1072,7 +1091,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
                                          "field",        "board",      "palette", "palettes", "blends",  "font",
                                          "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
                                          "difficulties", "difficulty", "maps",    "sounds",   "music",   "border",
-                                         "match",        NULL };
+                                         "match",        "icon",       NULL };
 
     only(root, names);
     read_texts(root, m);
@@ -1086,6 +1105,7 @@ static void read_root(const struct at *root, struct manifest *m, struct art *art
     read_fonts(root, art);
     read_sheets(root, art);
     read_sprites(root, art);
+    read_icon(root, art);
     read_maps(root, m, art);
     read_sounds(root, m, art);
 }

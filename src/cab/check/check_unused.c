@@ -268,7 +268,8 @@ static bool sound_file(const struct check *c, const char *path)
 
 static bool picture_used(const struct check *c, const char *path)
 {
-    bool used = strcmp(path, c->art.palette) == 0 || strcmp(path, c->art.font) == 0 || strcmp(path, c->art.border) == 0;
+    bool used = strcmp(path, c->art.palette) == 0 || strcmp(path, c->art.font) == 0 ||
+                strcmp(path, c->art.border) == 0 || strcmp(path, c->art.icon) == 0;
 
     for (int i = 0; i < c->art.n_palettes; i++)
         used = used || strcmp(path, c->art.palettes[i].file) == 0;

@@ -446,10 +446,12 @@ void keys_read(struct keys *k, const struct plat_input *in, const struct seats *
     k->held = out->held;
 }
 
-void keys_help(void (*line)(const char *))
+void keys_help(uint32_t without, void (*line)(const char *))
 {
     char text[128];
     for (int i = 0; i < KEYS_ACTIONS; i++) {
+        if (player_of(i) < 0 && without >> (i - PADS * PAD_BUTTONS) & 1)
+            continue;
         int n = snprintf(text, sizeof text, "  %-11s %-30s %s", actions[i].name, actions[i].switches, actions[i].help);
         while (n > 0 && text[n - 1] == ' ')
             text[--n] = 0;

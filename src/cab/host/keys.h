@@ -60,6 +60,15 @@ enum cab_key {
     CAB_KEYS
 };
 
+/* Of 1 << enum cab_key, the keys of those who make games: to move in time, which a replay has for everybody, and to
+ * look into the board. */
+#define KEYS_IN_TIME                                                                                                   \
+    (1u << CAB_STEP | 1u << CAB_SLOW | 1u << CAB_TURBO | 1u << CAB_REWIND | 1u << CAB_BACK | 1u << CAB_BEFORE |        \
+     1u << CAB_AFTER | 1u << CAB_GOTO)
+#define KEYS_INSIDE                                                                                                    \
+    (1u << CAB_RELOAD | 1u << CAB_SHAPES | 1u << CAB_GAUGES | 1u << CAB_SPLIT | 1u << CAB_TASKS | 1u << CAB_MIXER |    \
+     1u << CAB_CONSOLE)
+
 enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = PADS * PAD_BUTTONS + CAB_KEYS };
 
 enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
@@ -141,7 +150,7 @@ bool keys_reserved(uint16_t code);
 /* seats: this poll's. */
 void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out);
 
-/* Hands out the default map, a line an action, for `curtain help play`. */
-void keys_help(void (*line)(const char *));
+/* Hands out the default map, a line an action, for `curtain help play`, but for these of the cabinet's. */
+void keys_help(uint32_t without, void (*line)(const char *));
 
 #endif

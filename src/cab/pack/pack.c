@@ -35,6 +35,7 @@
 #include "tree.h"
 #include "png.h"
 #include "../picture/border.h"
+#include "icon.h"
 
 enum { PATH = TREE_PATH };
 
@@ -636,9 +637,32 @@ static bool add_border(struct packer *p)
     return err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
+/* A file goes in as it is, a sprite by its name. */
+static bool add_icon(struct packer *p)
+{
+    const char *icon = p->art.icon;
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    if (!icon[0])
+        return true;
+    if (!ends_with(icon, ".png"))
+        return add_copy(p, "", ICON_LUMP, icon, strlen(icon));
+    if (!tree_has(&p->files, icon))
+        return refuse_missing(p, icon);
+    if (!load_in(p, icon, ICON_BYTES, &data, &size))
+        return false;
+    if (icon_check(data, size, why, sizeof why))
+        return add(p, "", ICON_LUMP, data, size);
+    free(data);
+    return err_set(p->err, p->err_size, "%s: %s", icon, why);
+}
+
 static bool add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) || !add_border(p))
+    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) || !add_border(p) ||
+        !add_icon(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++) {
         tell(p, p->art.sheets[i].file);

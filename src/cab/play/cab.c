@@ -400,6 +400,14 @@ bool cab_power(void)
     return true;
 }
 
+bool cab_next(char *path, size_t size)
+{
+    const bool is = cab.dropped[0] && snprintf(path, size, "%s", cab.dropped) < (int)size;
+
+    cab.dropped[0] = '\0';
+    return is;
+}
+
 void cab_begin(void)
 {
     const struct cab_options *o = &cab.options;

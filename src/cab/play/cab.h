@@ -32,6 +32,7 @@ struct cab_options {
     bool verbose;             /* say at the end how the sound did */
     bool resume, no_resume;   /* go on with the run that was left, or begin at the title: without asking */
     bool nearest;             /* as pack: for a folder that is packed again when it changes */
+    bool sealed;              /* a game by itself: no keys of those who make games, and no other game */
 
     /* For a folder, else NULL: opens the game anew, which gives cart, start and demo. With it, what is wrong with the
      * folder is shown in the window, and waited for. */
@@ -44,5 +45,9 @@ struct cab_options {
  * RESULT_HOST: the host failed. With these a line that says why has gone to plat_log; after a script fault its
  * traceback too. */
 enum result cab_play(const struct cab_options *options);
+
+/* After cab_play: hands out, once, the folder or ROM that was dropped on the window and is to be played now. False:
+ * there is none. */
+bool cab_next(char *path, size_t size);
 
 #endif

@@ -154,6 +154,12 @@ static void console_keys(const struct plat_input *in, struct keys_read *k)
     cab.quit = !cab_open_window() || cab.quit;
 }
 
+static void take_away(struct keys_read *k, uint32_t keys)
+{
+    k->held &= ~keys;
+    k->pressed &= ~keys;
+}
+
 void cab_poll(struct keys_read *k)
 {
     struct plat_input in;
@@ -166,7 +172,10 @@ void cab_poll(struct keys_read *k)
     cab_seats_poll(&in);
     /* Also while the prompt is open: the key that closes it must not be read afterwards. */
     keys_read(&cab.config.keys, &in, &cab.seats, k);
+    if (cab.options.sealed)
+        take_away(k, KEYS_INSIDE | (cab.session.demo ? 0 : KEYS_IN_TIME));
     cab_seats_told(k);
+    cab_drop();
     if (cab.guest.resuming) { /* what was left is played again: nothing but leaving */
         cab.quit = cab.quit || k->pressed & 1 << CAB_QUIT;
         memset(k, 0, sizeof *k);

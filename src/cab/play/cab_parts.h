@@ -58,7 +58,9 @@ struct cab_window {
     struct border border; /* of the ROM; rgba NULL: it has none */
     uint8_t *border_rgba; /* malloc */
     bool border_read;
-    uint32_t border_crc;     /* of the ROM it was read from */
+    uint32_t border_crc; /* of the ROM it was read from */
+    bool has_icon;
+    uint32_t icon_crc;       /* the same, of the one the window has */
     uint64_t handed;         /* usec: when the last picture was handed to the port */
     int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it does at once */
     bool composes;           /* this picture will be composed */
@@ -184,7 +186,8 @@ struct cab {
     int notice_left;     /* frames; -1: until a reload works */
     bool fault_reported; /* of the fault that the board has now */
     bool quit;
-    enum result result; /* of cab_play */
+    char dropped[FILES_PATH]; /* what is played next, once this has ended; "": nothing */
+    enum result result;       /* of cab_play */
 };
 extern struct cab cab;
 
@@ -209,6 +212,11 @@ void cab_take_lang(struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
 void cab_save_nvram(void);
+
+/* ---- cab_screens.c ---- */
+
+/* Looks whether a game was dropped on the window: asks if that would end a run, and says what cannot be played. */
+void cab_drop(void);
 
 /* ---- cab_wait.c ---- */
 

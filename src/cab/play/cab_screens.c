@@ -115,6 +115,44 @@ bool cab_screen_keys(const struct plat_input *in, struct keys_read *k)
     return true;
 }
 
+/* ---- a game that is dropped on the window ---- */
+
+static void play_dropped(void *path)
+{
+    snprintf(cab.dropped, sizeof cab.dropped, "%s", (const char *)path);
+    cab.quit = true;
+}
+
+static bool can_be_played(const char *path)
+{
+    char err[FILES_ERR];
+    struct session_rom *rom = session_rom_load(path, cab.options.nearest, err, sizeof err);
+
+    if (!rom) {
+        cab_notice(CAB_NOTICE_FRAMES, "%s", err);
+        cab_say("curtain: %s", err);
+    }
+    session_rom_free(rom);
+    return rom != NULL;
+}
+
+void cab_drop(void)
+{
+    static char asked[FILES_PATH]; /* the question outlives this call */
+    char path[FILES_PATH];
+
+    if (!plat_dropped(path, sizeof path) || cab.options.sealed || !can_be_played(path))
+        return;
+    snprintf(asked, sizeof asked, "%s", path);
+    if (cab.waiting.on || !cab_run_is_on())
+        play_dropped(path);
+    else
+        screens_ask(&cab.screens,
+                    cab.keep.on && cab.keep.spare ? "Another game begins. The run that is on is kept for next time."
+                                                  : "Another game begins. The run that is on is lost.",
+                    "play it", play_dropped, asked);
+}
+
 /* The player's own switch for it; one that no setting takes away, where the keyboard has none. */
 static void foot_switch(const char *action, const char *always, char *name, size_t size)
 {

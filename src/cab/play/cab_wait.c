@@ -140,6 +140,7 @@ static void poll(void)
         cab.quit = !plat_open(&cab.want) || cab.quit;
     }
     cab_scroll(&cab.waiting.top, cab.waiting.most, k.pads[0], in.wheel);
+    cab_drop();
     if (cab.waiting.settings && !cab.quit && (plat_key(&in, ENTER) || k.pads[0] & PAD_START))
         end_settings();
 }

@@ -11,6 +11,7 @@
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
 #include "../pack/png.h"
+#include "../pack/icon.h"
 
 static struct cab_window *const window = &cab.window;
 
@@ -55,6 +56,18 @@ int cab_sound_rate(void)
     return board_has_sound(cab_live()) && (!cab.speaker.muted || cab.want.rate) ? SPEAKER_RATE : 0;
 }
 
+/* Of the ROM that runs; a window keeps it. */
+static void give_icon(void)
+{
+    const struct cart *cart = cab_cart();
+
+    if (window->has_icon && window->icon_crc == cart->rom->crc)
+        return;
+    window->has_icon = true;
+    window->icon_crc = cart->rom->crc;
+    icon_show(cart);
+}
+
 bool cab_open_window(void)
 {
     const struct manifest *m = &cab_cart()->m;
@@ -71,7 +84,10 @@ bool cab_open_window(void)
     snprintf(cab.title, sizeof cab.title, "%s", m->title); /* the manifest may go */
     cab.want.title = cab.title;
     window->cannot = false;
-    return plat_open(&cab.want);
+    if (!plat_open(&cab.want))
+        return false;
+    give_icon();
+    return true;
 }
 
 void cab_window_close(void)

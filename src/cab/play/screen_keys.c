@@ -7,7 +7,7 @@
 #include "../pads/switch.h"
 #include "cab_parts.h"
 
-enum { GROUPS = PADS + 1, STANDARD = KEYS_ACTIONS + GROUPS, ROWS };
+enum { GROUPS = PADS + 1 };
 
 static struct {
     bool listening;
@@ -16,22 +16,52 @@ static struct {
     bool began; /* capture has seen what was held */
 } wait;
 
+/* Has the program this key of the cabinet? */
+static bool has_key(int key)
+{
+    return !(cab.options.sealed && KEYS_INSIDE >> key & 1);
+}
+
+/* How many of the cabinet's keys there are; number n of them. */
+static int cabinet_keys(void)
+{
+    int n = 0;
+
+    for (int key = 0; key < CAB_KEYS; key++)
+        n += has_key(key);
+    return n;
+}
+
+static int cabinet_key(int n)
+{
+    int key = 0;
+
+    while (n > 0 || !has_key(key))
+        n -= has_key(key++);
+    return key;
+}
+
+/* The last row, which makes all as it was. */
+static int standard_row(void)
+{
+    return PADS * (PAD_BUTTONS + 1) + 1 + cabinet_keys();
+}
+
 /* The action of a row; -1: a heading, or the last row. Each group has a heading: the players, then the cabinet. */
 static int action_at(int at)
 {
-    for (int group = 0, first = 0; group < GROUPS; group++) {
-        const int n = group < PADS ? PAD_BUTTONS : CAB_KEYS;
-        if (at < first + n + 1)
-            return at == first ? -1 : at - group - 1;
-        first += n + 1;
-    }
-    return -1;
+    const int group = at / (PAD_BUTTONS + 1), row = at % (PAD_BUTTONS + 1);
+    const int cabinet = at - PADS * (PAD_BUTTONS + 1);
+
+    if (group < PADS)
+        return row == 0 ? -1 : group * PAD_BUTTONS + row - 1;
+    return cabinet == 0 || at >= standard_row() ? -1 : PADS * PAD_BUTTONS + cabinet_key(cabinet - 1);
 }
 
 static int rows(void *of)
 {
     (void)of;
-    return ROWS;
+    return standard_row() + 1;
 }
 
 /* All switches of an action as they are printed: "z, cross". */
@@ -60,8 +90,8 @@ static const char *button_name(int action)
 
 static void describe_heading(int at, struct screen_row *row)
 {
-    row->heading = at != STANDARD;
-    if (at == STANDARD) {
+    row->heading = at != standard_row();
+    if (!row->heading) {
         snprintf(row->label, sizeof row->label, "all as they were");
         snprintf(row->help, sizeof row->help, "every key and button does again what it does in a new installation");
     } else if (at < PADS * (PAD_BUTTONS + 1)) {
@@ -154,7 +184,7 @@ static void all_as_they_were(void *of)
 static void accept(void *of, int at)
 {
     (void)of;
-    if (at == STANDARD) {
+    if (at == standard_row()) {
         screens_ask(&cab.screens, "All keys and buttons that you have changed are as they were.", "yes",
                     all_as_they_were, NULL);
         return;

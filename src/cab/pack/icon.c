@@ -1,0 +1,149 @@
+/*
+ * icon.c - see icon.h.
+ */
+#include "icon.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../base/err.h"
+#include "png.h"
+
+struct rgba {
+    uint8_t *pix; /* malloc */
+    int w, h;
+};
+
+static bool fits(int w, int h, char *err, size_t err_size)
+{
+    const int most = w > h ? w : h;
+
+    if (most >= ICON_LEAST && most <= ICON_MOST)
+        return true;
+    return err_set(err, err_size, "expected an icon whose longer side is %d to %d px, got %d x %d", ICON_LEAST,
+                   ICON_MOST, w, h);
+}
+
+static bool read_png(const uint8_t *png, size_t size, struct rgba *out, char *err, size_t err_size)
+{
+    if (!png_read(png, size, &out->pix, &out->w, &out->h, err, err_size))
+        return false;
+    if (fits(out->w, out->h, err, err_size))
+        return true;
+    free(out->pix);
+    return false;
+}
+
+bool icon_check(const uint8_t *png, size_t size, char *err, size_t err_size)
+{
+    struct rgba picture;
+
+    if (!read_png(png, size, &picture, err, err_size))
+        return false;
+    free(picture.pix);
+    return true;
+}
+
+/* The first picture of a sprite, in the colours of palette/main. */
+static bool read_sprite(const struct cart *cart, const struct lump *lump, struct rgba *out)
+{
+    char name[ART_NAME];
+    struct sprite s;
+
+    snprintf(name, sizeof name, "%.*s", (int)lump->size, (const char *)lump->data);
+    const int i = cart_find_sprite(cart, name);
+    if (i < 0)
+        return false;
+    cart_sprite(cart, i, &s);
+    *out = (struct rgba){ calloc((size_t)s.w * s.h, 4), s.w, s.h };
+    for (int y = 0; out->pix && y < s.h; y++)
+        for (int x = 0; x < s.w; x++) {
+            const uint8_t pixel = s.pix[y * s.pitch + x];
+            uint8_t *to = out->pix + 4 * (y * s.w + x);
+            if (!pixel)
+                continue;
+            memcpy(to, cart_palette(cart, "main") + 3 * pixel, 3);
+            to[3] = 255;
+        }
+    return out->pix != NULL;
+}
+
+static bool read_icon(const struct cart *cart, struct rgba *out)
+{
+    const int i = rom_find(cart->rom, ICON_LUMP);
+    struct lump lump;
+    char why[256];
+
+    if (i < 0)
+        return false;
+    rom_lump(cart->rom, i, &lump);
+    if (lump.size > 0 && lump.data[0] == 0x89)
+        return read_png(lump.data, lump.size, out, why, sizeof why);
+    return read_sprite(cart, &lump, out);
+}
+
+uint8_t *icon_make(const struct cart *cart, int least, int *side)
+{
+    struct rgba p;
+
+    if (!read_icon(cart, &p))
+        return NULL;
+    const int longer = p.w > p.h ? p.w : p.h, times = longer >= least ? 1 : (least + longer - 1) / longer;
+    const int left = (longer - p.w) * times / 2, top = (longer - p.h) * times / 2;
+    *side = longer * times;
+    uint8_t *out = calloc((size_t)*side * (size_t)*side, 4);
+    for (int y = 0; out && y < p.h * times; y++)
+        for (int x = 0; x < p.w * times; x++)
+            memcpy(out + 4 * ((y + top) * *side + x + left), p.pix + 4 * (y / times * p.w + x / times), 4);
+    free(p.pix);
+    return out;
+}
+
+/* The chunks of a PNG of eight bits R G B A. */
+static bool write_png(int side, const uint8_t *packed, size_t packed_size, uint8_t **png, size_t *size)
+{
+    static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
+    uint8_t header[13] = { [8] = 8, [9] = 6 };
+    uint8_t *end;
+
+    *size = sizeof signature + sizeof header + packed_size + (size_t)3 * 12;
+    *png = malloc(*size);
+    if (!*png)
+        return false;
+    png_be32(header, (uint32_t)side);
+    png_be32(header + 4, (uint32_t)side);
+    memcpy(*png, signature, sizeof signature);
+    end = png_chunk(*png + sizeof signature, "IHDR", header, sizeof header);
+    end = png_chunk(end, "IDAT", packed, (uint32_t)packed_size);
+    png_chunk(end, "IEND", header, 0);
+    return true;
+}
+
+bool icon_png(const struct cart *cart, int least, uint8_t **png, size_t *size)
+{
+    int side = 0;
+    uint8_t *rgba = icon_make(cart, least, &side), *packed = NULL;
+    const size_t row = (size_t)side * 4;
+    uint8_t *raw = rgba ? calloc((size_t)side, row + 1) : NULL;
+    size_t packed_size;
+
+    for (int y = 0; raw && y < side; y++) /* a 0 before each row: as it is */
+        memcpy(raw + (size_t)y * (row + 1) + 1, rgba + (size_t)y * row, row);
+    bool good = raw && png_deflate(raw, (size_t)side * (row + 1), &packed, &packed_size) &&
+                write_png(side, packed, packed_size, png, size);
+    free(packed);
+    free(raw);
+    free(rgba);
+    return good;
+}
+
+void icon_show(const struct cart *cart)
+{
+    int side;
+    uint8_t *rgba = icon_make(cart, ICON_SHOWN, &side);
+
+    if (rgba)
+        plat_icon(rgba, side, side);
+    free(rgba);
+}

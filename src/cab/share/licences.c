@@ -1,0 +1,137 @@
+/*
+ * licences.c - see licences.h. What a port is made with it says itself (plat_about); what is not known there is said to
+ * be so. tests/cli/licences.sh compares the list with what the program is linked with.
+ */
+#include "licences.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../board/board.h"
+#include "../host/report.h"
+#include "../host/version.h"
+#include "own.h"
+
+/* MIT and zlib ask that their text comes along with copies; these are the licences' own words. */
+static const char mit[] =
+    "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated\n"
+    "documentation files (the \"Software\"), to deal in the Software without restriction, including without "
+    "limitation\n"
+    "the rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and\n"
+    "to permit persons to whom the Software is furnished to do so, subject to the following conditions:\n"
+    "\n"
+    "The above copyright notice and this permission notice shall be included in all copies or substantial portions of\n"
+    "the Software.\n"
+    "\n"
+    "THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED "
+    "TO\n"
+    "THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE\n"
+    "AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF\n"
+    "CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER "
+    "DEALINGS\n"
+    "IN THE SOFTWARE.\n";
+
+static const char zlib[] =
+    "This software is provided 'as-is', without any express or implied warranty. In no event will the authors be held\n"
+    "liable for any damages arising from the use of this software.\n"
+    "\n"
+    "Permission is granted to anyone to use this software for any purpose, including commercial applications, and to\n"
+    "alter it and redistribute it freely, subject to the following restrictions:\n"
+    "\n"
+    "1. The origin of this software must not be misrepresented; you must not claim that you wrote the original\n"
+    "   software. If you use this software in a product, an acknowledgment in the product documentation would be\n"
+    "   appreciated but is not required.\n"
+    "2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original\n"
+    "   software.\n"
+    "3. This notice may not be removed or altered from any source distribution.\n";
+
+static const char nothing[] = "Nothing has to be given along.\n";
+static const char of_system[] =
+    "It belongs to the system that the program runs on, and is no part of its file: nothing has to be given along.\n";
+static const char unknown[] = "Its licence is not known here: ask whoever wrote this port of Curtain.\n";
+
+struct work {
+    char name[32], version[128];
+    const char *licence, *what, *whose, *text;
+};
+
+enum { WORKS = 5 };
+
+static struct work work(const char *name, const char *licence, const char *what, const char *whose, const char *text)
+{
+    struct work w = { .licence = licence, .what = what, .whose = whose, .text = text };
+
+    snprintf(w.name, sizeof w.name, "%s", name);
+    return w;
+}
+
+/* "SDL 2.28.5, x11", or what another port says. False: it has no library. */
+static bool of_port(struct work *w)
+{
+    char about[128];
+
+    plat_about(about, sizeof about);
+    about[strcspn(about, ",")] = '\0';
+    if (strcmp(about, "no window") == 0)
+        return false;
+    if (strncmp(about, "SDL ", 4) == 0) {
+        *w = work("SDL", "zlib", "window, sound, controllers", "Copyright (C) Sam Lantinga and others", zlib);
+        snprintf(w->version, sizeof w->version, "%s", about + 4);
+    } else {
+        *w = work("port", "unknown", "window and the rest of the machine", "", unknown);
+        snprintf(w->version, sizeof w->version, "%s", about);
+    }
+    return true;
+}
+
+static int list(struct work all[WORKS])
+{
+    int n = 0;
+
+    all[n] = work("Curtain", "MIT", "the engine, and the Lua library in every ROM", "Copyright (c) The Curtain authors",
+                  mit);
+    snprintf(all[n++].version, sizeof all->version, "%s", CURTAIN_VERSION);
+    all[n] = work("Lua", "MIT", "runs the scripts", board_lua_copyright(), mit);
+    snprintf(all[n++].version, sizeof all->version, "%s", board_lua_release());
+    all[n++] =
+        work("stb", "public domain", "reads and writes PNG", "Sean Barrett and others; also to be had as MIT", nothing);
+    n += of_port(&all[n]);
+#ifdef __GLIBC__
+    all[n] = work("glibc", "LGPL 2.1", "the C library, of the system", "the GNU C Library", of_system);
+    snprintf(all[n++].version, sizeof all->version, "%d.%d", __GLIBC__, __GLIBC_MINOR__);
+#else
+    all[n++] = work("libc", "its own", "the C library, of the system", "the system's C library", of_system);
+#endif
+    return n;
+}
+
+static void print_texts(const struct work *all, int n)
+{
+    for (int i = 0; i < n; i++) {
+        printf("\n---- %s %s: %s ----\n\n", all[i].name, all[i].version, all[i].licence);
+        if (all[i].whose[0])
+            printf("%s\n\n", all[i].whose);
+        printf("%s", all[i].text);
+    }
+}
+
+enum result licences_run(bool full)
+{
+    struct work all[WORKS];
+    const int n = list(all);
+    const struct own *own = own_game();
+
+    if (own->rom)
+        printf("%s is the work of %s; the rest of this program:\n", own->m.title,
+               own->m.author[0] ? own->m.author : "its author");
+    for (int i = 0; i < n; i++)
+        printf("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
+               all[i].what);
+    puts("Packing opens libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) where they are installed, for recordings;");
+    puts("a game that is played needs neither.");
+    if (full)
+        print_texts(all, n);
+    else
+        puts("Who gives this program to others gives along the texts that --full prints.");
+    return report_stdout(RESULT_DONE);
+}

@@ -1,0 +1,112 @@
+/*
+ * own.c - see own.h. The file is read whole: it is a few megabytes, and the ROM in it is moved to its beginning, where
+ * it is aligned as malloc aligns.
+ */
+#include "own.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../base/err.h"
+#include "../../base/rom.h"
+#include "../host/files.h"
+#include "../host/version.h"
+#include "mark.h"
+
+enum { MOST = 1 << 30 /* bytes of a program */ };
+
+static struct own own;
+
+static const char itself[] = "this program's own file";
+
+/* Cuts the game out of the file. */
+static enum result take(uint8_t *file, size_t size, const struct mark *m, char *err, size_t err_size)
+{
+    struct rom rom;
+    struct lump lump;
+    char why[256];
+
+    if (size < m->at || size - m->at < m->size) {
+        err_set(err, err_size, "%s is cut short: it has %zu bytes, and should have %" PRIu64 " with its game", itself,
+                size, m->at + m->size);
+        return RESULT_REFUSED;
+    }
+    memmove(file, file + m->at, m->size);
+    if (!rom_open(&rom, file, m->size, why, sizeof why) || rom.crc != m->crc || rom_find(&rom, "manifest") < 0) {
+        err_set(err, err_size, "%s is damaged: the game in it is not the one that was put there", itself);
+        return RESULT_REFUSED;
+    }
+    rom_lump(&rom, rom_find(&rom, "manifest"), &lump);
+    if (!manifest_unpack(lump.data, lump.size, &own.m, why, sizeof why)) {
+        err_set(err, err_size, "%s: its game: manifest: %s", itself, why);
+        return RESULT_REFUSED;
+    }
+    own.rom = file;
+    own.size = (size_t)m->size;
+    own.keys = m->flags & MARK_KEYS;
+    return RESULT_DONE;
+}
+
+enum result own_open(char *err, size_t err_size)
+{
+    const struct mark m = mark_own();
+    char name[FILES_PATH];
+    uint8_t *file;
+    size_t size;
+
+    if (!m.size || own.rom)
+        return RESULT_DONE;
+    if (!plat_program(name, sizeof name)) {
+        err_set(err, err_size, "%s, which has its game, cannot be found on this system", itself);
+        return RESULT_HOST;
+    }
+    if (!files_read(name, itself, MOST, &file, &size, err, err_size))
+        return RESULT_HOST;
+    enum result result = take(file, size, &m, err, err_size);
+    if (result == RESULT_DONE)
+        plat_name(own.m.id);
+    else
+        free(file);
+    return result;
+}
+
+const struct own *own_game(void)
+{
+    return &own;
+}
+
+bool own_sealed(void)
+{
+    return own.rom && !own.keys;
+}
+
+const char *own_refuses_command(const char *command, char *err, size_t err_size)
+{
+    err_set(err, err_size, "%s: this program plays %s, and has no other commands of Curtain (--help)", command,
+            own.m.title);
+    return err;
+}
+
+const char *own_refuses_game(const char *path, char *err, size_t err_size)
+{
+    err_set(err, err_size, "%s: this program plays %s, and nothing else (--help)", path, own.m.title);
+    return err;
+}
+
+void own_help(void (*line)(const char *))
+{
+    char text[256];
+
+    snprintf(text, sizeof text,
+             "%s%s%s, made with Curtain %s. Started without a word it is played; with one it says:", own.m.title,
+             own.m.author[0] ? ", by " : "", own.m.author, CURTAIN_VERSION);
+    line(text);
+    line("");
+    line("  licences [--full]     whose work is in this program, and under which licence");
+    line("  version               what it is made of");
+    line("  help [config]         this; the settings and their file");
+    line("");
+    line("Options:");
+}

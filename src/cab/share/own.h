@@ -1,0 +1,38 @@
+/*
+ * own.h - the game that an exported program carries behind itself, and what such a program does and does not.
+ * floor: cab
+ */
+#ifndef CAB_OWN_H
+#define CAB_OWN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "../../board/rom/manifest.h"
+#include "../host/result.h"
+
+struct own {
+    const uint8_t *rom; /* malloc, until the program ends; NULL: this program carries none */
+    size_t size;
+    struct manifest m; /* of that ROM */
+    bool keys;         /* with the keys and commands of those who make games */
+};
+
+/* Reads the program's own game, if its mark says that there is one, and takes the game's name. To be called once, at
+ * the start. RESULT_REFUSED, RESULT_HOST: the file is damaged, or cannot be read: one sentence. */
+enum result own_open(char *err, size_t err_size);
+
+/* Never NULL. */
+const struct own *own_game(void);
+
+/* Does it play its game, and nothing else? */
+bool own_sealed(void);
+
+/* The sentences for what such a program does not do: a command, another game. */
+const char *own_refuses_command(const char *command, char *err, size_t err_size);
+const char *own_refuses_game(const char *path, char *err, size_t err_size);
+
+/* Its help, a line a call, without the options. */
+void own_help(void (*line)(const char *));
+
+#endif

@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# licences.sh - `curtain licences`: no library that the programs are linked with is missing in it, and the texts are
+# those that the libraries come with.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+null=$curtain curtain=$OUT/curtain
+
+# What a library is called in the list; a new one has no line here, and is told.
+# libm, the loader and what glibc 2.34 took in are glibc's; libgcc is the compiler's, whose licence excepts programs.
+name_of() {
+    case $1 in
+    liblua*) echo Lua ;;
+    libSDL2*) echo SDL ;;
+    libc.* | libm.* | libdl.* | libpthread.* | ld-linux*) echo glibc ;;
+    libgcc_s.*) echo - ;;
+    *) echo "unknown:$1" ;;
+    esac
+}
+linked() { readelf -d "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p'; }
+listed() { # PROGRAM LIST: every library is in it
+    local library name bad=0
+    for library in $(linked "$1"); do
+        name=$(name_of "$library")
+        [ "$name" = - ] || grep -q "^$name " "$2" || { echo "$library is not in the list"; bad=1; }
+    done
+    [ "$(linked "$1" | wc -l)" -gt 1 ] && return $bad
+}
+"$curtain" licences >list
+"$null" licences >null
+check 'every library of curtain is listed' listed "$curtain" list
+check 'every library of curtain-null is' listed "$null" null
+refuse 'planted: one of curtain is not listed' 'libSDL2-2.0.so.0 is not in the list' listed "$curtain" null
+same 'curtain-null has no SDL' 0 "$(grep -c ^SDL null)"
+# What is compiled in, by its headers: those of the system that are no part of the C library.
+headers() { # the headers that sources name in <...> and that are another's
+    grep -rhoE '^ *# *include <[^>]+>' "$repo/src" "$repo/platform" "$repo/fb" | sed 's/.*<\(.*\)>/\1/' |
+        grep -E '^(lua|lauxlib|lualib|SDL|stb|sndfile|libopenmpt|zlib|png)' | sed 's,[/.].*,,' | sort -u | paste -sd ' '
+}
+same 'no header of another library is in the sources' 'SDL lauxlib libopenmpt lua lualib sndfile stb' "$(headers)"
+for library in libsndfile libopenmpt; do
+    check "$library is not linked" bash -c "! readelf -d '$curtain' | grep -q $library"
+    check "... but named, for packing opens it" grep -q $library list
+done
+check 'stb, which is compiled in, is listed' grep -q '^stb ' list
+version() { sed -n "s/^$1 *\([^ ]*\) .*/\1/p" list; }
+same 'versions: Curtain' "$("$curtain" version | sed -n 's/^curtain \([^ ]*\) .*/\1/p')" "$(version Curtain)"
+same 'Lua' "$("$curtain" version | sed -n 's/.*Lua \([0-9.]*\).*/\1/p')" "$(version Lua)"
+same 'SDL, the one that is loaded' "$(sdl2-config --version)" "$(version SDL)"
+
+# The texts.
+words() { tr -s '[:space:]' ' ' | sed 's/^ //; s/ $//'; }
+part() { # NAME: what --full says of it
+    "$curtain" licences --full | awk -v name="^---- $1 " '/^---- / { on = $0 ~ name; next } on'
+}
+has() { # NAME TEXT
+    case $(part "$1" | words) in *"$2"*) ;; *) echo "of $1 there is no: $2"; return 1 ;; esac
+}
+mit=$(sed '1,/^Permission/{/^Permission/!d}' "$repo/LICENSE" | words)
+check "Curtain's is LICENSE, whole" has Curtain "$(sed 1,2d "$repo/LICENSE" | words)"
+check "Lua's is MIT" has Lua "$mit"
+check "... with Lua's own line" has Lua "Lua.org, PUC-Rio"
+refuse 'planted: another text' 'there is no' has SDL "$mit"
+debian() { # PACKAGE: its copyright's words, of no paragraph
+    sed -E 's/^ //; s/^\.$//' "/usr/share/doc/$1/copyright" | words
+}
+zlib=$(part SDL | sed '1,/^Permission/{/^Permission/!d}' | words)
+if [ -r /usr/share/doc/libsdl2-2.0-0/copyright ]; then
+    within() { case $(debian libsdl2-2.0-0) in *"$1"*) ;; *) echo "not there: $1"; return 1 ;; esac; }
+    check "SDL's is the one its package has" within "$zlib"
+else
+    echo "# no package of SDL here: its text is not compared"
+fi
+says() { "$curtain" "$@" 2>&1; }
+same 'an option that there is not' 'curtain: --keys does not go with licences (it goes with export)' \
+    "$(says licences --keys)"
+same 'a word too many' 'curtain: licences: "x" is one argument too many (curtain help licences)' "$(says licences x)"
+finish

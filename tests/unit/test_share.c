@@ -1,0 +1,83 @@
+/* test_share.c - the mark of an exported program, and what of a program's file is loaded. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../platform/platform.h"
+#include "../../src/cab/share/image.h"
+#include "../../src/cab/share/mark.h"
+
+/* This very program, as it is on the disk. */
+static uint8_t *itself(size_t *size)
+{
+    char name[256];
+
+    assert_true(plat_program(name, sizeof name));
+    *size = (size_t)plat_size(name);
+    uint8_t *file = malloc(2 * *size);
+    assert_non_null(file);
+    assert_int_equal(plat_load(name, file, *size), *size);
+    return file;
+}
+
+static void one_mark_is_found(void **state)
+{
+    size_t size, at, again;
+    uint8_t *file = itself(&size);
+    const struct mark put = { MARK_KEYS, 0x12345678, 1ull << 33, 99 };
+    struct mark got = mark_own();
+
+    (void)state;
+    assert_true(got.size == 0 && got.at == 0 && got.flags == 0);
+    assert_true(mark_find(file, size, &at));
+    assert_true(mark_find(file, at + MARK_BYTES, &again) && again == at);
+    assert_false(mark_find(file, at + MARK_BYTES - 1, &again));
+    assert_false(mark_find(file, 0, &again));
+    mark_put(file + at, &put);
+    mark_read(file + at, &got);
+    assert_true(got.flags == put.flags && got.crc == put.crc && got.at == put.at && got.size == put.size);
+    assert_true(mark_find(file, size, &again) && again == at); /* one that was written over is one still */
+    file[at + 32]++;                                           /* of another version */
+    assert_false(mark_find(file, size, &again));
+    file[at + 32]--;
+    memcpy(file + size, file + at, MARK_BYTES); /* two of them */
+    assert_false(mark_find(file, size + MARK_BYTES, &again));
+    free(file);
+}
+
+/* What is behind the last piece goes; what is no whole program stays. */
+static void what_is_loaded(void **state)
+{
+    uint8_t text[512] = "\177ELF and no more";
+    size_t size, end, at;
+    uint8_t *file = itself(&size);
+
+    (void)state;
+    assert_int_equal(image_trim(text, sizeof text), sizeof text);
+    assert_int_equal(image_trim(text, 3), 3);
+    uint8_t *copy = malloc(size);
+    assert_non_null(copy);
+    memcpy(copy, file, size);
+    assert_int_equal(image_trim(copy, 300), 300); /* its pieces are not all there */
+    memcpy(copy, file, size);
+    end = image_trim(copy, size);
+    assert_true(end < size && end > size / 20);
+    assert_true(mark_find(copy, end, &at));
+    memcpy(copy, file, size);
+    assert_int_equal(image_trim(copy, end), end);
+    memcpy(copy, file, size);
+    assert_int_equal(image_trim(copy, end - 1), end - 1);
+    free(copy);
+    free(file);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(one_mark_is_found), cmocka_unit_test(what_is_loaded) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
