@@ -18,7 +18,7 @@
 #include "host/progress.h"
 #include "host/report.h"
 #include "pack/png.h"
-#include "pack/shade.h"
+#include "tables/shade.h"
 #include "speaker/tape.h"
 #include "unseen.h"
 

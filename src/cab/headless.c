@@ -11,7 +11,7 @@
 #include "host/report.h"
 #include "speaker/tape.h"
 #include "pack/png.h"
-#include "pack/shade.h"
+#include "tables/shade.h"
 #include "demo/trace.h"
 #include "unseen.h"
 

@@ -3,7 +3,7 @@
  * picture, a dim darkens what lies behind and nothing else, a soft flash is a quarter, colours are view_colour's.
  */
 #include "../../src/board/video.h"
-#include "../../src/cab/pack/shade.h"
+#include "../../src/cab/tables/shade.h"
 #include "rig.h"
 
 static struct shade_kept kept;

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/cab/pack/art.h"
-#include "../../src/cab/pack/blend.h"
+#include "../../src/cab/tables/blend.h"
 
 static uint8_t table[CART_BLEND];
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/cab/pack/art.h"
-#include "../../src/cab/pack/shade.h"
+#include "../../src/cab/tables/shade.h"
 
 static int brightness(const uint8_t *rgb, int i)
 {

@@ -20,7 +20,7 @@ static void fields(struct prose *to, const char *prefix)
         const size_t type = strlen(e.returns);
         const bool optional = type > 0 && e.returns[type - 1] == '?';
         prose_add(to, "---@field %s%s %.*s # %s\n", e.name + n, optional ? "?" : "", (int)(type - optional), e.returns,
-               e.help);
+                  e.help);
     }
 }
 
@@ -36,7 +36,7 @@ static void params(struct prose *to, const char *text, char list[80])
         const bool optional = text[end - 1] == '?';
         const char *type = text + name + 2;
         prose_add(to, "---@param %.*s%s %.*s\n", (int)name, text, optional ? "?" : "",
-               (int)(text + end - type) - (optional ? 1 : 0), type);
+                  (int)(text + end - type) - (optional ? 1 : 0), type);
         snprintf(list + strlen(list), 80 - strlen(list), "%s%.*s", list[0] ? ", " : "", (int)name, text);
         text += end;
         text += strspn(text, ", ");
@@ -63,13 +63,14 @@ static void functions(struct prose *to, const char *prefix, const char *owner)
 void annotations_test_write(struct prose *to)
 {
     prose_add(to, "---@meta curtain_test\n");
-    prose_add(to, "-- Curtain %s: what test scripts call, for the Lua language server. Made by curtain help test "
-           "--annotations.\n\n-- luacheck: ignore\n",
-           CURTAIN_VERSION);
+    prose_add(to,
+              "-- Curtain %s: what test scripts call, for the Lua language server. Made by curtain help test "
+              "--annotations.\n\n-- luacheck: ignore\n",
+              CURTAIN_VERSION);
     prose_add(to, "\n---@class test.options\n");
     fields(to, "options.");
     prose_add(to, "\n---@class test.moment\n---@field frame integer\n---@field kind string\n---@field name? string\n"
-           "---@field of? string\n---@field title? string\n---@field value integer\n");
+                  "---@field of? string\n---@field title? string\n---@field value integer\n");
     prose_add(to, "\n---@class run\n");
     fields(to, "run.");
     prose_add(to, "local a_run = {}\n");

@@ -12,7 +12,7 @@
 #include "../../../platform/platform.h"
 #include "../host/progress.h"
 #include "../host/report.h"
-#include "../pack/shade.h"
+#include "../tables/shade.h"
 #include "../run/guard.h"
 #include "../run/sweep.h"
 

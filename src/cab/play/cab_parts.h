@@ -19,7 +19,7 @@
 #include "../run/ahead.h"
 #include "../run/guard.h"
 #include "../overlay/overlay.h"
-#include "../pack/shade.h"
+#include "../tables/shade.h"
 #include "../pads/press.h"
 #include "../pads/seats.h"
 #include "practice.h"
