@@ -13,7 +13,7 @@ fi
 mkdir -p g/art g/lang
 zcat $pcf | pcf2bdf -o g/art/jp.bdf 2>/dev/null
 cat >g/rom.lua <<'LUA'
-return { screen = { w = 160, h = 64 }, board = { lines = 4, lua_kib = 512 },
+return { id = "g", screen = { w = 160, h = 64 }, board = { lines = 4, lua_kib = 512 },
   fonts = { jp = { file = "art/jp.bdf", also = "島" } } }
 LUA
 cat >g/main.lua <<'LUA'

@@ -448,7 +448,7 @@ static void test_refused(void **state)
     refused(
         "bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
         "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } }, { circles = { { x, y, r "
-        "}, .. } } or \"none\"");
+        "}, .. } }, { sprite = name } or \"none\"");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 90 } } })", "it lies along the bullet's dir");
     refused("bullet.def('a', { sprite = 'dot', hit = { circles = {} } })",
             "hit.circles: expected a list of 1 to 4, as { { x, y, r }, .. }");
