@@ -14,7 +14,7 @@ music reel: 16.00 s, loop 12.00 s, 390 KB, recording, tracks 2, markers 2, The R
 mkdir -p g/music
 cp "$seeds"/* g/music
 echo 'music.play("a")' >g/main.lua
-rom() { echo "return { title = \"g\", music = { $1 } }" >g/rom.lua; }
+rom() { echo "return { id = \"g\", title = \"g\", music = { $1 } }" >g/rom.lua; }
 packs() { rom "$1"; "$curtain" pack g -o g.rom && "$curtain" sound g.rom; }
 
 for f in stereo.wav loop.wav loop.ogg loop.flac mono.flac mono.opus tiny.mod tiny.xm tiny.s3m tiny.it; do

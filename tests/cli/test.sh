@@ -382,7 +382,7 @@ refuse "no game" "no/such: no such file or folder" "$curtain" test no/such
 refuse "a ROM" "g.rom: is a file; test takes a game's folder" "$curtain" test g.rom
 refuse "no folder" "test: expected DIR [NAME...] (curtain help test)" "$curtain" test
 refuse "jobs that are none" '--jobs: expected a whole number from 1 to 64, got "0"' "$curtain" test g --jobs 0
-refuse "an option of others" "--seed does not go with test (it goes with play, render, capture, hash)" \
+refuse "an option of others" "--seed does not go with test (it goes with play, render, capture, hash, bench, survive)" \
     "$curtain" test g --seed 1
 refuse "its options are its own" "--update does not go with verify (it goes with test)" "$curtain" verify g x --update
 refuse "a report that cannot be written" "no/such/x.xml" "$curtain" test g --junit /proc/no/such/x.xml

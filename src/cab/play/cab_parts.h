@@ -80,7 +80,7 @@ struct waiting {
     bool on;
     bool settings; /* it is their file */
     bool looks;    /* it has changed: it is read in the next frame, once the picture says so */
-    char why[FILES_ERR], more[sizeof((struct board_fault *)0)->trace];
+    char why[FILES_ERR + CONFIG_LINE], more[sizeof((struct board_fault *)0)->trace];
     int top, most; /* lines scrolled, and the most */
 };
 

@@ -131,7 +131,7 @@ static void add_picture(struct atlas *m, uint32_t frame)
     const int x0 = GAP + m->count % m->columns * (f->field_w * m->scale + GAP);
     const int y0 = GAP + LABEL + m->count / m->columns * (f->field_h * m->scale + GAP + LABEL);
     char text[32];
-    int out[3];
+    int out[3] = { 0 };
 
     m->count++;
     board_draw(m->s->trial.b, NULL, &m->fb, m->rgb, m->scratch);
