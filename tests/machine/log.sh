@@ -33,7 +33,7 @@ same 'while it is open no picture is of the game' '' \
 check 'Escape closes it' cmp straight.demo log.demo
 
 { keys 40; press $F8; keys 9; } | plays g end
-{ keys 40; press $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER; keys 9; } | plays g menu
+{ keys 40; press $ESCAPE $UP $UP $UP $ENTER; keys 9; } | plays g menu
 same 'the menu has it, too' "$(seen end)" "$(seen menu)"
 { keys 40; press $F8 $UP; keys 9; } | plays g up
 check 'it scrolls' differs <(seen end) <(seen up)

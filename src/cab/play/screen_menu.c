@@ -6,7 +6,7 @@
 #include <string.h>
 #include "cab_parts.h"
 
-enum entry { GO_ON, PLAY_ON, BACK, REPLAYS, SETTINGS, KEYS, CONTROLLERS, LOG, PRACTICE, ANEW, LEAVE, ENTRIES };
+enum entry { GO_ON, PLAY_ON, BACK, REPLAYS, SETTINGS, KEYS, CONTROLLERS, PRACTICE, LOG, ANEW, LEAVE, ENTRIES };
 
 /* The entries that there are, in their order; returns how many. */
 static int entries(enum entry list[ENTRIES])
@@ -44,10 +44,9 @@ static int rows(void *of)
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    static const char *const labels[] = {
-        "go on", "play on from here", "back to the game", "replays", "settings", "keys", "controllers",
-        "log",   "practice",          "begin anew",       "leave"
-    };
+    static const char *const labels[] = { "go on", "play on from here", "back to the game", "replays", "settings",
+                                          "keys",  "controllers",       "practice",         "log",     "begin anew",
+                                          "leave" };
     static const char *const helps[] = {
         "",
         "from this frame on it is you who plays: for practice, or with a recording of your own",
@@ -56,8 +55,8 @@ static void row(void *of, int at, struct screen_row *row)
         "picture, sound, how you play",
         "every key and button, and what it does",
         "who plays with which, and what is pressed on it",
-        "what the game's scripts printed, and what went wrong",
         "any stage, mark or phase by itself, as often as you like",
+        "what the game's scripts printed, and what went wrong",
         "this run ends, and the game begins at its title",
         "",
     };
@@ -108,12 +107,12 @@ static void accept(void *of, int at)
     case CONTROLLERS:
         cab_open_controllers();
         break;
-    case LOG:
-        cab_open_log();
-        break;
     case PRACTICE:
         screens_close_all(&cab.screens);
         cab_open_practice();
+        break;
+    case LOG:
+        cab_open_log();
         break;
     case ANEW:
         if (cab_run_is_on())
