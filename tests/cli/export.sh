@@ -80,9 +80,13 @@ small() { [ "$(stat -c %s game)" -lt $(($(stat -c %s "$curtain") * 2 / 3)) ]; }
 check 'nor what debuggers read' small
 
 # Its own name and folders.
-check 'messages have its name' grep -qx 'lanterns: no setting is called "loud" .*' <(
-    mkdir -p data/curtain-lanterns && echo 'loud = 3' >data/curtain-lanterns/curtain.conf
-    ./game 2>&1 | sed -E 's/^(lanterns: ).*curtain.conf:1: (.*)/\1\2 ./')
+mkdir -p data/curtain-lanterns && echo 'loud = 3' >data/curtain-lanterns/curtain.conf
+./game >said 2>&1 & # its window waits for the file
+game=$!
+until [ -s said ] || ! kill -0 $game 2>/dev/null; do sleep 0.05; done
+kill -KILL $game
+wait $game 2>/dev/null
+check 'messages have its name' grep -q '^lanterns: .*curtain.conf:1: no setting is called "loud"' said
 rm -r data/curtain-lanterns
 same 'settings are its own' "$PWD/data/curtain-lanterns/curtain.conf" \
     "$(./game help config | grep -o '/[^ ]*curtain.conf' | head -1)"
