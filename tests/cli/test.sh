@@ -350,6 +350,13 @@ END
 )
 wrong "a circle of tables" 'tests/try.lua:1: run:eval: a table more than 8 tables deep' \
     'test.run():eval("(function() local t = {} t.t = t return t end)()")'
+script try <<<'test.expect(false, string.rep("x", 5000))'
+refuse "a sentence of 5000 letters" "tests/try.lua:1: expected: xxx" "$curtain" test g try
+script try <<<'local function deep() local t for _ = 1, 8 do local u = {} for i = 1, 20 do u[i] = t or i end t = u end return t
+end
+test.equal(deep(), deep())'
+check "tables that are too much to be compared" says \
+    '^ +tests/try.lua:3: endless loop: more than 1000000000 instructions in one test$' try
 wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: there is no tests/golden/a.png yet: look at '\
 'tests/failed/a.got.png, and --update keeps it' 'test.run() test.shot("a") test.shot("a")'
 check "is told" says 'tests/try.lua:1: a: frame 0: the name is taken twice in this test' try
@@ -382,7 +389,7 @@ refuse "no game" "no/such: no such file or folder" "$curtain" test no/such
 refuse "a ROM" "g.rom: is a file; test takes a game's folder" "$curtain" test g.rom
 refuse "no folder" "test: expected DIR [NAME...] (curtain help test)" "$curtain" test
 refuse "jobs that are none" '--jobs: expected a whole number from 1 to 64, got "0"' "$curtain" test g --jobs 0
-refuse "an option of others" "--seed does not go with test (it goes with play, render, capture, hash)" \
+refuse "an option of others" "--seed does not go with test (it goes with play, render, capture, hash, bench, survive)" \
     "$curtain" test g --seed 1
 refuse "its options are its own" "--update does not go with verify (it goes with test)" "$curtain" verify g x --update
 refuse "a report that cannot be written" "no/such/x.xml" "$curtain" test g --junit /proc/no/such/x.xml
@@ -395,7 +402,7 @@ rm g/tests/golden g/tests/shot.lua
 same "so is a disk that is full" 3 $?
 
 # A test whose process dies has failed, and no other.
-script slow <<<'local run = test.run() for _ = 1, 60 do run:step(3600) end'
+script slow <<<'print("so far") local run = test.run() for _ = 1, 60 do run:step(3600) end'
 ("$curtain" test g --jobs 1 >died 2>&1; echo "exit $?" >>died) &
 for _ in $(seq 500); do
     child=$(pgrep -P "$(pgrep -P $! -f 'curtain-null test g' | head -1)" 2>/dev/null | head -1)
@@ -404,6 +411,7 @@ for _ in $(seq 500); do
 done
 wait
 check "a test whose process dies" grep -qE '^      the program died of signal 11 while the test ran$' died
+check "what it said before is told" grep -qE '^ +\| so far$' died
 check "takes no other with it" grep -qE '^ok +tests/title.lua' died
 check "and has failed" grep -qx 'exit 1' died
 
