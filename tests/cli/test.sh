@@ -362,6 +362,11 @@ test.equal(deep(), deep())
 LUA
 check "tables that are too much to be compared" says \
     '^ +tests/try.lua:6: endless loop: more than 1000000000 instructions in one test$' try
+for does in 'test.run { frames = 3, pads = function() more() end }' 'test.run():wait(function() more() end, 3)'; do
+    wrong "a run that others have taken the place of, while it asks: ${does:0:14}" \
+        'tests/try.lua:1: the run is over: a test keeps its last 4 runs' \
+        "local function more() for _ = 1, 4 do test.run() end end $does"
+done
 wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: there is no tests/golden/a.png yet: look at '\
 'tests/failed/a.got.png, and --update keeps it' 'test.run() test.shot("a") test.shot("a")'
 check "is told" says 'tests/try.lua:1: a: frame 0: the name is taken twice in this test' try
