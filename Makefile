@@ -122,7 +122,7 @@ $(OUT)/%.o: %.c
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) -MMD -MP -c $< -o $@
 
-$(OUT)/src/cab/cli.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
+$(OUT)/src/cab/command_help.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 # Clang's -O3 unrolls the loops of sound, which is slower than -O2; gcc is told so in the files, clang has no such words.
 $(OUT)/src/snd/%.o $(OUT)/src/chips/sound/%.o: ALL_C += $(if $(findstring clang,$(CC)),$(patsubst -O3,-O2,$(filter -O3,$(OPT))))

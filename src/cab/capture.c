@@ -20,7 +20,7 @@
 #include "pack/png.h"
 #include "tables/shade.h"
 #include "speaker/tape.h"
-#include "unseen.h"
+#include "line/unseen.h"
 
 enum format { GIF, APNG, Y4M, WAV, MP4, WEBM, FORMATS };
 

@@ -9,7 +9,7 @@
 #ifndef CAB_CAPTURE_H
 #define CAB_CAPTURE_H
 
-#include "args.h"
+#include "line/args.h"
 #include "host/result.h"
 
 /* What is not done has been told on plat_log. */

@@ -13,7 +13,7 @@
 #include "pack/png.h"
 #include "tables/shade.h"
 #include "demo/trace.h"
-#include "unseen.h"
+#include "line/unseen.h"
 
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
 

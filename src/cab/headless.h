@@ -8,7 +8,7 @@
 #ifndef CAB_HEADLESS_H
 #define CAB_HEADLESS_H
 
-#include "args.h"
+#include "line/args.h"
 #include "host/result.h"
 
 enum result headless_render(const struct args *a);

@@ -12,7 +12,7 @@
 #include "demo/bisect.h"
 #include "host/clean.h"
 #include "host/progress.h"
-#include "game.h"
+#include "line/game.h"
 #include "host/report.h"
 #include "demo/markers.h"
 #include "demo/replay.h"

@@ -27,7 +27,7 @@
 #ifndef CAB_VERIFY_H
 #define CAB_VERIFY_H
 
-#include "args.h"
+#include "line/args.h"
 #include "host/result.h"
 
 /* Returns the worst result of all demos. */

@@ -350,6 +350,23 @@ END
 )
 wrong "a circle of tables" 'tests/try.lua:1: run:eval: a table more than 8 tables deep' \
     'test.run():eval("(function() local t = {} t.t = t return t end)()")'
+script try <<<'test.expect(false, string.rep("x", 5000))'
+refuse "a sentence of 5000 letters" "tests/try.lua:1: expected: xxx" "$curtain" test g try
+script try <<'LUA'
+local function deep()
+  local t = 1
+  for _ = 1, 8 do t = { t, t, t, t, t, t, t, t, t, t, t, t, t, t, t, t, t, t, t, t } end
+  return t
+end
+test.equal(deep(), deep())
+LUA
+check "tables that are too much to be compared" says \
+    '^ +tests/try.lua:6: endless loop: more than 1000000000 instructions in one test$' try
+for does in 'test.run { frames = 3, pads = function() more() end }' 'test.run():wait(function() more() end, 3)'; do
+    wrong "a run that others have taken the place of, while it asks: ${does:0:14}" \
+        'tests/try.lua:1: the run is over: a test keeps its last 4 runs' \
+        "local function more() for _ = 1, 4 do test.run() end end $does"
+done
 wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: there is no tests/golden/a.png yet: look at '\
 'tests/failed/a.got.png, and --update keeps it' 'test.run() test.shot("a") test.shot("a")'
 check "is told" says 'tests/try.lua:1: a: frame 0: the name is taken twice in this test' try
@@ -395,7 +412,7 @@ rm g/tests/golden g/tests/shot.lua
 same "so is a disk that is full" 3 $?
 
 # A test whose process dies has failed, and no other.
-script slow <<<'local run = test.run() for _ = 1, 60 do run:step(3600) end'
+script slow <<<'print("so far") local run = test.run() for _ = 1, 60 do run:step(3600) end'
 ("$curtain" test g --jobs 1 >died 2>&1; echo "exit $?" >>died) &
 for _ in $(seq 500); do
     child=$(pgrep -P "$(pgrep -P $! -f 'curtain-null test g' | head -1)" 2>/dev/null | head -1)
@@ -404,6 +421,7 @@ for _ in $(seq 500); do
 done
 wait
 check "a test whose process dies" grep -qE '^      the program died of signal 11 while the test ran$' died
+check "what it said before is told" grep -qE '^ +\| so far$' died
 check "takes no other with it" grep -qE '^ok +tests/title.lua' died
 check "and has failed" grep -qx 'exit 1' died
 

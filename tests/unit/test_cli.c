@@ -14,7 +14,7 @@
 #include <cmocka.h>
 #include "../../platform/platform.h"
 #include "../../src/base/pads.h"
-#include "../../src/cab/args.h"
+#include "../../src/cab/line/args.h"
 #include "../../src/cab/cli.h"
 #include "../../src/cab/host/version.h"
 #include "../temp.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/loudness.h"
+#include "../../src/cab/listen/loudness.h"
 #include "../../src/cab/mml/mml.h"
 #include "../../src/cab/sound/tune_time.h"
 

@@ -185,6 +185,7 @@ static void ask_held(lua_State *L, const struct trial_run *r)
     lua_rawgeti(L, LUA_REGISTRYINDEX, r->held);
     lua_pushvalue(L, 1);
     lua_call(L, 1, 1);
+    check_run(L, 1); /* the function may have begun others */
     if (!lua_isnoneornil(L, -1) && lua_type(L, -1) != LUA_TSTRING)
         vm_fault(L, FAULT_SCRIPT, "pads: the function is to return buttons like \"left,fire\", got %s",
                  luaL_typename(L, -1));
@@ -343,6 +344,7 @@ static bool holds(lua_State *L)
         lua_pushvalue(L, 2);
         lua_pushvalue(L, 1);
         lua_call(L, 1, 1);
+        check_run(L, 1); /* as in ask_held */
     } else if (evaluate(L, "run:wait", false) == 0) {
         lua_pushnil(L);
     }

@@ -116,6 +116,7 @@ bool trial_same(lua_State *L, int a, int b, int depth)
     lua_pushnil(L);
     while (same && lua_next(L, a)) {
         const int value = lua_gettop(L);
+        vm_charge(L, WORK_CALL);
         lua_pushvalue(L, value - 1);
         lua_rawget(L, b);
         same = trial_same(L, value, value + 1, depth + 1);

@@ -59,12 +59,14 @@ struct job {
     size_t n, room;
 };
 
-/* The child's part: it ends here, and flushes nothing that its parent has written. */
+/* The child's part: it ends here, and flushes nothing that its parent has written. Each line is written as it ends, so
+ * what was said before a crash is heard. */
 static void do_piece(const struct process_work *w, int piece, int to)
 {
     FILE *out = fdopen(to, "w");
 
     if (out) {
+        setvbuf(out, NULL, _IOLBF, PIECE);
         w->work(w->context, piece, out);
         fclose(out);
     }

@@ -10,6 +10,7 @@
 #include "../../board/rom/cart.h"
 #include "../demo/demo.h"
 #include "../host/result.h"
+#include "../line/args.h"
 
 struct bench {
     const char *path; /* of the game, as typed */
@@ -24,5 +25,8 @@ struct bench {
 
 /* Plays, measures and prints. RESULT_REFUSED: a run faulted or cannot begin; RESULT_HOST: no memory. */
 enum result bench_run(const struct bench *b);
+
+/* The command: the game of the first word is opened, measured and closed. */
+enum result bench_command(const struct args *a);
 
 #endif

@@ -131,7 +131,7 @@ static const struct board_out *timed_tick(struct player *p, const uint16_t pads[
 {
     board_on_phase(p->guard.board, phase_ends, p);
     const struct board_out *out = guard_tick(&p->guard, pads);
-    t->tick = (uint32_t)(p->last - p->began);
+    *t = (struct times){ .tick = (uint32_t)(p->last - p->began) };
     if (out->fault)
         return out;
     p->last = plat_usec();

@@ -8,6 +8,7 @@
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
 #include "../host/result.h"
+#include "../line/args.h"
 
 enum { SURVIVE_FRAMES = 7200, SURVIVE_EFFORT = 4 /* where nothing is said */ };
 
@@ -27,5 +28,8 @@ struct survive_options {
 
 /* What is not done has been told on plat_log. RESULT_DIFFERS: no way was found, or an easier difficulty is harder. */
 enum result survive_run(const struct survive_options *o);
+
+/* The command: the game of the first word, or the built-in one, is opened, tried and closed. */
+enum result survive_command(const struct args *a);
 
 #endif

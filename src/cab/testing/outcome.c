@@ -30,9 +30,9 @@ void outcome_each(const struct test *t, enum saying kind, void (*each)(void *con
     for (size_t at = 0, n; at < t->n; at += n + 1) {
         const char *from = t->said + at, *end = memchr(from, '\n', t->n - at);
         n = end ? (size_t)(end - from) : t->n - at;
-        if (n < 2 || n > LINE || from[0] != (char)kind)
+        if (n < 2 || from[0] != (char)kind)
             continue;
-        snprintf(line, sizeof line, "%.*s", (int)n - 2, from + 2);
+        snprintf(line, sizeof line, "%.*s", (int)(n - 2 < LINE ? n - 2 : LINE), from + 2);
         each(context, line);
     }
 }
@@ -75,9 +75,10 @@ bool outcome_add(struct test *t, const char *sentence)
 {
     char line[LINE];
     const int n = snprintf(line, sizeof line, "%c %s\n", SAYS_WRONG, sentence);
+    const bool cut = t->n > 0 && t->said[t->n - 1] != '\n'; /* its process died while it wrote */
 
     judge(&t->verdict, NULL);
-    return n > 0 && append(t, line, n < LINE ? (size_t)n : LINE - 1);
+    return (!cut || append(t, "\n", 1)) && n > 0 && append(t, line, n < LINE ? (size_t)n : LINE - 1);
 }
 
 bool outcome_take(struct test *t, const char *said, size_t n, int signal)

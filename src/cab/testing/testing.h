@@ -11,6 +11,7 @@
 #include "../../board/rom/cart.h"
 #include "../../board/trial/trial.h"
 #include "../host/result.h"
+#include "../line/args.h"
 
 struct testing {
     const char *dir;
@@ -31,6 +32,9 @@ struct testing {
 };
 
 enum result testing_run(const struct testing *t);
+
+/* The command: the game of the first word is opened, tested and closed. */
+enum result testing_command(const struct args *a);
 
 /* The functions of test scripts, a line each, for help. */
 void testing_help(void (*line)(const char *));

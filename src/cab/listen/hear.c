@@ -6,12 +6,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../platform/platform.h"
-#include "../board/board.h"
-#include "host/config.h"
-#include "host/report.h"
-#include "speaker/speaker.h"
-#include "overlay/overlay.h"
+#include "../../../platform/platform.h"
+#include "../../board/board.h"
+#include "../host/config.h"
+#include "../host/report.h"
+#include "../speaker/speaker.h"
+#include "../overlay/overlay.h"
 
 enum { W = 216, H = 224, SECOND = 1000000, MOST_LATE = 4, KEY_ESCAPE = 41, TITLE = 64 };
 

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../base/err.h"
-#include "host/report.h"
-#include "share/own.h"
+#include "../../base/err.h"
+#include "../host/report.h"
+#include "../share/own.h"
 
 /* ---- loading ---- */
 

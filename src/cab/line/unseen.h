@@ -8,8 +8,8 @@
 
 #include "args.h"
 #include "game.h"
-#include "host/result.h"
-#include "run/guard.h"
+#include "../host/result.h"
+#include "../run/guard.h"
 
 struct unseen {
     struct game game;

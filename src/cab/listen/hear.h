@@ -5,7 +5,7 @@
 #ifndef CAB_HEAR_H
 #define CAB_HEAR_H
 
-#include "host/result.h"
+#include "../host/result.h"
 
 /* b: a box (board.h). RESULT_HOST after a line that says why: there is no window. */
 struct board;

@@ -4,7 +4,7 @@
 #include "unseen.h"
 
 #include <string.h>
-#include "host/report.h"
+#include "../host/report.h"
 
 /* The result of a power-on or tick. */
 static enum result outcome(struct unseen *r)

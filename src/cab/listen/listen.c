@@ -6,17 +6,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../base/bytes.h"
-#include "../base/edit.h"
-#include "../base/err.h"
-#include "../board/board.h"
+#include "../../base/bytes.h"
+#include "../../base/edit.h"
+#include "../../base/err.h"
+#include "../../board/board.h"
 #include "hear.h"
-#include "host/report.h"
-#include "speaker/tape.h"
+#include "../host/report.h"
+#include "../speaker/tape.h"
 #include "notes.h"
-#include "pack/pack.h"
+#include "../pack/pack.h"
 #include "loudness.h"
-#include "sound/tune_time.h"
+#include "../sound/tune_time.h"
 
 enum { MOST_FRAMES = 7200, HEADER = 44 };
 

@@ -5,11 +5,11 @@
 #ifndef CAB_GAME_H
 #define CAB_GAME_H
 
-#include "../board/board.h"
-#include "../board/rom/cart.h"
+#include "../../board/board.h"
+#include "../../board/rom/cart.h"
 #include "args.h"
-#include "demo/demo.h"
-#include "pack/pack.h"
+#include "../demo/demo.h"
+#include "../pack/pack.h"
 
 /* The game linked into the program; size 0: none. An exported one (share/own.h) comes before it. */
 extern const uint8_t builtin_rom[];

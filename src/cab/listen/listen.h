@@ -5,8 +5,8 @@
 #ifndef CAB_LISTEN_H
 #define CAB_LISTEN_H
 
-#include "args.h"
-#include "host/result.h"
+#include "../line/args.h"
+#include "../host/result.h"
 
 enum result listen_run(const struct args *a);
 

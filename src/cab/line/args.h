@@ -2,7 +2,8 @@
  * args.h - the command line as data: commands, options, what goes with what, and their help.
  * floor: cab
  *
- * One table each for commands and options gives parsing, help and error messages. Nothing here touches a file.
+ * One table each for commands and options (args_table.c) gives parsing, help and error messages. Nothing here touches a
+ * file.
  */
 #ifndef CAB_ARGS_H
 #define CAB_ARGS_H
@@ -10,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../base/pads.h"
+#include "../../base/pads.h"
 
 enum command {
     COMMAND_PLAY,

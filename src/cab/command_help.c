@@ -1,0 +1,156 @@
+/*
+ * command_help.c - see command.h: help and version.
+ */
+#include "command.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../board/api_table.h"
+#include "../board/board.h"
+#include "editor/annotations.h"
+#include "editor/luacheck.h"
+#include "host/config.h"
+#include "host/keys.h"
+#include "host/report.h"
+#include "host/version.h"
+#include "share/own.h"
+#include "testing/testing.h"
+
+#ifndef CURTAIN_CFLAGS
+#define CURTAIN_CFLAGS "unknown"
+#endif
+
+#ifdef __clang__
+#define COMPILER __VERSION__ /* names itself */
+#elif defined(__GNUC__)
+#define COMPILER "gcc " __VERSION__
+#else
+#define COMPILER "unknown"
+#endif
+
+static void say(const char *line)
+{
+    puts(line);
+}
+
+static void print_prose(void (*write)(struct prose *))
+{
+    struct prose text = { 0 };
+
+    write(&text);
+    fwrite(text.bytes, 1, text.n, stdout);
+    free(text.bytes);
+}
+
+static enum result help_lua(const char *name)
+{
+    if (api_help(name, say))
+        return report_stdout(RESULT_DONE);
+    if (api_help_near(name))
+        return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (did you mean %s?)", name,
+                           api_help_near(name));
+    return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
+}
+
+/* Of the help of play the options. */
+static void say_option(const char *line)
+{
+    if (strncmp(line, "  -", 3) == 0)
+        say(line);
+}
+
+static void help_own(void)
+{
+    own_help(say);
+    args_help(COMMAND_PLAY, say_option);
+}
+
+static enum result help_lua_files(const struct args *a)
+{
+    if (strcmp(a->words[0], "test") == 0)
+        print_prose(annotations_test_write);
+    else if (a->annotations)
+        print_prose(annotations_write);
+    else
+        luacheck_print();
+    return report_stdout(RESULT_DONE);
+}
+
+static enum result help_unknown(const char *topic)
+{
+    const char *meant = args_near_command(topic);
+
+    if (meant)
+        return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (did you mean %s?)", topic, meant);
+    return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (curtain help lists them)", topic);
+}
+
+static void help_controls(void)
+{
+    say("");
+    say("Keys, and the names to change them by:");
+    keys_help(own_sealed() ? KEYS_INSIDE : 0, say);
+    say("");
+    say("Controllers: the first that is used plays for player 1, START on another one takes the place of player 2.");
+    say("pad. is the player's own, pad1. to pad4. a certain one; south is the lowest of four buttons, east the right");
+    say("one, whatever is printed there.");
+    say("");
+    say("Settings:");
+    config_help(say);
+}
+
+/* command: -1 for all of them. */
+static enum result help_command(int command)
+{
+    if (own_sealed())
+        help_own();
+    else
+        args_help(command, say);
+    if (command == COMMAND_TEST) {
+        say("");
+        testing_help(say);
+    }
+    if (command == COMMAND_PLAY || own_sealed())
+        help_controls();
+    return report_stdout(RESULT_DONE);
+}
+
+enum result command_help(const struct args *a)
+{
+    const char *topic = a->n_words ? a->words[0] : NULL;
+    const int command = topic ? args_command(topic) : -1;
+    const bool config = topic && strcmp(topic, "config") == 0;
+
+    if (a->annotations || a->luacheck)
+        return help_lua_files(a);
+    if (topic && strcmp(topic, "lua") == 0)
+        return help_lua(a->n_words > 1 ? a->words[1] : NULL);
+    if (topic && command < 0 && !config)
+        return help_unknown(topic);
+    if (a->n_words > 1)
+        return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
+    if (!config)
+        return help_command(command);
+    config_guide(say);
+    return report_stdout(RESULT_DONE);
+}
+
+static const char *byte_order(void)
+{
+    const uint16_t one = 1;
+
+    return *(const uint8_t *)&one ? "little" : "big";
+}
+
+enum result command_version(void)
+{
+    if (own_game()->rom)
+        printf("%s %d (%s)\n", own_game()->m.title, (int)own_game()->m.version, own_game()->m.id);
+    printf("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
+    printf("compiler %s\n", COMPILER);
+    printf("flags %s\n", CURTAIN_CFLAGS);
+    printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
+    return report_stdout(RESULT_DONE);
+}

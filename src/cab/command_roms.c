@@ -1,0 +1,111 @@
+/*
+ * command_roms.c - see command.h: pack, list, unpack and export.
+ */
+#include "command.h"
+
+#include <stdio.h>
+#include "../../platform/platform.h"
+#include "host/files.h"
+#include "host/progress.h"
+#include "host/report.h"
+#include "line/game.h"
+#include "pack/pack.h"
+#include "share/export.h"
+#include "store/replays_print.h"
+
+/* What is allowed when packing and hardly meant. */
+static void warn(void *context, const char *sentence)
+{
+    (void)context;
+    report_line(RESULT_DONE, "%s", sentence);
+}
+
+enum result command_pack(const struct args *a)
+{
+    struct rom_image image;
+    struct cart cart;
+    char err[1024], name[64];
+    const char *dir = a->words[0], *out = a->out;
+
+    if (plat_size(dir) >= 0)
+        return report_line(RESULT_REFUSED, "%s: is a file; pack takes a game's folder", dir);
+    progress_begin();
+    const bool loaded = rom_image_load_told(dir, a->nearest, warn, NULL, &image, err, sizeof err);
+    progress_end();
+    if (!loaded)
+        return report_error(err);
+    enum result result = RESULT_DONE;
+    if (!cart_open(&cart, &image.rom, err, sizeof err))
+        result = report_line(RESULT_REFUSED, "%s: %s", dir, err);
+    if (result == RESULT_DONE && !out) {
+        snprintf(name, sizeof name, "%s.rom", cart.m.id);
+        out = name;
+    }
+    if (result == RESULT_DONE && !files_save(out, image.bytes, image.size, err, sizeof err))
+        result = report_line(RESULT_HOST, "%s", err);
+    rom_image_free(&image);
+    return result;
+}
+
+static void print_line(void *user, const char *line)
+{
+    (void)user;
+    puts(line);
+}
+
+static enum result list_replays(const struct args *a, struct rom_image *image)
+{
+    struct cart cart;
+    char err[512];
+    enum result result = RESULT_DONE;
+
+    if (!cart_open(&cart, &image->rom, err, sizeof err))
+        result = report_line(RESULT_REFUSED, "%s: %s", a->words[0], err);
+    else if (!replays_print(cart.m.id, a->json))
+        result = report_line(RESULT_HOST, "out of memory");
+    rom_image_free(image);
+    return report_stdout(result);
+}
+
+enum result command_list(const struct args *a)
+{
+    struct rom_image image;
+    char err[1024];
+
+    if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
+        return report_error(err);
+    if (a->replays)
+        return list_replays(a, &image);
+    pack_list(&image.rom, print_line, NULL);
+    printf("game %016llx\nrom %016llx\n", (unsigned long long)rom_game_hash(&image.rom),
+           (unsigned long long)rom_hash(&image.rom));
+    rom_image_free(&image);
+    return report_stdout(RESULT_DONE);
+}
+
+enum result command_unpack(const struct args *a)
+{
+    struct rom_image image;
+    char err[1024];
+    enum result result = RESULT_DONE;
+
+    if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err))
+        return report_error(err);
+    if (!pack_unpack(&image.rom, a->words[1], err, sizeof err))
+        result = report_error(err);
+    rom_image_free(&image);
+    return result;
+}
+
+enum result command_export(const struct args *a)
+{
+    const struct export_want want = { .rom = a->words[0],
+                                      .out = a->out,
+                                      .nearest = a->nearest,
+                                      .keys = a->keys,
+                                      .desktop = a->desktop,
+                                      .builtin = builtin_rom,
+                                      .builtin_size = builtin_rom_size };
+
+    return export_run(&want);
+}

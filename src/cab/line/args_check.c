@@ -1,0 +1,141 @@
+/*
+ * args_check.c - see args_parts.h: which words and options go together.
+ */
+#include "args_parts.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "../../base/err.h"
+
+static void goes_with(unsigned set_of, char *out, size_t size)
+{
+    size_t n = 0;
+
+    out[0] = 0;
+    for (int i = 0; i < COMMANDS && n < size; i++) {
+        if (set_of >> i & 1)
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", args_commands[i].name);
+    }
+}
+
+/* Each of these makes another command of verify. */
+static bool check_verify(uint64_t seen, char *err, size_t err_size)
+{
+    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD, OPTION_JSON };
+    const char *first = NULL;
+
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+        if (!(seen >> ways[i] & 1))
+            continue;
+        if (first)
+            return err_set(err, err_size, "%s does not go with %s", args_options[ways[i]].name, first);
+        first = args_options[ways[i]].name;
+    }
+    return true;
+}
+
+/* A run that was left is gone on with as it was begun; JSON is of replays. */
+static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t err_size)
+{
+    static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
+                                          OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
+
+    for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
+        if (seen & args_bit(others[i]))
+            return err_set(err, err_size, "--resume does not go with %s", args_options[others[i]].name);
+    if (a->command == COMMAND_SURVIVE && a->all && a->map)
+        return err_set(err, err_size, "--all does not go with --map, which is of one section");
+    if (a->command == COMMAND_LIST && a->json && !a->replays)
+        return err_set(err, err_size, "list: --json needs --replays");
+    return true;
+}
+
+/* What is done with one sound needs its name, and there is one way to do it. */
+static bool check_sound(const struct args *a, char *err, size_t err_size)
+{
+    const char *first = a->out ? "-o" : a->wav ? "--wav" : a->play ? "--play" : "--notes";
+
+    if (a->command != COMMAND_SOUND || !(a->out || a->wav || a->play || a->notes))
+        return true;
+    if (a->n_words < 2)
+        return err_set(err, err_size, "%s needs the name of a sound or a piece of music (curtain help sound)", first);
+    if (a->wav && a->out)
+        return err_set(err, err_size, "--wav does not go with -o, which says the same");
+    if (a->play && (a->out || a->wav))
+        return err_set(err, err_size, "--play does not go with %s", first);
+    if (a->notes && (a->out || a->wav || a->play))
+        return err_set(err, err_size, "--notes does not go with %s", first);
+    return true;
+}
+
+/* Both are of the whole API; test scripts have one of their own. */
+static bool check_help(const struct args *a, char *err, size_t err_size)
+{
+    const char *option = a->annotations ? "--annotations" : "--luacheck";
+
+    if (!a->annotations && !a->luacheck)
+        return true;
+    if (a->annotations && a->luacheck)
+        return err_set(err, err_size, "--luacheck does not go with --annotations");
+    if (a->n_words == 1 && a->annotations && strcmp(a->words[0], "test") == 0)
+        return true;
+    if (a->n_words != 1 || strcmp(a->words[0], "lua") != 0)
+        return err_set(err, err_size, "%s: expected curtain help lua %s", option, option);
+    return true;
+}
+
+static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
+{
+    char with[160];
+    const uint64_t practice = args_bit(OPTION_LIVES) | args_bit(OPTION_REGISTER) | args_bit(OPTION_INVINCIBLE);
+    const uint64_t fixed = practice | args_bit(OPTION_SEED) | args_bit(OPTION_DIP) | args_bit(OPTION_STAGE) |
+                           args_bit(OPTION_DIFFICULTY) | args_bit(OPTION_LANG) | args_bit(OPTION_PRESS);
+
+    for (int o = 0; o < OPTIONS; o++) {
+        if (!(seen >> o & 1))
+            continue;
+        if (!(args_options[o].commands >> a->command & 1)) {
+            goes_with(args_options[o].commands, with, sizeof with);
+            return err_set(err, err_size, "%s does not go with %s (it goes with %s)", args_options[o].name,
+                           args_commands[a->command].name, with);
+        }
+        if (a->demo && fixed >> o & 1)
+            return err_set(err, err_size, "%s does not go with --demo, which holds its own", args_options[o].name);
+        if (!a->stage && practice >> o & 1)
+            return err_set(err, err_size, "%s needs --stage: it is for a practice start", args_options[o].name);
+    }
+    return check_verify(seen, err, err_size) && check_pairs(a, seen, err, err_size);
+}
+
+/* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */
+bool args_check_first(const struct args *a, uint64_t seen, char *err, size_t err_size)
+{
+    const char *word = a->words[0], *meant = args_near_command(word);
+    bool fits = a->n_words == 1;
+
+    for (int o = 0; o < OPTIONS; o++)
+        fits = fits && (!(seen >> o & 1) || args_options[o].commands & FOR_PLAY);
+    if (fits || (!meant && a->n_words == 1))
+        return true;
+    if (meant)
+        return err_set(err, err_size, "unknown command \"%s\" (did you mean %s?)", word, meant);
+    return err_set(err, err_size, "unknown command \"%s\" (curtain help lists them)", word);
+}
+
+static bool check_words(const struct args *a, char *err, size_t err_size)
+{
+    const char *name = args_commands[a->command].name;
+
+    if (a->n_words < args_commands[a->command].least)
+        return err_set(err, err_size, "%s: expected %s (curtain help %s)", name, args_commands[a->command].words, name);
+    if (a->n_words > args_commands[a->command].most)
+        return err_set(err, err_size, "%s: \"%s\" is one argument too many (curtain help %s)", name,
+                       a->words[args_commands[a->command].most], name);
+    return true;
+}
+
+bool args_check(const struct args *a, uint64_t seen, char *err, size_t err_size)
+{
+    return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size) &&
+           check_help(a, err, err_size);
+}

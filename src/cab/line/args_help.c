@@ -1,0 +1,58 @@
+/*
+ * args_help.c - see args.h: the help, out of the tables.
+ */
+#include "args_parts.h"
+
+#include <stdio.h>
+
+static void help_options(unsigned set_of, void (*line)(const char *))
+{
+    char text[320], name[48];
+
+    for (int o = 0; o < OPTIONS; o++) {
+        if (!(args_options[o].commands & set_of))
+            continue;
+        snprintf(name, sizeof name, "%s%s%s", args_options[o].name, args_options[o].value ? " " : "",
+                 args_options[o].value ? args_options[o].value : "");
+        snprintf(text, sizeof text, "  %-21s %s", name, args_options[o].help);
+        line(text);
+    }
+}
+
+static void help_all(void (*line)(const char *))
+{
+    char text[320], name[48];
+
+    line("curtain plays bullet-hell games. A ROM is a game's folder or a .rom file.");
+    line("");
+    for (int i = 0; i < COMMANDS; i++) {
+        snprintf(name, sizeof name, "%s %s", args_commands[i].name, args_commands[i].words);
+        snprintf(text, sizeof text, "  curtain %-28s %s", name, args_commands[i].help);
+        line(text);
+    }
+    line("");
+    line("The word play may be left out. Options, each explained by curtain help COMMAND:");
+    help_options(FOR_ALL | FOR_NEW, line);
+    line("");
+    line("Exit codes: 0 done, 1 a demo does not hold or check found something, 2 bad input or a script fault, 3 the "
+         "host failed.");
+}
+
+void args_help(int command, void (*line)(const char *))
+{
+    char text[320];
+
+    if (command < 0) {
+        help_all(line);
+        return;
+    }
+    snprintf(text, sizeof text, "curtain %s %s%s", args_commands[command].name, args_commands[command].words,
+             FOR_ALL >> command & 1 ? " [OPTIONS]" : "");
+    line(text);
+    snprintf(text, sizeof text, "  %s", args_commands[command].help);
+    line(text);
+    if (!((FOR_ALL | FOR_HELP | FOR_NEW | FOR_LICENCES) >> command & 1))
+        return;
+    line("");
+    help_options(1u << command, line);
+}
