@@ -3,7 +3,7 @@ return {
   id = "shooter", title = "Lantern Night", author = "You", version = 1,
   board = { bullets = 2048, shots = 256, enemies = 64, sparks = 2048, sprites = 64, motions = 64, tasks = 256,
             lua_kib = 2048, bodies = true },
-  palette = "art/palette.png", font = "art/font.png",
+  palette = "art/palette.png", font = "art/font.png", icon = "lantern",
   sheets = {
     bullets  = { file = "art/bullets.png",  bank = 0 },
     shots    = { file = "art/shots.png",    bank = 0 },

@@ -151,9 +151,10 @@ same "a circle" "12x12, bank 0, origin 6,6; bullet orb: circle 3; player ship: c
 same "at half the size" "6x6, bank 0, origin 3,3; bullet small: circle 1.5" "$(art_of orb_50)"
 same "at three times the size" "36x36, bank 0, origin 18,18; bullet large: circle 9" "$(art_of orb_300)"
 same "as it is in the tag's frame" "12x12, bank 0, origin 6,6; bullet late: circle 2" "$(art_of late)"
-same "odd sides: about the middle" "15x15, bank 0, origin 7,7, 3 frames of 6; bullet odd: circle 1.5" "$(art_of odd)"
-same "a box, about a pivot" "20x30, bank 0, origin 10,17, 3 frames of 6; enemy foe: box 12 x 18" "$(art_of foe)"
-same "in a part of the canvas" "12x18, bank 0, origin 6,9, 3 frames of 6; enemy part: box 12 x 18" "$(art_of part)"
+same "odd sides: about the middle" "15x15, bank 0, origin 7,7, 3 frames, every 6; bullet odd: circle 1.5" \
+    "$(art_of odd)"
+same "a box, about a pivot" "20x30, bank 0, origin 10,17, 3 frames, every 6; enemy foe: box 12 x 18" "$(art_of foe)"
+same "in a part of the canvas" "12x18, bank 0, origin 6,9, 3 frames, every 6; enemy part: box 12 x 18" "$(art_of part)"
 check "a capsule" grep -q 'bullet bar: capsule 10, 2$' <<<"$(art_of bar)"
 check "an upright one" grep -q 'enemy post: capsule 10, 2$' <<<"$(art_of post)"
 check "circles" grep -q 'shot wing: 2 circles$' <<<"$(art_of wing)"

@@ -11,6 +11,7 @@ cat >bin/curtain <<END
 #!/bin/sh
 # There is no window here: play is a run of some seconds with the same start.
 [ "\$1" != play ] || { shift; set -- hash "\$@" --frames 300 --every 300; }
+[ "\$1" != export ] || exec "$OUT/curtain" "\$@" # the page's program is the one with a window
 exec "$curtain" "\$@"
 END
 chmod +x bin/curtain
@@ -44,11 +45,11 @@ slip() { # FILE: with the line of the page in it the game does not begin, and sa
 }
 walk() { # PAGE: all steps in their order
     local line kind file found='' n=0
-    rm -rf mygame ./*.gif ./*.rom said said.line
+    rm -rf mygame out ./*.gif ./*.rom said said.line
     while read -r line kind file; do
         kind=$kind${file:+ $file} file=${file#* }
         case $kind in
-        sh) sh -eu "steps/$line" >out 2>&1 || { echo "line $line: $(cat "steps/$line" out)"; return 1; } ;;
+        sh) sh -eu "steps/$line" >told 2>&1 || { echo "line $line: $(cat "steps/$line" told)"; return 1; } ;;
         "lua find "*) grep -qF -- "$(head -1 "steps/$line")" "$file" && found=$line ||
             { echo "line $line: $file has no such line"; return 1; } ;;
         "lua write "*) edit "$file" "$found" "$line" && found=$line || { echo "line $line"; return 1; } ;;
@@ -72,6 +73,7 @@ check "there is a GIF" film boss.gif
 "$curtain" capture mygame --stage keeper/feast --invincible --press fire --frames 60:360 -o other.gif
 check "of that phase, and not of another" bash -c '! cmp -s boss.gif other.gif'
 check "and a ROM, which runs" "$curtain" hash mygame.rom --frames 60
+check "and a program, which is that game" grep -q mygame <(out/mygame --help)
 
 sed 's/speed = 4, focus = 1.8, lives/speed = 9, focus = 1.8, lives/' "$page" >bad.md
 refuse "planted: a line that the game has not" "has no such line" walk bad.md

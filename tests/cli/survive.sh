@@ -64,6 +64,16 @@ check "but a picture" [ -s c.png ]
 check "how far it was to look" says "was not over by then" --stage can_rest --frames 60 -o d.demo
 check "the map" says "map.png" --stage can_zigzag --map map.png -o e.demo
 check "which is a PNG" [ -s map.png ]
+same "its legend has the two colours, each a square of 10 px, and no more" "100 100" "$(python3 - "$repo" <<'PY'
+import sys
+sys.path.insert(0, sys.argv[1] + "/tests/golden")
+import png
+w, h, rows = png.read("map.png")
+below = b"".join(rows[h - 54:])
+pixels = [below[i:i + 3] for i in range(0, len(below), 3)]
+print(pixels.count(b"\x20\xd0\x50"), pixels.count(b"\x30\x70\xff"))
+PY
+)"
 cp -r planted broken
 sed -i 's/^boot.run.*/stage.def("fault", function() wait(20) error("planted fault") end)\n&/
     s/stages = names/stages = { "fault" }/' broken/main.lua

@@ -125,6 +125,19 @@ again
 { keys 100; keys 1 $Z; ends; keys 60; } | plays out --resume
 same 'and ends there as a replay on its kept ROM' '"game over"' "$("$curtain" list g --replays --json | jq .end)"
 again
+{ keys 5; keys 1 $ENTER; keys 60; } | plays out
+check 'in a folder that was changed Enter begins anew' test ! -e "$left"
+same '... and says nothing of going on' '' "$(cat err)"
+again
+{ keys 3; keys 1 $UP; keys 2; keys 1 $ENTER; keys 100; keys 1 $Z; keys 60 $Z; } | plays went
+same 'going on is the row above' "curtain: g: goes on at frame $frames with the run that was left" "$(cat err)"
+again
+"$curtain" pack g -o g.rom
+{ keys 5; keys 1 $ENTER; keys 100; keys 1 $Z; keys 60 $Z; } | ./player play g.rom >went 2>err
+same 'in a ROM that was changed it goes on' "curtain: g.rom: goes on at frame $frames with the run that was left" \
+    "$(cat err)"
+rm g.rom
+again
 rm data/curtain/roms/*
 { keys 60; } | plays out --resume
 check 'without its ROM it cannot, which is said' grep -q \

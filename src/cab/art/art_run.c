@@ -110,7 +110,7 @@ static void print_sprites(const struct art_game *g)
         cart_sprite(&g->cart, i, &s);
         printf("%s: %dx%d, bank %d, origin %d,%d", cart_sprite_name(&g->cart, i), s.w, s.h, s.bank, s.ox, s.oy);
         if (s.frames > 1)
-            printf(", %d frames of %d", s.frames, s.every);
+            printf(", %d frames, every %d", s.frames, s.every);
         if (s.rotations > 1)
             printf(", turned %d", s.rotations);
         print_shapes(g, cart_sprite_name(&g->cart, i));

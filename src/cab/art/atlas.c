@@ -22,6 +22,7 @@ enum {
     HEAD = 44,        /* of a bank: its name and colours */
     SWATCH = 18,      /* px of a colour there */
     SMALL = 10,       /* px above and below the frames */
+    BETWEEN = 4,      /* px between two frames */
     MOST_WORDS = 5,   /* hit shapes that are told of one sprite */
     MOST_FRAMES = 12, /* of one sprite that are shown small */
     ARM = 7           /* px of the cross at the origin */
@@ -269,7 +270,7 @@ static void describe(const struct atlas *a, int i, const struct sprite *s, struc
         snprintf(text + strlen(text), sizeof text - strlen(text), ", turned %d", s->rotations);
     add_words(out, FAINT, text);
     if (s->frames > 1) {
-        snprintf(text, sizeof text, "%d frames of %d", s->frames, s->every);
+        snprintf(text, sizeof text, "%d frames, every %d", s->frames, s->every);
         add_words(out, FAINT, text);
     }
     for (int k = 0; k < a->shapes->n; k++) {
@@ -290,12 +291,23 @@ static void describe(const struct atlas *a, int i, const struct sprite *s, struc
     }
 }
 
-/* Frames shown small under the picture: as many as there is room for. */
-static int small_frames(const struct sprite *s, int w)
+/* Frames shown small under the picture, and in how many columns w px have room for. */
+static int small_frames(const struct sprite *s)
 {
-    const int room = (w + 4) / (s->w + 4), n = s->frames < MOST_FRAMES ? s->frames : MOST_FRAMES;
+    return s->frames < 2 ? 0 : s->frames < MOST_FRAMES ? s->frames : MOST_FRAMES;
+}
 
-    return s->frames > 1 && room > 1 ? (n < room ? n : room) : 0;
+static int small_columns(const struct sprite *s, int w)
+{
+    return (w + BETWEEN) / (s->w + BETWEEN);
+}
+
+/* How high they are with the gap below them, px. */
+static int small_height(const struct sprite *s, int w)
+{
+    const int columns = small_columns(s, w), n = small_frames(s);
+
+    return n ? (n + columns - 1) / columns * (s->h + BETWEEN) - BETWEEN + SMALL : 0;
 }
 
 struct cell {
@@ -317,7 +329,7 @@ static struct cell measure(const struct atlas *a, int i)
     }
     c.w = c.s.w * ATLAS_SCALE > c.w ? c.s.w * ATLAS_SCALE : c.w;
     c.picture = c.s.h * ATLAS_SCALE;
-    c.h = c.picture + SMALL + (small_frames(&c.s, c.w) ? c.s.h + SMALL : 0) + words.n * LINE;
+    c.h = c.picture + SMALL + small_height(&c.s, c.w) + words.n * LINE;
     return c;
 }
 
@@ -332,7 +344,8 @@ static void paint_cell(const struct atlas *a, const struct cell *c, int x, int y
 {
     const struct sprite *s = &c->s;
     const char *name = cart_sprite_name(a->cart, c->sprite);
-    const int w = s->w * ATLAS_SCALE, h = s->h * ATLAS_SCALE, top = y + floor - h, small = small_frames(s, c->w);
+    const int w = s->w * ATLAS_SCALE, h = s->h * ATLAS_SCALE, top = y + floor - h;
+    const int columns = small_columns(s, c->w);
     const double ox = place_of(s->ox, s->w), oy = place_of(s->oy, s->h);
     struct lines words;
     int at = y + floor + SMALL;
@@ -343,9 +356,9 @@ static void paint_cell(const struct atlas *a, const struct cell *c, int x, int y
         if (strcmp(a->shapes->list[k].sprite, name) == 0)
             outline(a, &a->shapes->list[k], x, top, w, h, ox, oy);
     cross(a, x + (int)(ox * ATLAS_SCALE), top + (int)(oy * ATLAS_SCALE), s->w < s->h ? s->w / 2 : s->h / 2);
-    for (int k = 0; k < small; k++)
-        paint(a, s, k, x + k * (s->w + 4), at, 1);
-    at += small ? s->h + SMALL : 0;
+    for (int k = 0; k < small_frames(s); k++)
+        paint(a, s, k, x + k % columns * (s->w + BETWEEN), at + k / columns * (s->h + BETWEEN), 1);
+    at += small_height(s, c->w);
     describe(a, c->sprite, s, &words);
     for (int k = 0; k < words.n; k++)
         say(a, x, at + k * LINE + LETTER_UP * TEXT - 2, words.rgb[k], words.line[k]);

@@ -329,7 +329,7 @@ static void report_reload_failure(void)
 void cab_reload(void)
 {
     if (cab.guest.home) {
-        cab_notice(CAB_NOTICE_FRAMES, "an older ROM of the game runs: nothing to reload");
+        cab_notice(CAB_NOTICE_FRAMES, "the game before your changes: they show at its title");
         return;
     }
     if (!cab.options.path) {

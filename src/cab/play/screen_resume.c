@@ -1,6 +1,7 @@
 /*
  * screen_resume.c - the question when a game starts whose last run was left: to go on with it, or to begin anew. Who
- * answers neither is asked again the next time, unless another run has begun by then.
+ * answers neither is asked again the next time, unless another run has begun by then. Enter goes on, but begins anew in
+ * a folder that was changed.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,7 +13,8 @@ enum { GO_ON, ANEW, ROWS };
 
 static struct {
     char text[SCREEN_HELP];
-    bool can; /* its ROM is there, and this engine plays it as it was */
+    bool can;     /* its ROM is there, and this engine plays it as it was */
+    bool changed; /* the game is another since */
 } left;
 
 static int rows(void *of)
@@ -61,6 +63,7 @@ static void describe(const struct card *c)
     char *more = left.text + n;
     const size_t room = sizeof left.text - (size_t)n;
 
+    left.changed = !same;
     left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     if (c->core != CORE_VERSION)
         snprintf(more, room, "It was played on core version %u, this is %d: it cannot go on.", (unsigned)c->core,
@@ -69,6 +72,12 @@ static void describe(const struct card *c)
         snprintf(more, room, "The game has changed since, and its older ROM is not kept: it cannot go on.");
     else if (!same)
         snprintf(more, room, "The game has changed since; the run goes on in the game as it was.");
+}
+
+/* Who changes a game's folder and plays it wants to see the change, which the run that was left does not show. */
+static bool is_being_made(void)
+{
+    return left.changed && cab.folder.seen != 0;
 }
 
 void cab_open_resume(void)
@@ -93,5 +102,5 @@ void cab_open_resume(void)
         return;
     describe(&c);
     screens_open(&cab.screens, &question, NULL);
-    screens_choose(&cab.screens, left.can ? GO_ON : ANEW);
+    screens_choose(&cab.screens, left.can && !is_being_made() ? GO_ON : ANEW);
 }

@@ -12,8 +12,11 @@
 
 enum {
     PICTURES = 24, /* of a sheet */
+    KEYS = 3,      /* lines of the legend */
     GAP = 6,
-    LABEL = 14, /* px of height above a picture */
+    LABEL = 14,  /* px of height above a picture */
+    LEGEND = 16, /* of a line below all of them */
+    KEY = 10,    /* px of a colour there, and to its words */
     GREY = 0x28,
     LAST_SCALE = 2,
     BEFORE = 15 /* frames */
@@ -56,7 +59,7 @@ static bool sheet_open(struct atlas *m, int n)
         m->columns++;
     m->columns = m->columns > n ? n : m->columns;
     m->w = m->columns * w + GAP;
-    m->h = (n + m->columns - 1) / m->columns * h + GAP;
+    m->h = (n + m->columns - 1) / m->columns * h + KEYS * LEGEND + 2 * GAP;
     m->sheet = malloc((size_t)m->w * (size_t)m->h * 3);
     if (m->sheet)
         memset(m->sheet, GREY, (size_t)m->w * (size_t)m->h * 3);
@@ -66,7 +69,7 @@ static bool sheet_open(struct atlas *m, int n)
 /* Writes by the cabinet's face, which a picture of its own is made for. */
 static void label(const struct atlas *m, int x, int y, const char *text)
 {
-    enum { W = 240, H = LABEL };
+    enum { W = 320, H = LABEL };
     struct fb fb;
     struct canvas canvas;
     uint32_t rgb[256] = { 0 };
@@ -85,6 +88,31 @@ static void label(const struct atlas *m, int x, int y, const char *text)
     free(mem);
 }
 
+/* ---- the legend ---- */
+
+static const int leads_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30, 0x70, 0xff };
+
+/* What the colours say, a line each: a sheet may be as narrow as one picture. */
+static void legend(const struct atlas *m)
+{
+    static const char *const words[KEYS] = { "can be reached, and the end from here",
+                                             "can be reached, but is a dead end", "the ship of the run" };
+    const int *const colours[KEYS] = { leads_colour, dead_colour, NULL };
+
+    for (int k = 0; k < KEYS; k++) {
+        const int y = m->h - GAP - (KEYS - k) * LEGEND;
+        for (int i = 0; i < KEY * KEY; i++) {
+            const int dx = i % KEY, dy = i / KEY, from = KEY / 2;
+            const int *c = colours[k];
+            if (c)
+                put(m, GAP + dx, y + dy, c[0], c[1], c[2]);
+            else if ((dx == from) != (dy == from))
+                put(m, GAP + dx, y + dy, 255, 255, 255);
+        }
+        label(m, GAP + KEY + GAP, y, words[k]);
+    }
+}
+
 /* ---- a picture ---- */
 
 static bool is_in(const struct reach *r, uint32_t t, int px, int py)
@@ -100,7 +128,7 @@ static void tint(const struct atlas *m, uint32_t t, int px, int py, int out[3])
     const struct manifest *f = &m->cart->m;
     const uint32_t rgb = m->rgb[m->fb.pix[(f->field_y + py) * m->fb.pitch + f->field_x + px]];
     const bool could = is_in(&m->could, t, px, py), leads = could && is_in(&m->leads, t, px, py);
-    const int colour[3] = { leads ? 0x20 : 0x30, leads ? 0xd0 : 0x70, leads ? 0x50 : 0xff };
+    const int *colour = leads ? leads_colour : dead_colour;
 
     for (int i = 0; i < 3; i++) {
         const int v = (int)(rgb >> (16 - 8 * i) & 255);
@@ -207,6 +235,7 @@ static uint8_t *make(struct section_run *s, const struct cart *cart, int scale, 
 
     if (map_open(&m, n)) {
         map_run(&m, frame, n);
+        legend(&m);
         png_write_rgb(m.sheet, m.w, m.h, &png, size);
     }
     map_close(&m);
