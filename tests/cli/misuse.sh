@@ -107,4 +107,34 @@ if mount -t tmpfs -o size=64k tmpfs locked; then
     done
     host 'read-only: mp4' "locked/x.mp4.part: $locked" capture g --frames 1:3 -o locked/x.mp4
 fi
+
+# ---- broken off ----
+
+cp -r g heavy
+echo 'task.go(function() while true do for i = 1, 300000 do local x = i * i end wait(1) end end)' >heavy/main.lua
+broken_off() { # Ctrl+C, once the line is there: the last that the terminal gets takes it away
+    python3 - "$curtain" capture heavy -o broken.gif --frames 1:200000 <<'PY'
+import os, pty, sys
+pid, terminal = pty.fork()
+if pid == 0:
+    os.execv(sys.argv[1], sys.argv[1:])
+seen, pressed = b"", False
+while True:
+    try:
+        got = os.read(terminal, 4096)
+    except OSError:
+        break
+    if not got:
+        break
+    seen += got
+    if not pressed and b" left" in seen:
+        os.write(terminal, b"\x03")
+        pressed = True
+status = os.waitpid(pid, 0)[1]
+assert os.WIFSIGNALED(status) and os.WTERMSIG(status) == 2, status
+assert seen.endswith(b"\r\033[K"), seen[-80:]
+PY
+}
+check 'Ctrl+C takes the line of progress away' broken_off
+same 'and leaves no half film' '' "$(ls | grep broken.gif)"
 finish
