@@ -57,8 +57,8 @@ for command in hash play render survive; do
 done
 bad 'test of nothing' 'test: expected DIR [NAME...], got "" (curtain help test)' test ''
 bad 'export of nothing' 'export: expected ROM, got "" (curtain help export)' export ''
-bad 'a fault while measuring' 'nope: frame 0: main.lua:21: boot.run: stage "nope" is not declared (did you mean "one"?)' \
-    bench g --stage nope
+bad 'a fault while measuring' \
+    'nope: frame 0: main.lua:21: boot.run: stage "nope" is not declared (did you mean "one"?)' bench g --stage nope
 
 # ---- links, devices, disks ----
 
