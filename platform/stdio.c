@@ -499,6 +499,13 @@ static long size_of(const char *path)
     return !S_ISREG(st.st_mode) ? 0 : st.st_size > LONG_MAX ? LONG_MAX : (long)st.st_size;
 }
 
+static bool is_same(const char *a, const char *b)
+{
+    struct stat one, two;
+    return stat(a, &one) == 0 && stat(b, &two) == 0 && S_ISREG(one.st_mode) && one.st_dev == two.st_dev &&
+           one.st_ino == two.st_ino;
+}
+
 static bool replace(const char *from, const char *to)
 {
     return rename(from, to) == 0;
@@ -564,6 +571,11 @@ static long size_of(const char *path)
     return size;
 }
 
+static bool is_same(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0 && size_of(a) >= 0;
+}
+
 static bool make_runnable(const char *path)
 {
     (void)path;
@@ -608,6 +620,12 @@ DEFAULT long plat_load(const char *name, void *buf, size_t cap)
     bool good = !ferror(f);
     fclose(f);
     return good ? (long)n : -1;
+}
+
+DEFAULT bool plat_same(const char *a, const char *b)
+{
+    char one[MAX_PATH_BYTES], two[MAX_PATH_BYTES];
+    return path_of(one, a) && path_of(two, b) && is_same(one, two);
 }
 
 static bool write_all(FILE *f, const void *buf, size_t len)

@@ -336,17 +336,34 @@ static bool ffmpeg_line(const struct capture *c, const char *sound, const char *
     if (!process_word(out, sizeof out, to) || (sound && !process_word(wav, sizeof wav, sound)))
         return false;
     return snprintf(line, size,
-                    "exec ffmpeg -hide_banner -loglevel error -nostdin -y -f yuv4mpegpipe -i pipe:0 %s%s -vf "
+                    "exec ffmpeg -hide_banner -loglevel error -xerror -nostdin -y -f yuv4mpegpipe -i pipe:0 %s%s -vf "
                     "'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s file:%s",
                     sound ? "-i file:" : "", wav, how, out) < (int)size;
 }
 
+/* Takes the film to where it is wanted: what stands there is written as any file of ours, so a link and a device stay
+ * what they are. */
+static enum result put_film(const struct capture *c, const char *part)
+{
+    char err[FILES_ERR];
+    uint8_t *film;
+    size_t size;
+
+    bool good = files_read(part, part, SIZE_MAX, &film, &size, err, sizeof err);
+    good = good && files_save(c->a->out, film, size, err, sizeof err);
+    free(film);
+    remove(part);
+    return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+}
+
 static enum result feed(struct capture *c, const char *sound, const char *part)
 {
-    char line[5 * FILES_PATH];
+    char line[5 * FILES_PATH], err[FILES_ERR];
 
     if (!ffmpeg_line(c, sound, part, line, sizeof line))
         return report_line(RESULT_REFUSED, "-o: the path is too long");
+    if (!files_save(part, "", 0, err, sizeof err)) /* with a sentence of ours, before all the work */
+        return report_line(RESULT_HOST, "%s", err);
     fflush(stdout);
     c->stream = process_open(line);
     if (!c->stream)
@@ -355,8 +372,8 @@ static enum result feed(struct capture *c, const char *sound, const char *part)
     enum result result = go_through(c, false);
     const bool good = process_close(c->stream);
     c->stream = NULL;
-    if (good && rename(part, c->a->out) == 0)
-        return result;
+    if (good)
+        return first_of(result, put_film(c, part));
     remove(part);
     return report_line(RESULT_HOST, "%s: ffmpeg could not make it", c->a->out);
 }

@@ -17,6 +17,7 @@
 #include "share/licences.h"
 #include "share/own.h"
 #include "start/start.h"
+#include "store/apart.h"
 #include "survive/survive.h"
 #include "testing/testing.h"
 #include "verify.h"
@@ -35,15 +36,26 @@ static bool allowed(const struct args *a, char *err, size_t err_size)
     return false;
 }
 
+/* Does what is to be written leave what is read as it is? -o of unpack and render is a folder. */
+static bool apart(const struct args *a, char *err, size_t err_size)
+{
+    const struct apart_out out[] = { { "-o", a->out },        { "--record", a->record }, { "--sheet", a->sheet },
+                                     { "--wav", a->wav },     { "--atlas", a->atlas },   { "--map", a->map },
+                                     { "--junit", a->junit }, { "--page", a->page } };
+    const bool games = a->n_words && a->command != COMMAND_PALETTE && a->command != COMMAND_HELP;
+
+    return apart_check(games ? a->words[0] : NULL, a->demo, out, sizeof out / sizeof *out, err, err_size);
+}
+
 static enum result run(int argc, char **argv)
 {
     struct args a;
-    char err[512];
+    char err[1536];
 
     enum result own = own_open(err, sizeof err);
     if (own != RESULT_DONE)
         return report_line(own, "%s", err);
-    if (!args_parse(&a, argc, argv, err, sizeof err) || !allowed(&a, err, sizeof err))
+    if (!args_parse(&a, argc, argv, err, sizeof err) || !allowed(&a, err, sizeof err) || !apart(&a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)

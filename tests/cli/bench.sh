@@ -139,6 +139,6 @@ slip "frames" "--frames does not go with bench" plain --frames 1
 slip "a difficulty" '--difficulty: unknown difficulty "mad"' plain --difficulty mad
 echo 'task.go(function() wait(30) local x; x.y = 1 end)' >>plain/main.lua
 refuse "a script's fault" "main.lua:15: attempt to index a nil value" "$curtain" bench plain
-same "and where" "curtain: start: frame 30:" "$(head -n 1 .said)"
+same "and where" "curtain: start: frame 30: " "$(grep -o "^curtain: start: frame 30: " .said)"
 refuse "a section that is not there" "nowhere" "$curtain" bench whole --stage nowhere
 finish

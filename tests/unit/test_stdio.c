@@ -257,6 +257,15 @@ static void programs(void **state)
     assert_false(plat_runnable("none"));
 }
 
+/* By whatever name, and only what is there and is a file. */
+static void same_files(void **state)
+{
+    (void)state;
+    assert_true(plat_save("one", "x", 1) && plat_save("two", "x", 1) && symlink("one", "also") == 0);
+    assert_true(plat_same("one", "one") && plat_same("one", "./one") && plat_same("also", "one"));
+    assert_false(plat_same("one", "two") || plat_same("none", "none") || plat_same("/dev/null", "/dev/null"));
+}
+
 static void user_dirs_say(const char *text)
 {
     assert_true(plat_save("conf/user-dirs.dirs", text, strlen(text)));
@@ -511,6 +520,7 @@ int main(void)
         cmocka_unit_test(listing),
         cmocka_unit_test(another_name),
         cmocka_unit_test(programs),
+        cmocka_unit_test(same_files),
         cmocka_unit_test(a_failed_save_leaves_all),
         cmocka_unit_test(the_alarm_rings_where_it_was_armed),
     };

@@ -41,6 +41,32 @@ bool process_terminal(void)
     return isatty(2);
 }
 
+static const char *volatile last_word;
+
+static void broken_off(int sig)
+{
+    if (last_word && write(2, last_word, strlen(last_word)) < 0)
+        _exit(128 + sig);
+    signal(sig, SIG_DFL);
+    raise(sig);
+}
+
+/* Who was started with a signal ignored goes on ignoring it. */
+static void listen_for(int sig, bool on)
+{
+    void (*was)(int) = signal(sig, on ? broken_off : SIG_DFL);
+
+    if (was == SIG_IGN)
+        signal(sig, SIG_IGN);
+}
+
+void process_last_word(const char *last)
+{
+    last_word = last;
+    listen_for(SIGINT, last != NULL);
+    listen_for(SIGTERM, last != NULL);
+}
+
 int process_cores(void)
 {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
@@ -184,6 +210,11 @@ bool process_each(int n, int most, const struct process_work *w)
     return good;
 }
 #else
+void process_last_word(const char *last)
+{
+    (void)last;
+}
+
 int process_cores(void)
 {
     return 1;

@@ -26,6 +26,10 @@ bool process_word(char *out, size_t size, const char *word);
 /* Is standard error a terminal? */
 bool process_terminal(void);
 
+/* When somebody breaks this program off (Ctrl+C, SIGTERM), standard error gets `last` before it ends so. NULL: no
+ * more. */
+void process_last_word(const char *last);
+
 enum { PROCESS_JOBS = 64 };
 
 /* Processors there are, 1 to PROCESS_JOBS. */

@@ -71,6 +71,7 @@ void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
     clean_line(what);
     progress_line(line, what, usec - now.begun, done, of);
     fflush(stdout); /* what was printed before stands above, not in the line */
+    process_last_word("\r\033[K");
     fprintf(stderr, "\r%s\033[K", line);
     fflush(stderr);
     now.told = usec;
@@ -83,6 +84,7 @@ void progress_wipe(void)
         return;
     fputs("\r\033[K", stderr);
     fflush(stderr);
+    process_last_word(NULL);
     now.shown = false;
 }
 

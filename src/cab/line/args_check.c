@@ -128,6 +128,9 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
 
     if (a->n_words < args_commands[a->command].least)
         return err_set(err, err_size, "%s: expected %s (curtain help %s)", name, args_commands[a->command].words, name);
+    if (a->n_words && !a->words[0][0] && FOR_GAMES >> a->command & 1)
+        return err_set(err, err_size, "%s: expected %s, got \"\" (curtain help %s)", name,
+                       args_commands[a->command].words, name);
     if (a->n_words > args_commands[a->command].most)
         return err_set(err, err_size, "%s: \"%s\" is one argument too many (curtain help %s)", name,
                        a->words[args_commands[a->command].most], name);

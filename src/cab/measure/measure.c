@@ -166,8 +166,8 @@ static bool begin(struct player *p)
 
 static enum result faulted(const struct player *p)
 {
-    report_line(RESULT_REFUSED, "%s: frame %u:", p->run->name, (unsigned)board_frame(p->guard.board));
-    return report_fault(board_last(p->guard.board)->fault, false);
+    return report_line(RESULT_REFUSED, "%s: frame %u: %s", p->run->name, (unsigned)board_frame(p->guard.board),
+                       board_last(p->guard.board)->fault->message);
 }
 
 static void tell(struct player *p, uint32_t frame, const char *what)

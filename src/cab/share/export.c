@@ -102,6 +102,20 @@ static bool nothing_beside(struct export *e)
     return true;
 }
 
+/* An entry is lines of text: in a path, what would end one is nothing it can hold. */
+static bool entry_holds(struct export *e)
+{
+    char path[FILES_PATH];
+
+    if (!e->want->desktop || !plat_path(e->out, path, sizeof path))
+        return true;
+    for (const char *p = path; *p; p++)
+        if ((unsigned char)*p < ' ' || *p == 127)
+            return err_set(e->err, e->err_size, "--desktop: %s: an entry cannot hold the end of a line and its like",
+                           e->out);
+    return true;
+}
+
 /* What stands there already is replaced only if it is a program that was exported. */
 static bool may_write(struct export *e)
 {
@@ -109,6 +123,8 @@ static bool may_write(struct export *e)
     size_t size, at;
     struct mark m = { .size = 0 };
 
+    if (!entry_holds(e))
+        return false;
     if (plat_size(e->out) < 0 && plat_list(e->out, ignore, NULL) >= 0)
         return err_set(e->err, e->err_size, "%s: is a folder; -o names the file to be written", e->out);
     if (plat_size(e->out) < 0)

@@ -48,6 +48,12 @@ static bool known(const char *from)
     return false;
 }
 
+static void ignore_file(void *user, const struct plat_file *file)
+{
+    (void)user;
+    (void)file;
+}
+
 /* Takes back what was written, and the folders made for it, which others' files keep. */
 static void take_back(const struct start *s, bool existed)
 {
@@ -62,7 +68,7 @@ static void take_back(const struct start *s, bool existed)
             plat_remove(path);
         }
     }
-    if (!existed)
+    if (!existed && plat_list(s->dir, ignore_file, NULL) >= 0) /* a link that leads nowhere is the user's */
         plat_remove(s->dir);
 }
 
@@ -163,12 +169,6 @@ static bool save_all(struct start *s, char *err, size_t err_size)
 }
 
 /* ---- the command ---- */
-
-static void ignore_file(void *user, const struct plat_file *file)
-{
-    (void)user;
-    (void)file;
-}
 
 /* dir as a shell takes it. */
 static void add_word(struct prose *p, const char *dir)

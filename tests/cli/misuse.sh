@@ -1,0 +1,140 @@
+#!/usr/bin/env bash
+# misuse.sh - the commands that make, show and hand over games, given what they cannot use or must not write over: the
+# right exit code and one line, nothing half made, and what was there stays as it was.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+mounts=()
+clean() {
+    cd /
+    for m in "${mounts[@]}"; do umount "$m" 2>/dev/null; done
+    rm -rf "$scratch"
+}
+trap clean EXIT
+
+says() { # NAME CODE LINE ARGUMENT...
+    local name=$1 code=$2 line=$3 got
+    shift 3
+    "$curtain" "$@" >out 2>err </dev/null
+    got=$?
+    same "$name" "curtain: $line"$'\n'"exit $code" "$(cat err)"$'\n'"exit $got"
+}
+bad() { says "$1" 2 "${@:2}"; }
+host() { says "$1" 3 "${@:2}"; }
+
+"$curtain" new g --from first >/dev/null
+"$curtain" pack g -o g.rom
+"$curtain" hash g --frames 60 --record a.demo >/dev/null 2>&1
+cp -r g kept
+cp g.rom kept.rom
+cp a.demo kept.demo
+
+# ---- what is read is not written over ----
+
+ln -s g.rom also.rom
+game='is the game that is read: name another file'
+source='is a file of the game: name another one'
+bad 'an atlas in place of the ROM' "--atlas: g.rom $game" art g.rom --atlas g.rom
+bad 'by a link' "--atlas: also.rom $game" art g.rom --atlas also.rom
+bad 'a film' "-o: ./g.rom $game" capture g.rom --frames 1:3 --format gif -o ./g.rom
+bad 'a run' "-o: g.rom $game" survive g.rom -o g.rom
+bad 'a sheet' "--sheet: g.rom $game" render g.rom --frames 1 --sheet g.rom
+bad 'a recording' "--record: g.rom $game" hash g.rom --frames 2 --record g.rom
+bad 'a demo that is played' '--record: ./a.demo is the demo that is played: name another file' hash g.rom \
+    --demo a.demo --frames 2 --record ./a.demo
+bad 'a sheet of the game' "--atlas: g/art/bullets.png $source" art g --atlas g/art/bullets.png
+bad 'by another way' "--map: ./g/../g/art/heron.png $source" survive g --map ./g/../g/art/heron.png
+bad 'a script' "--junit: g/tests/first.lua $source" test g --junit g/tests/first.lua
+bad 'the game itself, packed' "-o: g/rom.lua $source" pack g -o g/rom.lua
+bad 'two reports in one file' '--page: x is what --junit writes: name another file' test g --page x --junit x
+check 'a film in the folder may be written anew' eval '"$curtain" capture g --frames 1:2 -o g/x.gif &&
+    "$curtain" capture g --frames 1:2 -o g/x.gif && rm g/x.gif'
+check 'all of them are as they were' eval 'diff -r g kept && cmp g.rom kept.rom && cmp a.demo kept.demo'
+
+# ---- words that are none ----
+
+for command in hash play render survive; do
+    bad "$command of nothing" "$command: expected [ROM], got \"\" (curtain help $command)" $command ''
+done
+bad 'test of nothing' 'test: expected DIR [NAME...], got "" (curtain help test)' test ''
+bad 'export of nothing' 'export: expected ROM, got "" (curtain help export)' export ''
+bad 'a fault while measuring' \
+    'nope: frame 0: main.lua:21: boot.run: stage "nope" is not declared (did you mean "one"?)' bench g --stage nope
+
+# ---- links, devices, disks ----
+
+ln -s loop loop
+ln -s nowhere stray
+host 'new in a link to itself' 'loop/README.md: cannot be written (Too many levels of symbolic links)' new loop
+host 'new in a link that leads nowhere' 'stray/README.md: cannot be written (No such file or directory)' new stray
+same 'both are still there' 'loop nowhere' "$(readlink loop stray | xargs)"
+
+mkdir bin film.mp4
+cat >bin/ffmpeg <<'SH'
+#!/bin/sh
+cat >/dev/null
+for last; do :; done
+[ ! -e broken ] || { echo half >"${last#file:}"; exit 1; }
+echo film >"${last#file:}"
+SH
+chmod +x bin/ffmpeg
+PATH=$scratch/bin:$PATH
+host 'a film in place of a folder' 'film.mp4: cannot be written (Is a directory)' capture g --frames 1:2 -o film.mp4
+ln -s real.mp4 link.mp4
+"$curtain" capture g --frames 1:2 -o link.mp4
+same 'a film goes where a link leads' 'real.mp4 film' "$(readlink link.mp4) $(cat real.mp4)"
+ln -s /dev/full full.mp4
+host 'a film on a full disk' 'full.mp4: cannot be written (No space left on device)' capture g --frames 1:2 -o full.mp4
+check 'a device stays one' test -c /dev/full
+touch broken
+host 'ffmpeg fails in the middle' 'real.mp4: ffmpeg could not make it' capture g --frames 1:2 -o real.mp4
+same 'the film of before is there, and no half one' 'film real.mp4' "$(cat real.mp4) $(ls real.mp4*)"
+
+mkdir locked
+if mount -t tmpfs -o size=64k tmpfs locked; then
+    mounts+=("$scratch/locked")
+    mount -o remount,ro locked
+    locked='cannot be written (Read-only file system)'
+    printf '000000\nff0000\n' >two.hex
+    host 'read-only: new' "locked/n/README.md: $locked" new locked/n
+    host 'read-only: JUnit' "locked/j: $locked" test g --junit locked/j
+    host 'read-only: page' "locked/p: $locked" test g --page locked/p
+    host 'read-only: atlas' "locked/a.png: $locked" art g --atlas locked/a.png
+    host 'read-only: palette' "locked/p.png: $locked" palette two.hex --bank 1 -o locked/p.png
+    host 'read-only: run' "locked/s.demo: $locked" survive g --frames 200 --effort 1 -o locked/s.demo
+    host 'read-only: map' "locked/m.png: $locked" survive g --frames 200 --effort 1 --map locked/m.png
+    for end in gif png y4m wav; do
+        host "read-only: $end" "locked/x.$end: $locked" capture g --frames 1:3 -o locked/x.$end
+    done
+    host 'read-only: mp4' "locked/x.mp4.part: $locked" capture g --frames 1:3 -o locked/x.mp4
+fi
+
+# ---- broken off ----
+
+cp -r g heavy
+echo 'task.go(function() while true do for i = 1, 300000 do local x = i * i end wait(1) end end)' >heavy/main.lua
+broken_off() { # Ctrl+C, once the line is there: the last that the terminal gets takes it away
+    python3 - "$curtain" capture heavy -o broken.gif --frames 1:200000 <<'PY'
+import os, pty, sys
+pid, terminal = pty.fork()
+if pid == 0:
+    os.execv(sys.argv[1], sys.argv[1:])
+seen, pressed = b"", False
+while True:
+    try:
+        got = os.read(terminal, 4096)
+    except OSError:
+        break
+    if not got:
+        break
+    seen += got
+    if not pressed and b" left" in seen:
+        os.write(terminal, b"\x03")
+        pressed = True
+status = os.waitpid(pid, 0)[1]
+assert os.WIFSIGNALED(status) and os.WTERMSIG(status) == 2, status
+assert seen.endswith(b"\r\033[K"), seen[-80:]
+PY
+}
+check 'Ctrl+C takes the line of progress away' broken_off
+same 'and leaves no half film' '' "$(ls | grep broken.gif)"
+finish
