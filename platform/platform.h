@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other twenty-four have defaults in stdio.c, which is linked
+ * To port: copy template.c, write its six functions. The other twenty-five have defaults in stdio.c, which is linked
  * with every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it.
  * For a compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *

@@ -469,8 +469,9 @@ static void test_refused(void **state)
     refused("bullet.def('a', { sprite = 'dot', hit = 'nine' })", "got \"nine\"");
     refused("enemy.def('a', { sprite = 'dot', hit = { capsle = { 4, 4 } } })", "got one with \"capsle\"");
     refused("player.def('a', { sprite = 'dot', hit = { box = { 4, 4 } } })",
-            "player.def: hit: expected { circle = r }, got one with \"box\"");
-    refused("player.def('a', { sprite = 'dot', hit = 'none' })", "player.def: hit: expected { circle = r }, got");
+            "player.def: hit: expected { circle = r } or { sprite = name }, got one with \"box\"");
+    refused("player.def('a', { sprite = 'dot', hit = 'none' })",
+            "player.def: hit: expected { circle = r } or { sprite = name }, got");
 }
 
 static int setup(void **state)
