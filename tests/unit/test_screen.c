@@ -558,6 +558,11 @@ static void a_mouse_that_lies_there(void **state)
     assert_int_equal(chosen(b), 0);
     point(b, 1, 0, 0);
     assert_int_equal(chosen(b), 1);
+    poll(b, &(struct plat_input){ .mouse_x = -1, .mouse_y = -1 }, 0); /* the window goes, and comes back under it */
+    point(b, 3, 0, 0);
+    assert_int_equal(chosen(b), 1);
+    point(b, 2, 0, 0);
+    assert_int_equal(chosen(b), 2);
 }
 
 /* A value that is changed may give the window another size: then the mouse lies elsewhere, and nobody moved it. */

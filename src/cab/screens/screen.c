@@ -271,13 +271,13 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
     return at;
 }
 
-/* The row under the mouse is chosen when the mouse moves, and not the window under it; its left button accepts that,
- * its right one goes back. */
+/* The row under the mouse is chosen when the mouse moves, and not the window under it, nor when a window comes back
+ * under a mouse that rests; its left button accepts that, its right one goes back. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
     const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
-    const bool moved =
-        s->mouse != NO_MOUSE && s->settle == 0 && (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
+    const bool moved = s->mouse != NO_MOUSE && s->settle == 0 && s->mouse_x >= 0 &&
+                       (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
     const int at = in->mouse_x >= 0 ? row_under(s, p, in->mouse_x, in->mouse_y) : -1;
 
     s->mouse = in->mouse;
