@@ -6,42 +6,26 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../../platform/platform.h"
 #include "../host/files.h"
-#include "../host/process.h"
+#include "../host/progress.h"
 #include "../host/report.h"
 #include "../run/sections.h"
 #include "map.h"
 #include "tell.h"
 
-enum { SECOND = 1000000 /* usec */, TELL_EVERY = SECOND / 4 };
-
 struct survive {
     const struct survive_options *a;
     char name[128]; /* of what is looked at, while it is */
-    bool terminal;
-    uint64_t begun, told; /* usec */
 };
 
 /* ---- progress ---- */
 
-static void progress(void *user, uint32_t done, uint32_t of)
+/* A section that is over before its last frame is looked at sooner than it says. */
+static void reached(void *user, uint32_t done, uint32_t of)
 {
-    struct survive *s = user;
-    const uint64_t now = s->terminal ? plat_usec() : 0;
+    const struct survive *s = user;
 
-    if (!s->terminal || now - s->begun < SECOND || now - s->told < TELL_EVERY)
-        return;
-    s->told = now;
-    fprintf(stderr, "\r%s: survived to frame %u of at most %u, %u s \033[K", s->name, (unsigned)done, (unsigned)of,
-            (unsigned)((now - s->begun) / SECOND));
-}
-
-static void progress_over(struct survive *s)
-{
-    if (s->told)
-        fputs("\r\033[K", stderr);
-    s->told = 0;
+    progress_tell(done, of, "%s: survived to frame %u of at most %u", s->name, (unsigned)done, (unsigned)of);
 }
 
 /* ---- a section ---- */
@@ -59,11 +43,11 @@ static enum result look(struct survive *s, struct section_run *run, const struct
     bool host;
 
     *run =
-        (struct section_run){ .seek = { .effort = s->a->effort, .limit = s->a->frames, .tell = progress, .user = s } };
+        (struct section_run){ .seek = { .effort = s->a->effort, .limit = s->a->frames, .tell = reached, .user = s } };
     snprintf(s->name, sizeof s->name, "%s", start->practice.section[0] ? start->practice.section : "from the title");
-    s->begun = plat_usec();
+    progress_begin();
     const bool good = section_look(run, s->a->rom, start, true, &host);
-    progress_over(s);
+    progress_end();
     if (!good)
         return report_line(host ? RESULT_HOST : RESULT_REFUSED, "%s: %s", s->a->path, run->err);
     if (run->seek.verdict == SEEK_FAULT)
@@ -266,7 +250,7 @@ static enum result all_sections(struct survive *s)
 
 enum result survive_run(const struct survive_options *o)
 {
-    struct survive s = { .a = o, .terminal = process_terminal() };
+    struct survive s = { .a = o };
 
     return o->all ? all_sections(&s) : one_section(&s);
 }
