@@ -33,8 +33,9 @@ static enum result take(uint8_t *file, size_t size, const struct mark *m, char *
                 size, m->at + m->size);
         return RESULT_REFUSED;
     }
-    memmove(file, file + m->at, m->size);
-    if (!rom_open(&rom, file, m->size, why, sizeof why) || rom.crc != m->crc || rom_find(&rom, "manifest") < 0) {
+    own.size = (size_t)m->size; /* which fits, as the file does */
+    memmove(file, file + (size_t)m->at, own.size);
+    if (!rom_open(&rom, file, own.size, why, sizeof why) || rom.crc != m->crc || rom_find(&rom, "manifest") < 0) {
         err_set(err, err_size, "%s is damaged: the game in it is not the one that was put there", itself);
         return RESULT_REFUSED;
     }
@@ -44,7 +45,6 @@ static enum result take(uint8_t *file, size_t size, const struct mark *m, char *
         return RESULT_REFUSED;
     }
     own.rom = file;
-    own.size = (size_t)m->size;
     own.keys = m->flags & MARK_KEYS;
     return RESULT_DONE;
 }
