@@ -4,7 +4,7 @@
  */
 #include "image.h"
 
-#if defined __has_include
+#if defined __ELF__ && defined __has_include /* wasi has the header, and not what it includes */
 #if __has_include(<elf.h>)
 #define HAS_ELF
 #include <elf.h>
