@@ -36,7 +36,7 @@ task.go(function() wait(forever) end)
 LUA
 mkdir -p data/curtain
 
-settings() { printf '%s\n' "$@" >data/curtain/curtain.conf; }
+settings() { printf '%s\n' 'away = go-on' "$@" >data/curtain/curtain.conf; }
 played() { [ -f played.raw ] && [ "$(wc -c <played.raw)" -ge "$1" ]; } # BYTES: as many at least
 last() { "$curtain" hash "$1" --demo "$2" | tail -1 | cut -d' ' -f1; } # GAME DEMO
 rendered() { # GAME DEMO OUT
