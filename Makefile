@@ -48,7 +48,7 @@ BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 # What `curtain new` writes.
-START     := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter) -type f ! -name '.*' ! -path '*/failed/*'))
+TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter) -type f ! -name '.*' ! -path '*/failed/*'))
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
@@ -137,13 +137,13 @@ $(OUT)/embed: tools/embed.c
 # Written when a file has come or gone.
 $(OUT)/start.is: FORCE
 	@mkdir -p $(@D)
-	@echo '$(START)' | cmp -s - $@ || echo '$(START)' > $@
+	@echo '$(TEMPLATES)' | cmp -s - $@ || echo '$(TEMPLATES)' > $@
 
-$(OUT)/gen/std.c: $(STD_LUA) $(START) $(OUT)/start.is $(OUT)/embed
+$(OUT)/gen/std.c: $(STD_LUA) $(TEMPLATES) $(OUT)/start.is $(OUT)/embed
 	@mkdir -p $(@D)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(patsubst scripts/%.lua,%,$f)=$f) -- \
-		$(foreach f,$(START),$(f:examples/%=%)=$f) > $@
+		$(foreach f,$(TEMPLATES),$(f:examples/%=%)=$f) > $@
 
 $(OUT)/gen/no_rom.c: $(OUT)/embed
 	@mkdir -p $(@D)
