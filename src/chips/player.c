@@ -44,8 +44,6 @@ static const struct column columns[] = {
 const struct chip player_chip = { "player", columns, COUNT(columns), true, false };
 const struct chip player_kinds_chip = { "player_kinds", kind_columns, COUNT(kind_columns), true, false };
 
-enum { DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16, so that no direction is faster */
-
 void player_place(struct player *p, uint32_t i, fx x, fx y)
 {
     p->x[i] = p->was_x[i] = x;
@@ -111,7 +109,7 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     bank(p, kinds, i, dx);
     fx speed = p->flags[i] & PLAYER_FOCUS ? kinds->focus[kind] : kinds->speed[kind];
     if (dx && dy)
-        speed = fx_mul(speed, DIAGONAL);
+        speed = fx_mul(speed, PLAYER_DIAGONAL);
     p->was_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: nothing between is swept */
     p->was_y[i] = fx_clamp(p->y[i], area->y0, area->y1);
     p->x[i] = fx_clamp(p->was_x[i] + dx * speed, area->x0, area->x1);

@@ -10,6 +10,8 @@
 #include "motion.h"
 #include "slots.h"
 
+enum { PLAYER_DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16: a ship flies as fast in every direction */
+
 enum {
     PLAYER_IN = 1 << 0,      /* in the game */
     PLAYER_NO_FIRE = 1 << 1, /* the game does not see that it presses fire, bomb or special */

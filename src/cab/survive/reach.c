@@ -12,10 +12,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../chips/player.h"
 
 #define MARGIN (1.0 / 64) /* px: what is computed in doubles is far nearer to the truth */
-
-enum { DIAGONAL = 46341 /* as in player.c */ };
 
 /* ---- ways ---- */
 
@@ -41,7 +40,7 @@ static void move_of(const struct danger_ship *ship, int way, fx *mx, fx *my)
     fx speed = pads & PAD_FOCUS ? ship->focus : ship->speed;
 
     if (dx && dy)
-        speed = fx_mul(speed, DIAGONAL);
+        speed = fx_mul(speed, PLAYER_DIAGONAL);
     *mx = dx * speed;
     *my = dy * speed;
 }

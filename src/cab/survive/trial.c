@@ -7,9 +7,10 @@
 #include <string.h>
 #include "../../base/err.h"
 #include "../../board/inspect.h"
+#include "../../chips/player.h"
 #include "../demo/demo.h"
 
-enum { ALIGN = 64, DIAGONAL = 46341 /* as in player.c */ };
+enum { ALIGN = 64 };
 
 /* ---- what happens, written down ---- */
 
@@ -160,7 +161,7 @@ static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
     fx speed = pads & PAD_FOCUS ? s->focus : s->speed;
 
     if (dx && dy)
-        speed = fx_mul(speed, DIAGONAL);
+        speed = fx_mul(speed, PLAYER_DIAGONAL);
     *x = fx_clamp(s->way.was_x + dx * speed, s->area.x0, s->area.x1);
     *y = fx_clamp(s->way.was_y + dy * speed, s->area.y0, s->area.y1);
 }
