@@ -297,6 +297,31 @@ sed -i 's/, match = "place"//; s/id = "r"/id = "r", match = "index"/' retint/rom
 indexed retint/art/all.png 4 4 16 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
 same "for all of a game" "$before" "$(lump retint gfx/dot)"
 
+# ---- a sheet drawn in another palette ----
+
+mkdir -p two/art
+: >two/main.lua
+python3 "$repo/tests/cli/png_make.py" two/art/palette.png 16 16 102030 1 3 ff0000
+python3 "$repo/tests/cli/png_make.py" two/art/night.png 16 16 102030 5 3 0000ff
+python3 "$repo/tests/cli/png_make.py" two/art/all.png 4 4 0000ff
+drawn_in() { # what the sheet says of its palette
+    cat >two/rom.lua <<LUA
+return { id = "t", palette = "art/palette.png", palettes = { night = "art/night.png" },
+  sheets = { all = { file = "art/all.png", bank = 3$1 } }, sprites = { dot = { sheet = "all", w = 4, h = 4 } } }
+LUA
+}
+shade() { "$curtain" unpack two out && python3 -c 'print(open("out/lumps/gfx/dot", "rb").read()[24])'; rm -rf out; }
+strange='art/all.png: pixel 0,0: colour #0000ff is not in bank 3'
+drawn_in ''
+refuse "the first palette has no such colour" "$strange" "$curtain" pack two -o r.rom
+refuse "which check says" "$strange" "$curtain" check two
+drawn_in ', palette = "night"'
+same "its own has it" 53 "$(shade)"
+check "and check says nothing of it" sh -c '! "$1" check two | grep -q all.png' - "$curtain"
+drawn_in ', palette = "dusk"'
+refuse "a palette that is none" 'rom.lua: sheets.all.palette: "dusk" is not one of the palettes' \
+    "$curtain" pack two -o r.rom
+
 # ---- pixels that vanish ----
 
 faint() { # FILE ALPHA...: 4 x 1 pixels of the default palette's white

@@ -504,6 +504,26 @@ static void test_index_and_tags(void **state)
                   "sprites.s.tag: expected a tag's name, got 3");
 }
 
+/* A sheet, or a map, that is drawn in another palette than the first. */
+static void test_palette_of_a_sheet(void **state)
+{
+    struct result *r = read_good("return { palettes = { dusk = 'd.png' }, maps = { m = { tiles = 't.png',"
+                                 "palette = 'dusk', rows = { { 1 } } } },"
+                                 "sheets = { a = { file = 'a.png', palette = 'dusk' }, b = { file = 'b.png' },"
+                                 "c = { file = 'c.png', palette = 'main' } } }");
+
+    (void)state;
+    assert_string_equal(r->art.sheets[0].palette, "dusk");
+    assert_string_equal(r->art.sheets[1].palette, "");
+    assert_string_equal(r->art.sheets[2].palette, "");
+    assert_string_equal(r->art.maps[0].palette, "dusk");
+    free(r);
+    entry_refused("palettes = { dusk = 'd.png' }, sheets = { a = { file = 'a.png', palette = 'dawn' } }",
+                  "sheets.a.palette: \"dawn\" is not one of the palettes");
+    entry_refused("maps = { m = { tiles = 't.png', palette = 3, rows = { { 1 } } } }",
+                  "maps.m.palette: expected a palette's name, got 3");
+}
+
 static void test_not_a_manifest(void **state)
 {
     (void)state;
@@ -840,19 +860,33 @@ static void test_paths(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),       cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),           cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_sounds),         cmocka_unit_test(test_recordings),
-        cmocka_unit_test(test_numbers),        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),          cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors),     cmocka_unit_test(test_index_and_tags),
-        cmocka_unit_test(test_not_a_manifest), cmocka_unit_test(test_bombs),
-        cmocka_unit_test(test_many_sprites),   cmocka_unit_test(test_pack),
-        cmocka_unit_test(test_maps),           cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old),     cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),          cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_sizes),          cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_all),
+        cmocka_unit_test(test_dips),
+        cmocka_unit_test(test_art),
+        cmocka_unit_test(test_derived),
+        cmocka_unit_test(test_unknown_names),
+        cmocka_unit_test(test_sounds),
+        cmocka_unit_test(test_recordings),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_dip_errors),
+        cmocka_unit_test(test_art_errors),
+        cmocka_unit_test(test_index_and_tags),
+        cmocka_unit_test(test_palette_of_a_sheet),
+        cmocka_unit_test(test_not_a_manifest),
+        cmocka_unit_test(test_bombs),
+        cmocka_unit_test(test_many_sprites),
+        cmocka_unit_test(test_pack),
+        cmocka_unit_test(test_maps),
+        cmocka_unit_test(test_unpack_refuses),
+        cmocka_unit_test(test_unpack_old),
+        cmocka_unit_test(test_format_1),
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_unpack_mutations),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_paths),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -105,6 +105,7 @@ struct art_font {
 
 struct art_sheet {
     char name[ART_NAME], file[ART_FILE];
+    char palette[ART_NAME]; /* one of art.palettes, whose colours the picture has; "": art.palette */
     int32_t bank;
     bool by_index; /* shades are the picture's palette indices, not its colours */
 };
@@ -124,6 +125,7 @@ struct art_sprite {
 /* A map of tiles: its cells stand in a file, or in art.cells from `cells` on. */
 struct art_map {
     char name[ART_NAME], tiles[ART_FILE], file[ART_FILE], layer[ART_NAME]; /* file "": rows; layer: of a .tmx */
+    char palette[ART_NAME];                                                /* as a sheet's */
     int32_t size, bank, first; /* size: px of a tile, 0 if the file says it */
     bool by_index;
     int32_t cells, cols, rows;

@@ -582,6 +582,22 @@ static bool get_match(const struct at *a, bool usual)
     bad(a->lua, path, "expected \"colour\" or \"index\", got %s", got(a->lua));
 }
 
+/* palette = NAME: the picture is drawn in the colours of that one. */
+static void get_palette(const struct at *a, const struct art *art, char name[ART_NAME])
+{
+    char path[MAX_PATH];
+
+    path_of(a, "palette", path);
+    if (!get_text(a, "palette", "a palette's name", name, ART_NAME) || strcmp(name, "main") == 0) {
+        name[0] = '\0';
+        return;
+    }
+    for (int i = 0; i < art->n_palettes; i++)
+        if (strcmp(art->palettes[i].name, name) == 0)
+            return;
+    bad(a->lua, path, "\"%s\" is not one of the palettes", name);
+}
+
 /* cell = { w, h }, and what stands in the cells. */
 static void read_cells(const struct at *a, struct art_font *f)
 {
@@ -630,7 +646,7 @@ static void read_fonts(const struct at *root, struct art *art)
 
 static void read_sheets(const struct at *root, struct art *art)
 {
-    static const char *const names[] = { "file", "bank", "match", NULL };
+    static const char *const names[] = { "file", "bank", "match", "palette", NULL };
     struct at a, one;
 
     if (!get_table(root, "sheets", &a))
@@ -643,6 +659,7 @@ static void read_sheets(const struct at *root, struct art *art)
         if (!get_file(&one, "file", s->file))
             bad(a.lua, one.path, "expected file=\"art/NAME.png\" (or .ase, .aseprite)");
         get_whole(&one, "bank", 0, 15, &s->bank);
+        get_palette(&one, art, s->palette);
         s->by_index = get_match(&one, art->by_index);
         lua_pop(a.lua, 1);
     }
@@ -843,7 +860,8 @@ static bool ends(const char *s, const char *tail)
 
 static void read_map(const struct at *a, struct art *art, struct art_map *map)
 {
-    static const char *const names[] = { "tiles", "file", "rows", "layer", "size", "bank", "first", "match", NULL };
+    static const char *const names[] = { "tiles", "file",  "rows",  "layer",   "size",
+                                         "bank",  "first", "match", "palette", NULL };
     char path[MAX_PATH];
 
     only(a, names);
@@ -852,6 +870,7 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     if (!get_file(a, "tiles", map->tiles))
         bad(a->lua, a->path, "expected tiles=\"art/NAME.png\"");
     get_whole(a, "bank", 0, 15, &map->bank);
+    get_palette(a, art, map->palette);
     map->by_index = get_match(a, art->by_index);
     get_whole(a, "size", 8, 32, &map->size);
     get_whole(a, "first", 0, 1, &map->first);

@@ -57,16 +57,29 @@ static bool load_palette(struct check *c, const char *file, int line, uint8_t rg
     return good;
 }
 
-static bool load_palettes(struct check *c, uint8_t rgb[CART_PALETTE])
-{
-    uint8_t other[CART_PALETTE];
+/* The colours of the palettes of rom.lua, in its order, and those of the first one. */
+struct colours {
+    uint8_t main[CART_PALETTE], other[MAX_ART_PALETTES][CART_PALETTE];
+    bool good, other_good[MAX_ART_PALETTES];
+};
 
+static void load_palettes(struct check *c, struct colours *to)
+{
     for (int i = 0; i < c->art.n_palettes; i++) {
         const struct art_palette *p = &c->art.palettes[i];
-        load_palette(c, p->file, CHECK_LINE(c, "palettes", p->name), other);
+        to->other_good[i] = load_palette(c, p->file, CHECK_LINE(c, "palettes", p->name), to->other[i]);
     }
-    art_default_palette(rgb);
-    return c->art.palette[0] == '\0' || load_palette(c, c->art.palette, CHECK_LINE(c, "palette"), rgb);
+    art_default_palette(to->main);
+    to->good = c->art.palette[0] == '\0' || load_palette(c, c->art.palette, CHECK_LINE(c, "palette"), to->main);
+}
+
+/* Those of the palette of that name, "" the first; NULL: it is no good. */
+static const uint8_t *colours_of(const struct check *c, const struct colours *colours, const char *name)
+{
+    for (int i = 0; i < c->art.n_palettes; i++)
+        if (strcmp(c->art.palettes[i].name, name) == 0)
+            return colours->other_good[i] ? colours->other[i] : NULL;
+    return colours->good ? colours->main : NULL;
 }
 
 /* What would do for a picture whose palette was changed. */
@@ -187,15 +200,15 @@ static void check_sheet(struct check *c, int i, const uint8_t *rgb)
 
 void check_art(struct check *c)
 {
-    uint8_t rgb[CART_PALETTE];
+    struct colours colours;
 
     if (!c->manifest)
         return;
-    bool colours = load_palettes(c, rgb);
-    if (colours)
-        check_font(c, rgb);
-    for (int i = 0; colours && i < c->art.n_fonts; i++)
-        check_cells(c, &c->art.fonts[i], rgb);
+    load_palettes(c, &colours);
+    if (colours.good)
+        check_font(c, colours.main);
+    for (int i = 0; colours.good && i < c->art.n_fonts; i++)
+        check_cells(c, &c->art.fonts[i], colours.main);
     for (int i = 0; i < c->art.n_sheets; i++)
-        check_sheet(c, i, colours ? rgb : NULL);
+        check_sheet(c, i, colours_of(c, &colours, c->art.sheets[i].palette));
 }

@@ -76,8 +76,8 @@ struct packer {
     struct lumps lumps;
     struct manifest m;
     struct art art;
-    uint8_t palette[CART_PALETTE];
-    struct faces_set shown;                            /* characters of the game's texts */
+    uint8_t palette[CART_PALETTE], palettes[MAX_ART_PALETTES][CART_PALETTE]; /* the first one, and art.palettes */
+    struct faces_set shown;                                                  /* characters of the game's texts */
     char *rom_text;                                    /* of rom.lua, malloc, with a 0 behind it */
     uint64_t std;                                      /* modules that the scripts so far name (std.h) */
     void (*warn)(void *context, const char *sentence); /* NULL: nobody is told */
@@ -255,8 +255,6 @@ static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PA
 
 static bool add_palettes(struct packer *p)
 {
-    uint8_t rgb[CART_PALETTE];
-
     if (p->art.palette[0] == '\0')
         art_default_palette(p->palette);
     else if (!load_palette(p, p->art.palette, p->palette))
@@ -264,10 +262,19 @@ static bool add_palettes(struct packer *p)
     if (!add_copy(p, "palette/", "main", p->palette, sizeof p->palette))
         return false;
     for (int i = 0; i < p->art.n_palettes; i++)
-        if (!load_palette(p, p->art.palettes[i].file, rgb) ||
-            !add_copy(p, "palette/", p->art.palettes[i].name, rgb, sizeof rgb))
+        if (!load_palette(p, p->art.palettes[i].file, p->palettes[i]) ||
+            !add_copy(p, "palette/", p->art.palettes[i].name, p->palettes[i], CART_PALETTE))
             return false;
     return true;
+}
+
+/* The colours of a sheet, or of a map's tiles. */
+static const uint8_t *palette_of(const struct packer *p, const char *name)
+{
+    for (int i = 0; i < p->art.n_palettes; i++)
+        if (strcmp(p->art.palettes[i].name, name) == 0)
+            return p->palettes[i];
+    return p->palette;
 }
 
 static bool add_shades(struct packer *p)
@@ -382,7 +389,8 @@ static bool add_made(struct packer *p, const struct ase_sprite *made, const stru
     size_t size;
     char why[256];
 
-    if (!art_make_sprite(&made->picture, &made->sprite, s->bank, p->palette, p->nearest, &data, &size, why, sizeof why))
+    if (!art_make_sprite(&made->picture, &made->sprite, s->bank, palette_of(p, s->palette), p->nearest, &data, &size,
+                         why, sizeof why))
         return starts_with(why, "pixel")
                    ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
                    : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, made->sprite.name, why);
@@ -483,8 +491,8 @@ static bool add_map(struct packer *p, const struct art_map *m)
         free(cells.cell);
         return false;
     }
-    bool good = map_make(&cells, cells.side ? cells.side : m->size, &sheet, m->bank, p->palette, p->nearest, &data,
-                         &size, why, sizeof why);
+    bool good = map_make(&cells, cells.side ? cells.side : m->size, &sheet, m->bank, palette_of(p, m->palette),
+                         p->nearest, &data, &size, why, sizeof why);
     tell_faint(p, m->tiles, &sheet, NULL);
     art_picture_free(&sheet);
     free(cells.cell);
