@@ -1,4 +1,4 @@
--- kinds.lua - sparks, bullets, and the creatures of the tide with what they leave behind.
+-- kinds.lua - sparks, bullets, items, and what creatures have in common. Stages declare their own with what this returns.
 local craft = require "players/craft"
 
 -- A spark that plays its frames once lives frames * every.
@@ -120,16 +120,5 @@ local function creature(name, bank, w, h, hp, score, on_death, drops)
                     drops = drops })
 end
 
-creature("krill",    COLD, 16, 16, 4,   120,   small, {})
-creature("fish",     COLD, 20, 26, 16,  360,   small, { pearl = 1 })
-creature("jelly",    WARM, 28, 26, 70,  1500,  large, { pearl = 3 })
-creature("ray",      COLD, 40, 26, 60,  1600,  large, { pearl = 3 })
-creature("urchin",   COLD, 28, 28, 90,  2400,  burst, { pearl = 4 })
-creature("nautilus", WARM, 32, 32, 150, 5000,  large, { pearl = 6, conch = 1 })
-creature("crab",     COLD, 56, 34, 100, 30000, collapse, { pearl = 9 })
-creature("queen",    COLD, 52, 56, 100, 90000, collapse, { pearl = 15 })
-
--- A float harms nobody: bullets end at it, so it is a shelter for as long as it holds.
-enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 160, score = 800,
-                     spark = "crumb", blink = BLINK, on_hit = chip, on_death = large,
-                     drops = { pearl = 2 }, touch = false, blocks = true })
+return { glass = glass, creature = creature, chip = chip, small = small, large = large,
+         burst = burst, collapse = collapse, COLD = COLD, WARM = WARM, BLINK = BLINK }

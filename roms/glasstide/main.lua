@@ -3,6 +3,8 @@ require "kinds"
 require "players/heron"
 require "players/petrel"
 require "stages/one"
+require "stages/two"
+require "stages/three"
 local sea = require "sea"
 local craft = require "players/craft"
 
@@ -37,9 +39,10 @@ end)
 on.game_over(function() sea.speed(0.4) end)
 
 task.go(sea.run)
-boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract",
+boot.run { stages = { "one", "two", "three" }, players = { "heron", "petrel" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
-                   hard = "Every wave is higher." },
+                   hard = "Every wave is higher.",
+                   abyss = "Nobody came back." },
   ships = { heron = { text = "Quick, with darts ahead." },
             petrel = { text = "Slow, with a fan of fangs." } },
   music = { title = "title", results = "clear", clear = "clear", over = "over", ending = "scores",

@@ -2,14 +2,18 @@
 return {
   id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320 },
-  board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 64, motions = 64,
-            tasks = 512, lua_kib = 2048,
+  board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 96, motions = 192,
+            tasks = 1024, lua_kib = 4096,
             -- what only some games need: bullets that can be shot, that circle something, that
-            -- stand still, and that have numbers of their own
+            -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
-            items = 512, lasers = 16, options = 4,
+            bodies = true, pierce = true,
+            items = 512, lasers = 32, options = 8,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
+  -- each stage below the first has creatures and scenery in colours of its own (banks 10 to 13)
+  palettes = { two = "art/palette_two.png", three = "art/palette_three.png",
+               moon = "art/palette_moon.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -18,17 +22,24 @@ return {
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },
     sparks  = { file = "art/sparks.png",  bank = 0 },
-    heron   = { file = "art/heron.png",   bank = 8 },
-    petrel  = { file = "art/petrel.png",  bank = 9 },
-    enemies = { file = "art/enemies.png", bank = 10 },
-    guard   = { file = "art/guard.png",   bank = 12 },
-    queen   = { file = "art/queen.png",   bank = 12 },
-    iri     = { file = "art/iri.png",     bank = 8 },
-    sen     = { file = "art/sen.png",     bank = 10 },
-    queen_face = { file = "art/queen_face.png", bank = 12 },
     finds   = { file = "art/finds.png",   bank = 0 },
     blasts  = { file = "art/blasts.png",  bank = 14 },
     logo    = { file = "art/logo.png",    bank = 15 },
+    -- crafts, and who flies them
+    heron   = { file = "art/heron.png",   bank = 8 },
+    petrel  = { file = "art/petrel.png",  bank = 9 },
+    iri     = { file = "art/iri.png",     bank = 8 },
+    sen     = { file = "art/sen.png",     bank = 10 },
+    -- stage one
+    enemies = { file = "art/enemies.png", bank = 10 },
+    guard   = { file = "art/guard.png",   bank = 12 },
+    -- stage two
+
+    -- stage three
+    queen   = { file = "art/queen.png",   bank = 12 },
+    queen_face = { file = "art/queen_face.png", bank = 12 },
+    -- the moon
+
   },
   sprites = {
     -- bullets: what turns is drawn pointing right
@@ -62,6 +73,7 @@ return {
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
 
+    -- stage one
     krill    = { sheet = "enemies", x = 0,  y = 0,   w = 20, h = 22, frames = 4, every = 5 },
     fish     = { sheet = "enemies", x = 80, y = 0,   w = 28, h = 32, frames = 4, every = 6 },
     jelly    = { sheet = "enemies", x = 0,  y = 32,  w = 36, h = 44, frames = 4, every = 9,
@@ -75,8 +87,12 @@ return {
                  origin = { 18, 22 } },
     crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9,
                  origin = { 40, 30 } },
+    -- stage two
+
+    -- stage three
     queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
                  origin = { 48, 44 } },
+    -- the moon
 
     -- who talks
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
@@ -105,10 +121,16 @@ return {
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
   },
   maps = {
+    -- stage one
     floor    = { tiles = "art/floor.png",  bank = 13, file = "maps/floor.csv" },
     caustics = { tiles = "art/floor.png",  bank = 13, file = "maps/caustics.csv" },
-    seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
+    -- stage two
+
+    -- stage three
+    seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
+    -- the moon
+
   },
   blends = { ghost = { mix = 50 } },
   -- What is heard often is short and gives way first. The first eleven play by themselves.
@@ -142,6 +164,16 @@ return {
     beam     = { file = "sfx/beam.mml", priority = 4, limit = 1 },
     still    = { file = "sfx/still.mml", priority = 5, limit = 1 },
     flow     = { file = "sfx/flow.mml", priority = 5, limit = 1 },
+    -- stage one
+
+    -- stage two
+
+    -- stage three
+
+    -- the moon
+
+    -- crafts
+
     -- menus, and the way round
     select   = { file = "sfx/select.mml", priority = 5, limit = 1 },
     back     = { file = "sfx/back.mml", priority = 5, limit = 1 },
@@ -156,12 +188,15 @@ return {
   },
   music = { -- each file says its key, chords and form; docs/music.md
     title  = { file = "music/title.mml", volume = 0.74 },
+    -- stages
     tide   = { file = "music/tide.mml", volume = 0.71 },
+    -- bosses
     queen  = { file = "music/queen.mml", volume = 0.75 },
+    -- and afterwards
     clear  = { file = "music/clear.mml", volume = 0.64 },
     over   = { file = "music/over.mml", volume = 0.62 },
     scores = { file = "music/scores.mml", volume = 0.82 },
   },
-  difficulties = { "easy", "normal", "hard" }, difficulty = "normal",
+  difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 100000, 300000 },
 }

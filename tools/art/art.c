@@ -19,19 +19,40 @@
 struct picture {
     const char *name;
     struct sheet (*make)(void);
+    enum art_stage stage; /* whose palette it is drawn in */
 };
 
 static const struct picture GAME[] = {
-    { "bullets", art_bullets }, { "shots", art_shots },   { "sparks", art_sparks },
-    { "heron", art_heron },     { "petrel", art_petrel }, { "enemies", art_enemies },
-    { "guard", art_guard },     { "queen", art_queen },   { "blasts", art_blasts },
-    { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
-    { "iri", art_iri },         { "sen", art_sen },       { "queen_face", art_queen_face },
-    { "seabed", art_seabed },   { "finds", art_finds },   { "font", art_font },
-    { "kana", art_kana },       { NULL, NULL },
+    { "bullets", art_bullets, ART_ONE },
+    { "shots", art_shots, ART_ONE },
+    { "sparks", art_sparks, ART_ONE },
+    { "finds", art_finds, ART_ONE },
+    { "blasts", art_blasts, ART_ONE },
+    { "font", art_font, ART_ONE },
+    { "kana", art_kana, ART_ONE },
+    { "logo", art_logo, ART_ONE },
+    /* crafts, and who flies them */
+    { "heron", art_heron, ART_ONE },
+    { "petrel", art_petrel, ART_ONE },
+    { "iri", art_iri, ART_ONE },
+    { "sen", art_sen, ART_ONE },
+    /* stage one */
+    { "enemies", art_enemies, ART_ONE },
+    { "guard", art_guard, ART_ONE },
+    { "floor", art_floor, ART_ONE },
+    { "reef", art_reef, ART_ONE },
+    /* stage two */
+
+    /* stage three */
+    { "queen", art_queen, ART_ONE },
+    { "queen_face", art_queen_face, ART_ONE },
+    { "seabed", art_seabed, ART_ONE },
+    /* the moon */
+
+    { NULL, NULL, ART_ONE },
 };
 static const struct picture BENCH[] = {
-    { "discs", art_bench }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
+    { "discs", art_bench, ART_ONE }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
 };
 static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
 
@@ -83,12 +104,12 @@ static bool write_sheet(const char *dir, const char *name, const struct sheet *s
     return ok;
 }
 
-static bool write_palette(const char *dir, const uint32_t rgb[256])
+static bool write_palette(const char *dir, const char *name, const uint32_t rgb[256])
 {
     uint8_t rgba[256 * 4];
     for (int i = 0; i < 256; i++)
         colour(&rgba[4 * i], rgb[i], 255);
-    return write_png(dir, "palette", rgba, 16, 16);
+    return write_png(dir, name, rgba, 16, 16);
 }
 
 /* Everything below one another on the floor's colour, magnified. */
@@ -144,11 +165,25 @@ static const struct picture *pictures(const char *what)
     return NULL;
 }
 
+/* The palettes of the stages below the first. */
+static bool write_stages(const char *dir)
+{
+    static const char *const names[ART_STAGES] = { "", "palette_two", "palette_three", "palette_moon" };
+    uint32_t rgb[256];
+
+    for (enum art_stage stage = ART_TWO; stage < ART_STAGES; stage++) {
+        art_stage_palette(stage, rgb);
+        if (!write_palette(dir, names[stage], rgb))
+            return false;
+    }
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     const char *dir = argc > 1 ? argv[1] : "", *what = argc > 2 ? argv[2] : "";
     const struct picture *p = pictures(what);
-    bool icon = !strcmp(what, "icon"), look = !strcmp(what, "sheet"), ok = true;
+    bool game = p == GAME, icon = !strcmp(what, "icon"), look = !strcmp(what, "sheet"), ok = true;
     uint32_t rgb[256];
 
     if (argc < 2 || argc > 3 || (!p && !icon)) {
@@ -163,9 +198,13 @@ int main(int argc, char **argv)
         return write_icons(dir, rgb) ? 0 : 3;
     for (; p->name && ok; p++) {
         struct sheet s = p->make();
+        if (game)
+            art_stage_palette(p->stage, rgb);
         ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);
         sheet_free(&s);
     }
-    ok = ok && (look || write_palette(dir, rgb));
+    if (game)
+        art_palette(rgb);
+    ok = ok && (look || (write_palette(dir, "palette", rgb) && (!game || write_stages(dir))));
     return ok ? 0 : 3;
 }

@@ -25,8 +25,11 @@ void sheet_free(struct sheet *s);
 void sheet_set(struct sheet *s, int x, int y, int shade);
 int sheet_get(const struct sheet *s, int x, int y);
 
-/* The 256 colours as 0xRRGGBB; those of the night, whose banks 0 to 7 are the same. */
+/* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13; those of the night,
+ * whose banks 0 to 7 are the same. */
+enum art_stage { ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_STAGES };
 void art_palette(uint32_t rgb[256]);
+void art_stage_palette(enum art_stage stage, uint32_t rgb[256]);
 void art_night_palette(uint32_t rgb[256]);
 
 /* -- numbers -- */

@@ -203,6 +203,143 @@ static const struct key NIGHT[8][12] = {
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
 };
 
+/* Banks 10 to 13 of the deeper stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
+static const struct key TWO[4][12] = {
+    /* 10 copper: 2..9 metal, 10..13 what burns inside */
+    { { 1, 0x140a06 },
+      { 2, 0x3c2012 },
+      { 4, 0x7c4a26 },
+      { 7, 0xc48a4a },
+      { 9, 0xffdca0 },
+      { 10, 0x8a1c08 },
+      { 11, 0xe2541a },
+      { 12, 0xff9a3c },
+      { 13, 0xffe09a },
+      { 15, 0xffffff } },
+    /* 11 verdigris over copper: the same parts */
+    { { 1, 0x0e0c08 },
+      { 2, 0x2e2a18 },
+      { 4, 0x625c34 },
+      { 7, 0xa89a5c },
+      { 9, 0xe8dcaa },
+      { 10, 0x7c2c0c },
+      { 11, 0xc85a20 },
+      { 12, 0xf4a04c },
+      { 13, 0xffe4b0 },
+      { 15, 0xffffff } },
+    /* 12 the two of the furnace: 2..8 iron, 9..11 brass, 12..13 fire */
+    { { 1, 0x100808 },
+      { 2, 0x2c1a18 },
+      { 4, 0x5e3c30 },
+      { 6, 0xa87452 },
+      { 8, 0xf0cfa0 },
+      { 9, 0x7a4210 },
+      { 10, 0xd8902c },
+      { 11, 0xffdc86 },
+      { 12, 0xd83a10 },
+      { 13, 0xff8a3c },
+      { 14, 0xffeccc },
+      { 15, 0xffffff } },
+    /* 13 the drowned works: 1..12 rust and soot, 13..15 embers */
+    { { 1, 0x0a0606 },
+      { 4, 0x1a1210 },
+      { 8, 0x38261e },
+      { 12, 0x6a4a38 },
+      { 13, 0x7a2e12 },
+      { 14, 0xb85a20 },
+      { 15, 0xe8b070 } },
+};
+static const struct key THREE[4][12] = {
+    /* 10 violet glass: 2..9 glass, 10..13 what is inside */
+    { { 1, 0x0c0618 },
+      { 2, 0x261448 },
+      { 4, 0x543090 },
+      { 7, 0x9a6cd8 },
+      { 9, 0xdcc4ff },
+      { 10, 0x5a1464 },
+      { 11, 0xa83cb4 },
+      { 12, 0xe48ae4 },
+      { 13, 0xffd8fa },
+      { 15, 0xffffff } },
+    /* 11 rose glass: the same parts */
+    { { 1, 0x14060f },
+      { 2, 0x3e1238 },
+      { 4, 0x7c2c70 },
+      { 7, 0xc868b4 },
+      { 9, 0xffc8f0 },
+      { 10, 0x3c1c78 },
+      { 11, 0x7048c8 },
+      { 12, 0xa890f4 },
+      { 13, 0xe4d8ff },
+      { 15, 0xffffff } },
+    /* 12 the queen: 2..8 glass, 9..11 silver, 12..13 heart */
+    { { 1, 0x0c0820 },
+      { 2, 0x241a54 },
+      { 4, 0x52389c },
+      { 6, 0x9a78e4 },
+      { 8, 0xe0ccff },
+      { 9, 0x5a5474 },
+      { 10, 0xa49cc4 },
+      { 11, 0xe8e4ff },
+      { 12, 0xa01c78 },
+      { 13, 0xf070c0 },
+      { 14, 0xf0e6ff },
+      { 15, 0xffffff } },
+    /* 13 the abyss: 1..12 violet slate, 13..15 what glimmers in it */
+    { { 1, 0x06050f },
+      { 4, 0x100d20 },
+      { 8, 0x231d3c },
+      { 12, 0x463c66 },
+      { 13, 0x40306c },
+      { 14, 0x6c549a },
+      { 15, 0xb0a0d4 } },
+};
+static const struct key MOON[4][12] = {
+    /* 10 silver: 2..9 metal, 10..13 what is inside */
+    { { 1, 0x0a0c12 },
+      { 2, 0x262c38 },
+      { 4, 0x566070 },
+      { 7, 0xa0acb8 },
+      { 9, 0xeaf2f6 },
+      { 10, 0x3c4450 },
+      { 11, 0x78828e },
+      { 12, 0xb8c0c8 },
+      { 13, 0xf0f2f4 },
+      { 15, 0xffffff } },
+    /* 11 pearl: the same parts */
+    { { 1, 0x100e0e },
+      { 2, 0x322e30 },
+      { 4, 0x6c6664 },
+      { 7, 0xb4aea8 },
+      { 9, 0xf6f0e6 },
+      { 10, 0x44403c },
+      { 11, 0x868078 },
+      { 12, 0xc4bcb0 },
+      { 13, 0xf8f4ea },
+      { 15, 0xffffff } },
+    /* 12 the moon: 2..8 stone, 9..11 light, 12..13 its eye */
+    { { 1, 0x080a10 },
+      { 2, 0x222834 },
+      { 4, 0x4e586a },
+      { 6, 0x9aa6b6 },
+      { 8, 0xe6eef4 },
+      { 9, 0x6c6a60 },
+      { 10, 0xb8b29c },
+      { 11, 0xf6f0d6 },
+      { 12, 0x28303c },
+      { 13, 0x8494a4 },
+      { 14, 0xf4f8fa },
+      { 15, 0xffffff } },
+    /* 13 black water: 1..12, 13..15 moonlight on it */
+    { { 1, 0x040507 },
+      { 4, 0x0a0d12 },
+      { 8, 0x1a2028 },
+      { 12, 0x3c4650 },
+      { 13, 0x343c44 },
+      { 14, 0x5e6870 },
+      { 15, 0xa8b0b6 } },
+};
+
 static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
 {
     uint32_t out = 0;
@@ -226,6 +363,15 @@ void art_palette(uint32_t rgb[256])
 {
     for (int bank = 0; bank < 16; bank++)
         fill(&rgb[bank * 16], KEYS[bank]);
+}
+
+void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
+{
+    const struct key(*banks)[12] = stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
+
+    art_palette(rgb);
+    for (int bank = 10; stage != ART_ONE && bank < 14; bank++)
+        fill(&rgb[bank * 16], banks[bank - 10]);
 }
 
 void art_night_palette(uint32_t rgb[256])

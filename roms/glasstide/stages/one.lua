@@ -1,9 +1,8 @@
--- stages/one.lua - the dive: the shallows, the guard, the deep, the queen.
-local habits = require "stages/habits"
-local queen = require "stages/queen"
-local meeting = require "stages/meeting"
+-- stages/one.lua - the shallows, where the Chandelier Crab keeps guard.
+local habits = require "stages/one/habits"
 local sea = require "sea"
-require "stages/guard"
+require "stages/one/creatures"
+require "stages/one/crab"
 
 local swoop = path.def {
   { x = -16, y = 30 }, { x = 60, y = 92, over = 50, ease = "out" },
@@ -81,23 +80,15 @@ local function deep()
 end
 
 stage.def("one", function()
+  bg.show("shallows", { over = 0 })
   sea.speed(1.6)
   shallows()
+  stage.at(2070)
+  stage.mark("deep")
+  deep()
   stage.mark("guard")
   sea.speed(0.8)
   boss.fight("guard")
   sea.speed(2.4)
-  stage.at(2070)
-  bg.show("abyss", { over = 60 })
-  stage.mark("deep")
-  deep()
-  stage.mark("queen")
-  sea.speed(0.5)
-  music.stop { fade = 60 }
   wait(60)
-  meeting()
-  music.play("queen") -- until she is broken, however often she comes back
-  queen.fight()
-  music.stop { fade = 140 }
-  wait(150)
 end, { music = "tide" })
