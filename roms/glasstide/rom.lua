@@ -8,7 +8,7 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 512, lasers = 32, options = 8,
+            items = 512, lasers = 32, curve_points = 2048, options = 8,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- each stage below the first has creatures and scenery in colours of its own (banks 10 to 13)
@@ -34,7 +34,13 @@ return {
     enemies = { file = "art/enemies.png", bank = 10 },
     guard   = { file = "art/guard.png",   bank = 12 },
     -- stage two
-
+    creatures_two = { file = "art/creatures_two.png", bank = 10, palette = "two" },
+    bullets_two = { file = "art/bullets_two.png", bank = 0 },
+    bellows = { file = "art/bellows.png", bank = 12, palette = "two" },
+    cinder  = { file = "art/cinder.png",  bank = 12, palette = "two" },
+    quench  = { file = "art/quench.png",  bank = 11, palette = "two" },
+    cinder_face = { file = "art/cinder_face.png", bank = 12, palette = "two" },
+    quench_face = { file = "art/quench_face.png", bank = 11, palette = "two" },
     -- stage three
     queen   = { file = "art/queen.png",   bank = 12 },
     queen_face = { file = "art/queen_face.png", bank = 12 },
@@ -88,7 +94,26 @@ return {
     crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9,
                  origin = { 40, 30 } },
     -- stage two
-
+    drone    = { sheet = "creatures_two", x = 0,   y = 0,   w = 24, h = 28, frames = 4, every = 5 },
+    bottle   = { sheet = "creatures_two", x = 96,  y = 0,   w = 22, h = 34, frames = 4, every = 7 },
+    tongs    = { sheet = "creatures_two", x = 0,   y = 36,  w = 36, h = 38, frames = 4, every = 6 },
+    worm     = { sheet = "creatures_two", x = 144, y = 36,  w = 32, h = 56, frames = 4, every = 7 },
+    puffer   = { sheet = "creatures_two", x = 0,   y = 92,  w = 36, h = 40, frames = 4, every = 8 },
+    gear_ray = { sheet = "creatures_two", x = 0,   y = 134, w = 60, h = 50, frames = 4, every = 5 },
+    crucible = { sheet = "creatures_two", x = 0,   y = 186, w = 44, h = 46, frames = 4, every = 9 },
+    kiln     = { sheet = "creatures_two", x = 0,   y = 234, w = 68, h = 62, frames = 4, every = 9 },
+    bellows  = { sheet = "bellows", x = 0, y = 0, w = 116, h = 96, frames = 4, every = 9,
+                 origin = { 58, 44 } },
+    cinder   = { sheet = "cinder",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
+                 origin = { 42, 62 } },
+    quench   = { sheet = "quench",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
+                 origin = { 42, 62 } },
+    cog      = { sheet = "bullets_two", x = 0,  y = 0,  w = 22, h = 22, frames = 4, every = 3 },
+    ember    = { sheet = "bullets_two", x = 92, y = 0,  w = 6,  h = 5,  frames = 4, every = 30 },
+    pane     = { sheet = "bullets_two", x = 90, y = 8,  w = 34, h = 12 },
+    gob      = { sheet = "bullets_two", x = 0,  y = 24, w = 30, h = 30, frames = 4, every = 7 },
+    steam    = { sheet = "bullets_two", x = 0,  y = 56, w = 22, h = 22, frames = 4, every = 8 },
+    ingot    = { sheet = "bullets_two", x = 90, y = 56, w = 20, h = 20, rotations = 32 },
     -- stage three
     queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
                  origin = { 48, 44 } },
@@ -99,6 +124,10 @@ return {
     iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
     sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
+    cinder_face  = { sheet = "cinder_face", x = 0,  y = 0, w = 72, h = 96 },
+    cinder_cross = { sheet = "cinder_face", x = 72, y = 0, w = 72, h = 96 },
+    quench_face  = { sheet = "quench_face", x = 0,  y = 0, w = 72, h = 96 },
+    quench_cross = { sheet = "quench_face", x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -126,7 +155,13 @@ return {
     caustics = { tiles = "art/floor.png",  bank = 13, file = "maps/caustics.csv" },
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
     -- stage two
-
+    works    = { tiles = "art/works.png",  bank = 13, palette = "two", file = "maps/works.csv" },
+    pipes    = { tiles = "art/works.png",  bank = 13, palette = "two", file = "maps/pipes.csv" },
+    stacks   = { tiles = "art/stacks.png", bank = 13, palette = "two", file = "maps/stacks.tmx",
+                 size = 8 },
+    street   = { tiles = "art/street.png", bank = 13, palette = "two", file = "maps/seabed.csv" },
+    skyline  = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/skyline.csv" },
+    haze     = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/haze.csv" },
     -- stage three
     seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
     -- the moon
@@ -167,7 +202,8 @@ return {
     -- stage one
 
     -- stage two
-
+    clank    = { mml = "t300 @fm E0,40,0,16 o3 V104 {c<c}16", priority = 4, limit = 1 },
+    hiss     = { mml = "t300 @noise E6,60,10,30 o6 V70 c8", priority = 3, limit = 1 },
     -- stage three
 
     -- the moon
@@ -184,6 +220,8 @@ return {
     -- voices of those who talk, a letter each
     iri       = { mml = "t300 @pulse E1,22,0,10 o5 V116 a32", priority = 5, limit = 1 },
     sen       = { mml = "t300 @triangle E1,24,0,10 o5 V84 d32", priority = 5, limit = 1 },
+    cinder    = { mml = "t300 @pulse E0,26,0,14 o3 V110 {a<c}32", priority = 5, limit = 1 },
+    quench    = { mml = "t300 @noise E2,18,0,12 o7 V64 a32", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
   music = { -- each file says its key, chords and form; docs/music.md

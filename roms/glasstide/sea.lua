@@ -26,6 +26,10 @@ bg.def("abyss", function()
   parts = { { glow, 0.3 }, { floor, -2 } }
 end)
 
+-- What flows from now on: a list of { layer or plane, its part of the flow }. For backgrounds that
+-- stages have of their own.
+function sea.flow(list) parts = list end
+
 -- The flow reaches this speed gently.
 function sea.speed(v) wanted = v end
 
