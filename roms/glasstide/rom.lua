@@ -164,16 +164,51 @@ return {
     beam     = { file = "sfx/beam.mml", priority = 4, limit = 1 },
     still    = { file = "sfx/still.mml", priority = 5, limit = 1 },
     flow     = { file = "sfx/flow.mml", priority = 5, limit = 1 },
-    -- stage one
+    -- stage one: a claw breaks, a hatch opens, a bubble bursts; the crab speaks
+    claw     = { file = "sfx/claw.mml", priority = 6, limit = 1 },
+    hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
+    bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
+    the_crab = { mml = "t300 @pulse E0,18,0,8 o4 V104 f64c64", priority = 5, limit = 1 },
 
-    -- stage two
+    -- stage two: the works, and the voices of the two eels
+    pour     = { file = "sfx/pour.mml", priority = 4, limit = 1 },
+    steam    = { file = "sfx/steam.mml", priority = 3, limit = 2 },
+    gear     = { file = "sfx/gear.mml", priority = 3, limit = 1 },
+    reflect  = { file = "sfx/reflect.mml", priority = 2, limit = 2 },
+    cinder_cry = { file = "sfx/cinder_cry.mml", priority = 6, limit = 1 },
+    quench_cry = { file = "sfx/quench_cry.mml", priority = 6, limit = 1 },
+    cinder   = { mml = "t300 @saw E1,24,0,12 o4 V72 {d<b}32", priority = 5, limit = 1 },
+    quench   = { mml = "t300 @sine E2,30,0,16 o6 V80 {d<a}32", priority = 5, limit = 1 },
 
-    -- stage three
+    -- stage three: a lamp in the dark, the queen's five glasses
+    angler   = { file = "sfx/angler.mml", priority = 5, limit = 1 },
+    chord    = { file = "sfx/chord.mml", priority = 5, limit = 1 },
 
-    -- the moon
+    -- the moon: its bell, its voice
+    toll     = { file = "sfx/toll.mml", priority = 6, limit = 1 },
+    the_moon = { mml = "t300 @fm E4,60,0,40 o3 V92 a16", priority = 5, limit = 1 },
 
-    -- crafts
+    -- crafts: what the tern fires, shots that are gathered, bombs; gauge, chain, tasks
+    peal     = { mml = "t300 @fm E0,30,0,12 o5 V72 {d>d}32", priority = 0, limit = 1 },
+    charge_shot = { file = "sfx/charge_shot.mml", priority = 3, limit = 1 },
+    ray      = { file = "sfx/ray.mml", priority = 3, limit = 1 },
+    bell_bomb = { file = "sfx/bell_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
+    lamp_bomb = { file = "sfx/lamp_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
+    full     = { file = "sfx/full.mml", priority = 5, limit = 1 },
+    release  = { file = "sfx/release.mml", priority = 6, limit = 1 },
+    shard    = { file = "sfx/shard.mml", priority = 2, limit = 2 },
+    medal    = { file = "sfx/medal.mml", priority = 3, limit = 2 },
+    chain_one   = { file = "sfx/chain_one.mml", priority = 4, limit = 1 },
+    chain_two   = { file = "sfx/chain_two.mml", priority = 4, limit = 1 },
+    chain_three = { file = "sfx/chain_three.mml", priority = 5, limit = 1 },
+    mission  = { file = "sfx/mission.mml", priority = 6, limit = 1 },
+    failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
+    ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
 
+    -- a boss comes in; a clock's last seconds; what is unlocked
+    entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
+    tick     = { mml = "t300 @pulse E0,14,0,8 o6 V84 g32", priority = 5, limit = 1 },
+    unlock   = { file = "sfx/unlock.mml", priority = 6, limit = 1 },
     -- menus, and the way round
     select   = { file = "sfx/select.mml", priority = 5, limit = 1 },
     back     = { file = "sfx/back.mml", priority = 5, limit = 1 },
@@ -187,15 +222,26 @@ return {
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
   music = { -- each file says its key, chords and form; docs/music.md
-    title  = { file = "music/title.mml", volume = 0.74 },
+    title   = { file = "music/title.mml", volume = 0.74 },
+    opening = { file = "music/opening.mml", volume = 0.74 },
     -- stages
-    tide   = { file = "music/tide.mml", volume = 0.71 },
+    tide    = { file = "music/tide.mml", volume = 0.71 },
+    works   = { file = "music/works.mml", volume = 0.71 },
+    abyss   = { file = "music/abyss.mml", volume = 0.71 },
+    caravan = { file = "music/caravan.mml", volume = 0.71 },
     -- bosses
-    queen  = { file = "music/queen.mml", volume = 0.75 },
+    lantern = { file = "music/lantern.mml", volume = 0.75 },
+    claws   = { file = "music/claws.mml", volume = 0.75 },
+    furnace = { file = "music/furnace.mml", volume = 0.75 },
+    queen   = { file = "music/queen.mml", volume = 0.75 },
+    moon    = { file = "music/moon.mml", volume = 0.75 },
     -- and afterwards
-    clear  = { file = "music/clear.mml", volume = 0.64 },
-    over   = { file = "music/over.mml", volume = 0.62 },
-    scores = { file = "music/scores.mml", volume = 0.82 },
+    clear   = { file = "music/clear.mml", volume = 0.64 },
+    over    = { file = "music/over.mml", volume = 0.62 },
+    ending  = { file = "music/ending.mml", volume = 0.82 },
+    true_ending = { file = "music/true_ending.mml", volume = 0.82 },
+    staff   = { file = "music/staff.mml", volume = 0.82 },
+    scores  = { file = "music/scores.mml", volume = 0.82 },
   },
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 100000, 300000 },
