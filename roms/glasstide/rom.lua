@@ -24,6 +24,9 @@ return {
     sparks  = { file = "art/sparks.png",  bank = 0 },
     finds   = { file = "art/finds.png",   bank = 0 },
     blasts  = { file = "art/blasts.png",  bank = 14 },
+    fires   = { file = "art/fires.png",   bank = 14 },
+    lights  = { file = "art/lights.png",  bank = 0 },
+    sherds  = { file = "art/sherds.png",  bank = 10 },
     logo    = { file = "art/logo.png",    bank = 15 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
@@ -112,6 +115,19 @@ return {
     shock   = { sheet = "sparks", x = 0,   y = 64, w = 48, h = 48, frames = 8, every = 2 },
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
     blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
+    -- fire in three sizes, light that is added, and what glass leaves: fx.lua
+    fire_a  = { sheet = "fires",  x = 0, y = 0,   w = 32,  h = 32,  frames = 10, every = 3 },
+    fire_b  = { sheet = "fires",  x = 0, y = 32,  w = 32,  h = 32,  frames = 10, every = 3 },
+    fire_c  = { sheet = "fires",  x = 0, y = 64,  w = 64,  h = 64,  frames = 10, every = 4 },
+    fire_d  = { sheet = "fires",  x = 0, y = 128, w = 64,  h = 64,  frames = 10, every = 4 },
+    fire_e  = { sheet = "fires",  x = 0, y = 192, w = 112, h = 112, frames = 14, every = 4 },
+    flare   = { sheet = "lights", x = 0, y = 0,   w = 64,  h = 64,  frames = 6, every = 3 },
+    ripple  = { sheet = "lights", x = 0, y = 64,  w = 64,  h = 64,  frames = 8, every = 3 },
+    breaker = { sheet = "lights", x = 0, y = 128, w = 144, h = 144, frames = 8, every = 4 },
+    sherd_s = { sheet = "sherds", x = 0, y = 0,   w = 8,   h = 8,   frames = 8, every = 3 },
+    sherd_m = { sheet = "sherds", x = 0, y = 8,   w = 12,  h = 12,  frames = 8, every = 4 },
+    sherd_l = { sheet = "sherds", x = 0, y = 20,  w = 18,  h = 18,  frames = 8, every = 5 },
+    bubbles = { sheet = "sherds", x = 0, y = 38,  w = 12,  h = 12,  frames = 4, every = 14 },
 
     nacre    = { sheet = "finds", x = 0,  y = 0, w = 14, h = 14 },
     conch    = { sheet = "finds", x = 16, y = 0, w = 16, h = 16 },
@@ -132,7 +148,7 @@ return {
     -- the moon
 
   },
-  blends = { ghost = { mix = 50 } },
+  blends = { ghost = { mix = 50 }, glow = "add" },
   -- What is heard often is short and gives way first. The first eleven play by themselves.
   sounds = {
     graze    = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
