@@ -15,7 +15,7 @@ local function either(e, f)
 end
 
 local function wander(e, over)
-  e:move { x = rng.int(86, 154), y = rng.int(62, 82), over = over, ease = "both" }
+  e:move { x = rng.int(86, 154), y = rng.int(74, 92), over = over, ease = "both" }
 end
 
 -- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
@@ -168,7 +168,7 @@ end
 local function harbour(e)
   local ways = by_difficulty(ebbing)
   task.go(wax, e)
-  e:move { x = 120, y = 74, over = 60, ease = "both" }
+  e:move { x = 120, y = 82, over = 60, ease = "both" }
   wait(40)
   for k = 1, forever do
     local left = k % 2 == 0
@@ -181,7 +181,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, music = "queen",
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "queen",
                    warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
@@ -191,5 +191,5 @@ boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, mu
     bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
   { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 1200, time = 40 * 60,
     bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
-  { id = "harbour", spell = "Last Sign: Lights of the Harbour", hp = 1400, time = 45 * 60,
+  { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
     bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })
