@@ -11,9 +11,9 @@ return {
             items = 512, lasers = 32, options = 8,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
-  -- each stage below the first has creatures and scenery in colours of its own (banks 10 to 13)
-  palettes = { two = "art/palette_two.png", three = "art/palette_three.png",
-               moon = "art/palette_moon.png" },
+  -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
+  palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
+               three = "art/palette_three.png", moon = "art/palette_moon.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -32,10 +32,14 @@ return {
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
     iri     = { file = "art/iri.png",     bank = 8 },
-    sen     = { file = "art/sen.png",     bank = 10 },
+    sen     = { file = "art/sen.png",     bank = 8 },
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
-    guard   = { file = "art/guard.png",   bank = 12 },
+    shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
+    lantern_nautilus = { file = "art/lantern_nautilus.png", bank = 12, palette = "one" },
+    crab    = { file = "art/crab.png",    bank = 12, palette = "one" },
+    crab_face = { file = "art/crab_face.png", bank = 12, palette = "one" },
+    shafts  = { file = "art/shafts.png",  bank = 13, palette = "one" },
     -- stage two
 
     -- stage three
@@ -88,8 +92,20 @@ return {
                  origin = { 20, 20 } },
     float    = { sheet = "enemies", x = 0,  y = 200, w = 36, h = 40, frames = 4, every = 12,
                  origin = { 18, 22 } },
-    crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9,
-                 origin = { 40, 30 } },
+    arrow    = { sheet = "shoal",   x = 0,  y = 0,   w = 30, h = 44, frames = 4, every = 7,
+                 origin = { 15, 26 } },
+    seahorse = { sheet = "shoal",   x = 0,  y = 46,  w = 32, h = 48, frames = 4, every = 6 },
+    hatch      = { sheet = "shoal", x = 0,  y = 96,  w = 40, h = 40 },
+    hatch_ajar = { sheet = "shoal", x = 40, y = 96,  w = 40, h = 40 },
+    hatch_half = { sheet = "shoal", x = 80, y = 96,  w = 40, h = 40 },
+    hatch_open = { sheet = "shoal", x = 120, y = 96, w = 40, h = 40 },
+    lantern_nautilus = { sheet = "lantern_nautilus", x = 0, y = 0, w = 84, h = 80, frames = 4,
+                         every = 9, origin = { 40, 36 } },
+    crab     = { sheet = "crab",    x = 0,  y = 0,   w = 112, h = 88, frames = 4, every = 9,
+                 origin = { 56, 44 } },
+    claw     = { sheet = "crab",    x = 0,  y = 88,  w = 48, h = 64, frames = 4, every = 9 },
+    shaft       = { sheet = "shafts", x = 0,   y = 0, w = 112, h = 320 },
+    shaft_thin  = { sheet = "shafts", x = 112, y = 0, w = 112, h = 320 },
     -- stage two
 
     -- stage three
@@ -102,6 +118,8 @@ return {
     iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
     sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
+    crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
+    crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -141,6 +159,8 @@ return {
     floor    = { tiles = "art/floor.png",  bank = 13, file = "maps/floor.csv" },
     caustics = { tiles = "art/floor.png",  bank = 13, file = "maps/caustics.csv" },
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
+    kelp     = { tiles = "art/kelp.png",   bank = 13, file = "maps/floor.csv", palette = "one" },
+    wreck    = { tiles = "art/wreck.png",  bank = 13, file = "maps/wreck.csv", palette = "one" },
     -- stage two
 
     -- stage three
@@ -185,6 +205,7 @@ return {
     hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
     bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
     the_crab = { mml = "t300 @pulse E0,18,0,8 o4 V104 f64c64", priority = 5, limit = 1 },
+    snap     = { mml = "t300 @pulse E0,20,0,10 o4 V112 {g>c}32", priority = 4, limit = 1 },
 
     -- stage two: the works, and the voices of the two eels
     pour     = { file = "sfx/pour.mml", priority = 4, limit = 1 },
@@ -235,6 +256,7 @@ return {
     -- voices of those who talk, a letter each
     iri       = { mml = "t300 @pulse E1,22,0,10 o5 V116 a32", priority = 5, limit = 1 },
     sen       = { mml = "t300 @triangle E1,24,0,10 o5 V84 d32", priority = 5, limit = 1 },
+    the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V118 c64r64c64", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
   music = { -- each file says its key, chords and form; docs/music.md
