@@ -36,6 +36,9 @@ static const struct picture GAME[] = {
     { "petrel", art_petrel, ART_ONE },
     { "iri", art_iri, ART_ONE },
     { "sen", art_sen, ART_ONE },
+    { "tern", art_tern, ART_ONE },
+    { "ono", art_ono, ART_ONE },
+    { "arms", art_arms, ART_ONE },
     /* stage one */
     { "enemies", art_enemies, ART_ONE },
     { "guard", art_guard, ART_ONE },
