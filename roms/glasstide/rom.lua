@@ -8,7 +8,7 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 512, lasers = 32, options = 8,
+            items = 1024, lasers = 64, options = 8, lines = 16, registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
@@ -31,8 +31,11 @@ return {
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
+    tern    = { file = "art/tern.png",    bank = 8 },
+    arms    = { file = "art/arms.png",    bank = 0 },
     iri     = { file = "art/iri.png",     bank = 8 },
     sen     = { file = "art/sen.png",     bank = 8 },
+    ono     = { file = "art/ono.png",     bank = 8 },
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
     shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
@@ -72,11 +75,20 @@ return {
     dart   = { sheet = "shots", x = 0,  y = 0, w = 16, h = 16, rotations = 32 },
     fang   = { sheet = "shots", x = 16, y = 0, w = 14, h = 14, rotations = 32 },
     sliver = { sheet = "shots", x = 32, y = 0, w = 12, h = 12, rotations = 32 },
+    pike   = { sheet = "arms",  x = 0,  y = 0, w = 30, h = 30, rotations = 64 },
+    hook   = { sheet = "arms",  x = 32, y = 0, w = 18, h = 18, rotations = 32 },
+    mote   = { sheet = "arms",  x = 52, y = 0, w = 12, h = 12, rotations = 32 },
+    prism  = { sheet = "arms",  x = 64, y = 0, w = 12, h = 10, frames = 4, every = 3 },
+    lens_ray = { sheet = "arms", x = 116, y = 0, w = 1, h = 10 },
+    lamp_ray = { sheet = "arms", x = 120, y = 0, w = 1, h = 52 },
 
     heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3,
                origin = { 14, 17 } },
     petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3,
                origin = { 15, 16 } },
+    tern   = { sheet = "tern",   x = 0, y = 0,  w = 32, h = 36, frames = 4, every = 3,
+               origin = { 16, 17 } },
+    tern_bead   = { sheet = "tern",   x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
 
@@ -120,6 +132,8 @@ return {
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
     crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
     crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
+    ono         = { sheet = "ono",        x = 0,  y = 0, w = 72, h = 96 },
+    ono_cross   = { sheet = "ono",        x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -241,6 +255,12 @@ return {
     mission  = { file = "sfx/mission.mml", priority = 6, limit = 1 },
     failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
+    lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
+    mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
+    pike     = { mml = "t300 @triangle E0,26,0,10 o6 V92 {d<a}16", priority = 0, limit = 1 },
+    hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
+    prism    = { mml = "t300 @sine E0,18,0,8 o7 V64 e64", priority = 1, limit = 1 },
+    bell     = { mml = "t120 @fm E0,120,0,80 o4 V120 c4", priority = 6, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },

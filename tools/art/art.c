@@ -39,6 +39,9 @@ static const struct picture GAME[] = {
     { "petrel", art_petrel, ART_MAIN },
     { "iri", art_iri, ART_MAIN },
     { "sen", art_sen, ART_MAIN },
+    { "tern", art_tern, ART_MAIN },
+    { "ono", art_ono, ART_MAIN },
+    { "arms", art_arms, ART_MAIN },
     /* stage one */
     { "enemies", art_enemies, ART_MAIN },
     { "guard", art_guard, ART_MAIN },
