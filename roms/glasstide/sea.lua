@@ -1,6 +1,6 @@
--- sea.lua - the sea behind all: the shallows, a floor of sand with light on it between two reefs,
--- and the abyss, plates of stone that lead to where no light comes from. It flows as fast as a
--- stage asks for, and lives as long as the board does, under the title too.
+-- sea.lua - the sea behind all: the shallows, a floor of sand with light on it between two reefs;
+-- stages below have scenes of their own. It flows as fast as a stage asks for, and lives as long as
+-- the board does, under the title too.
 local sea = {}
 
 local now, wanted = 0.6, 0.6 -- px a frame that the floor moves
@@ -17,14 +17,8 @@ bg.def("shallows", function()
   parts = { { bg.layer(1), 1 }, { bg.layer(2), 1.2 }, { bg.layer(3), 1.75 } }
 end)
 
-bg.def("abyss", function()
-  local glow, floor = bg.layer(1), bg.plane()
-  glow.map, glow.blend = "caustics", "ghost"
-  floor.map, floor.horizon, floor.height, floor.dir = "seabed", 70, 60, 270
-  floor.fog = { to = 0x060a14, far = 700 }
-  bg.lines(1, { wave = 9, every = 50, speed = 0.3 })
-  parts = { { glow, 0.3 }, { floor, -2 } }
-end)
+-- What flows of the background that is shown: { layer or plane, its part of the flow } each.
+function sea.flow(list) parts = list end
 
 -- The flow reaches this speed gently.
 function sea.speed(v) wanted = v end

@@ -45,8 +45,14 @@ static const struct picture GAME[] = {
 
     /* stage three */
     { "queen", art_queen, ART_ONE },
-    { "queen_face", art_queen_face, ART_ONE },
-    { "seabed", art_seabed, ART_ONE },
+    { "queen_face", art_queen_face, ART_THREE },
+    { "queen_abyss", art_queen_abyss, ART_THREE },
+    { "abyss_life", art_abyss_life, ART_THREE },
+    { "gulper", art_gulper, ART_THREE },
+    { "angler", art_angler, ART_THREE },
+    { "lamplight", art_lamplight, ART_THREE },
+    { "trench", art_trench, ART_THREE },
+    { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
 
     { NULL, NULL, ART_ONE },
@@ -168,7 +174,8 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages below the first. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = { "", "palette_two", "palette_three", "palette_moon" };
+    static const char *const names[ART_STAGES] = { "", "palette_two", "palette_three", "palette_moon",
+                                                   "palette_dark" };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_TWO; stage < ART_STAGES; stage++) {
