@@ -67,7 +67,7 @@ struct sheet art_trench(void)
 
     for (int y = 0; y < GROUND; y++)
         for (int x = 0; x < GROUND; x++)
-            sheet_set(&s, x, y, sheet_get(&plates, x % PLATES, (y + 37 * (x / PLATES)) % PLATES));
+            sheet_set(&s, x, y, sheet_get(&plates, x % PLATES, y % PLATES));
     sheet_free(&plates);
     vent(p, -70, -76, 15, &seed);
     vent(p, -44, -58, 8, &seed);
@@ -82,6 +82,8 @@ struct sheet art_trench(void)
     splinters(p, 14, 108, &seed);
     splinters(p, 100, -108, &seed);
     paint_done(p, &s, 0, 0, 1, 0);
+    for (int i = 0; i < GROUND * GROUND; i++) /* the fog knows slate alone */
+        s.px[i] = s.px[i] == 13 ? 10 : s.px[i] > 12 ? 12 : s.px[i];
     return s;
 }
 

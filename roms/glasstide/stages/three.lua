@@ -26,8 +26,9 @@ local hang = path.def {
 local patrol = path.def {
   { x = -36, y = 60 }, { x = 80, y = 92, over = 70, ease = "out" }, { x = 170, y = 70, over = 90, ease = "both" },
   { x = 76, y = 110, over = 90, ease = "both" }, { x = 290, y = 40, over = 110, ease = "in" } }
-local drift = path.def { { x = 60, y = -40 }, { x = 84, y = 120, over = 200 }, { x = 50, y = 380, over = 320 } }
-
+local moor = path.def {
+  { x = 62, y = -50 }, { x = 62, y = 92, over = 110, ease = "out" }, { wait = 320 },
+  { x = 62, y = -100, over = 120, ease = "in" } }
 local dart = path.def {
   { x = 120, y = -80 }, { x = 120, y = 110, over = 60, ease = "out" }, { wait = 90 },
   { x = 120, y = -140, over = 90, ease = "in" } }
@@ -85,7 +86,7 @@ local function deep()
                  wave { kind = "spider", n = 1, every = 1, path = hang, run = habits.web }
   stage.at(4000) wave { kind = "shark", n = 1, every = 1, path = patrol, mirror = true,
                         run = habits.hunt }
-  stage.at(4180) both { kind = "chain_head", n = 1, every = 1, path = drift, run = habits.chain }
+  stage.at(4180) both { kind = "chain_head", n = 1, every = 1, path = moor, run = habits.chain }
                  both { kind = "squid", n = 1, every = 1, path = sink, run = habits.ink }
   stage.at(4420) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
   stage.at(4660)

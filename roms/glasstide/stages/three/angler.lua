@@ -32,7 +32,7 @@ enemy.def("lantern", { sprite = "lantern", hit = { circle = 11 }, hp = 60000, sp
 enemy.def("angler", { sprite = "angler", hit = { box = { 76, 62 } }, hp = 100, score = 40000,
                       spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
                       on_death = kinds.collapse, drops = { pearl = 10, conch = 1 }, run = stalk,
-                      parts = { { kind = "lantern", dx = 0, dy = -58, share = 1, tag = "lamp" } } })
+                      parts = { { kind = "lantern", dx = 0, dy = 44, share = 1, tag = "lamp" } } })
 
 -- The lamp flares: all is seen for a moment, and sinks back into the dark.
 local function flare()
@@ -51,24 +51,29 @@ end
 
 -- 1. The bait goes to and fro, and sheds light to both sides that falls in bows, as of a fountain.
 -- Whoever looks at that too long is bitten at.
-motion.def { name = "bow left",  { wait = 10 }, { turn = -1.7, over = 76 }, { speed = 1.7, over = 40 } }
-motion.def { name = "bow right", { wait = 10 }, { turn = 1.7, over = 76 }, { speed = 1.7, over = 40 } }
-motion.def { name = "slow left",  { wait = 14 }, { turn = -1.3, over = 100 }, { speed = 1, over = 40 } }
-motion.def { name = "slow right", { wait = 14 }, { turn = 1.3, over = 100 }, { speed = 1, over = 40 } }
+local function bow(name, turn, over, speed)
+  motion.def { name = name .. " left",  { wait = 8 }, { turn = -turn, over = over },
+               { speed = speed, over = 40 } }
+  motion.def { name = name .. " right", { wait = 8 }, { turn = turn, over = over },
+               { speed = speed, over = 40 } }
+end
+bow("bow", 1.5, 76, 1.8)
+bow("slow bow", 1.0, 114, 1)
 
+-- Bows of one moment lie in each other; those of the next lean.
 local function fountain(e)
   local lamp = lamp_of(e)
-  local left = by("bow left", "bow left", "bow left", "slow left")
-  local right = by("bow right", "bow right", "bow right", "slow right")
+  local name = by("bow", "bow", "bow", "slow bow")
   for k = 0, forever do
-    local lean = 24 * angle.sin(11 * k)
-    local n = by(1, 2, 2, 4)
-    for i = 1, n do
-      local speed = by(1.5, 1.6, 1.7, 1.1) + 0.32 * (i - 1)
-      bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 246 + lean, speed = speed, motion = left }
-      bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 294 + lean, speed = speed, motion = right }
+    local lean = 30 * angle.sin(by(9, 9, 9, 7) * k)
+    for i = 1, by(2, 3, 4, 6) do
+      local speed = by(0.6, 0.6, 0.6, 0.45) + by(0.5, 0.42, 0.36, 0.22) * i
+      bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 204 + lean, speed = speed,
+                    motion = name .. " left" }
+      bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 336 + lean, speed = speed,
+                    motion = name .. " right" }
     end
-    wait(by(12, 9, 7, 6))
+    wait(by(24, 17, 14, 11))
   end
 end
 
@@ -77,7 +82,7 @@ local function bait(e)
   local lamp = lamp_of(e)
   task.go(function()
     for k = 0, forever do
-      lamp.dx, lamp.dy = 58 * angle.sin(2 * k), -44 + 16 * angle.cos(4 * k)
+      lamp.dx, lamp.dy = 54 * angle.sin(1.7 * k), 40 - 14 * angle.cos(3.4 * k)
       wait(1)
     end
   end)
@@ -87,8 +92,8 @@ local function bait(e)
     flare()
     sound.play("lamp", { from = e })
     wait(24)
-    pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true, spread = by(30, 40, 54, 70),
-                  n = by(3, 5, 7, 9), speed = by(1.9, 2.2, 2.3, 1.9), delay = 20 }
+    pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true, spread = by(30, 40, 54, 80),
+                  n = by(3, 5, 7, 11), speed = by(1.9, 2.2, 2.3, 1.7), delay = 20 }
     swing(e, 60)
   end
 end
@@ -112,15 +117,18 @@ local function strike(lamp)
     if dx * dx + dy * dy > LIT * LIT then return end
     b.dir, b.motion, b.tag = angle.of(dx, dy), motion_name, "fire"
   end)
-  pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 20, 30), dir = rng.dir(),
-                 speed = by(1.3, 1.6, 1.8, 1.1), delay = 20 }
+  local dir = rng.dir()
+  for i = 1, by(1, 1, 2, 3) do
+    pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24), dir = dir + 5 * i,
+                   speed = by(1.3, 1.6, 1.8, 1.3) - 0.22 * (i - 1), delay = 20 }
+  end
 end
 
 local function breathe(e)
   for k = 0, forever do
-    pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, tag = "pearl", n = by(9, 13, 18, 26),
-                   dir = 6.5 * k, speed = by(0.95, 1.05, 1.1, 0.8), skip = { 1, by(2, 1, 1, 1) } }
-    wait(by(38, 30, 25, 22))
+    pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, tag = "pearl", n = by(9, 13, 18, 30),
+                   dir = 6.5 * k, speed = by(0.95, 1.05, 1.1, 0.8), skip = { 1, 2 } }
+    wait(by(38, 30, 25, 18))
   end
 end
 
@@ -188,9 +196,9 @@ local function teeth(e)
   end)
   task.go(function()
     for k = 0, forever do -- rain of the lamp, thin; on abyss a curtain
-      pattern.ring { from = lamp, kind = "pellet", bank = 3, n = by(5, 7, 9, 16), dir = 8.5 * k,
+      pattern.ring { from = lamp, kind = "pellet", bank = 3, n = by(5, 7, 10, 18), dir = 8.5 * k,
                      speed = by(0.9, 1.05, 1.15, 0.85) }
-      wait(by(60, 46, 38, 22))
+      wait(by(60, 46, 34, 18))
     end
   end)
   for k = 1, forever do
@@ -206,8 +214,8 @@ end
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "queen", phases = {
-  { id = "bait", hp = 560, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
-  { id = "match", spell = "Lamp Sign: Struck Match", hp = 700, time = 30 * 60, bonus = 20000,
+  { id = "bait", hp = 760, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
+  { id = "match", spell = "Lamp Sign: Struck Match", hp = 860, time = 30 * 60, bonus = 20000,
     run = match, clear = FOAM, drops = { pearl = 6 } },
-  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 760, time = 30 * 60, bonus = 20000,
+  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 860, time = 30 * 60, bonus = 20000,
     run = teeth, clear = FOAM } } })

@@ -29,15 +29,15 @@ end
 
 local function wheels(e)
   scene.court()
-  local moons = by(3, 4, 5, 6)
+  local moons = by(2, 4, 5, 6)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
-                            every = by(9, 7, 7, 8), speed = by(1.5, 1.7, 1.8, 0.9),
-                            arms = by(3, 5, 6, 10) })
+                            every = by(11, 7, 7, 6), speed = by(1.4, 1.7, 1.8, 0.9),
+                            arms = by(3, 5, 7, 13) })
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
-                  speed = by(2, 2.4, 2.4, 1.8), n = by(2, 4, 5, 5),
+                  speed = by(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
     wander(e, 90)
   end

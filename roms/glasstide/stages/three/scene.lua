@@ -18,7 +18,8 @@ end
 
 local function ground(horizon, height, far)
   local floor = bg.plane()
-  floor.map, floor.horizon, floor.height, floor.dir = "trench", horizon, height, 270
+  floor.map, floor.x = "trench", 70
+  floor.horizon, floor.height, floor.dir = horizon, height, 270
   floor.fog = { to = 0x060a14, far = far }
   return { floor, -2 }
 end
