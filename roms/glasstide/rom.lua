@@ -13,7 +13,8 @@ return {
   palette = "art/palette.png", font = "art/font.png",
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
   palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
-               three = "art/palette_three.png", moon = "art/palette_moon.png" },
+               three = "art/palette_three.png", moon = "art/palette_moon.png",
+               dark = "art/palette_dark.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -46,8 +47,13 @@ return {
     -- stage two
 
     -- stage three
+    lamplight = { file = "art/lamplight.png", bank = 0, palette = "three" },
     queen   = { file = "art/queen.png",   bank = 12 },
-    queen_face = { file = "art/queen_face.png", bank = 12 },
+    queen_abyss = { file = "art/queen_abyss.png", bank = 12, palette = "three" },
+    queen_face = { file = "art/queen_face.png", bank = 12, palette = "three" },
+    abyss_life = { file = "art/abyss_life.png", bank = 10, palette = "three" },
+    gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
+    angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
 
   },
@@ -121,8 +127,29 @@ return {
     -- stage two
 
     -- stage three
-    queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
-                 origin = { 48, 44 } },
+    mite     = { sheet = "abyss_life", x = 0,   y = 0,   w = 24, h = 22, frames = 4, every = 5 },
+    bell     = { sheet = "abyss_life", x = 96,  y = 0,   w = 20, h = 22, frames = 4, every = 7 },
+    viper    = { sheet = "abyss_life", x = 176, y = 0,   w = 32, h = 52, frames = 4, every = 6,
+                 origin = { 16, 32 } },
+    chain_head = { sheet = "abyss_life", x = 0, y = 52,  w = 40, h = 44, frames = 4, every = 8,
+                 origin = { 20, 17 } },
+    comb     = { sheet = "abyss_life", x = 160, y = 52,  w = 36, h = 48, frames = 4, every = 6,
+                 origin = { 18, 21 } },
+    squid    = { sheet = "abyss_life", x = 0,   y = 100, w = 40, h = 56, frames = 4, every = 7,
+                 origin = { 20, 24 } },
+    shark    = { sheet = "abyss_life", x = 0,   y = 156, w = 52, h = 72, frames = 4, every = 7,
+                 origin = { 26, 44 } },
+    spider   = { sheet = "abyss_life", x = 0,   y = 228, w = 60, h = 52, frames = 4, every = 7,
+                 origin = { 30, 28 } },
+    gulper   = { sheet = "gulper",  x = 0,   y = 0,   w = 64, h = 64, frames = 4, every = 8 },
+    angler   = { sheet = "angler",  x = 0,   y = 0,   w = 120, h = 96, frames = 4, every = 9,
+                 origin = { 60, 48 } },
+    lantern  = { sheet = "angler",  x = 0,   y = 96,  w = 28, h = 32, frames = 4, every = 6 },
+    stalk    = { sheet = "angler",  x = 112, y = 96,  w = 8,  h = 8 },
+    lamplight = { sheet = "lamplight", x = 0, y = 0, w = 168, h = 168 },
+    queen_afar = { sheet = "queen", x = 0,   y = 0,   w = 96, h = 96, frames = 4, every = 14 },
+    queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
+                 origin = { 64, 58 } },
     -- the moon
 
     -- who talks
@@ -178,11 +205,19 @@ return {
     -- stage two
 
     -- stage three
-    seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
+    trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
+    chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
+                 palette = "three" },
+    walls    = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/walls.csv",
+                 palette = "three" },
+    snow     = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/snow.csv",
+                 palette = "three" },
+    depths   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/depths.csv",
+                 palette = "three" },
     -- the moon
 
   },
-  blends = { ghost = { mix = 50 }, glow = "add" },
+  blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },
   -- What is heard often is short and gives way first. The first eleven play by themselves.
   sounds = {
     graze    = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
