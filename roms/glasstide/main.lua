@@ -5,6 +5,7 @@ require "players/petrel"
 require "stages/one"
 require "stages/two"
 require "stages/three"
+require "stages/moon"
 local sea = require "sea"
 local craft = require "players/craft"
 

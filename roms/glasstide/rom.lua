@@ -39,6 +39,7 @@ return {
     queen   = { file = "art/queen.png",   bank = 12 },
     queen_face = { file = "art/queen_face.png", bank = 12 },
     -- the moon
+    last    = { file = "art/last.png",    bank = 12, palette = "moon" },
 
   },
   sprites = {
@@ -93,6 +94,12 @@ return {
     queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
                  origin = { 48, 44 } },
     -- the moon
+    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
+    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
+    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
+    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
+    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
     -- who talks
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
@@ -130,6 +137,8 @@ return {
     -- stage three
     seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
     -- the moon
+    water    = { tiles = "art/water.png",  bank = 13, file = "maps/floor.csv", palette = "moon" },
+    moonlight = { tiles = "art/water.png", bank = 13, file = "maps/caustics.csv", palette = "moon" },
 
   },
   blends = { ghost = { mix = 50 } },

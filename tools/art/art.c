@@ -48,6 +48,8 @@ static const struct picture GAME[] = {
     { "queen_face", art_queen_face, ART_ONE },
     { "seabed", art_seabed, ART_ONE },
     /* the moon */
+    { "last", art_last, ART_MOON },
+    { "water", art_water, ART_MOON },
 
     { NULL, NULL, ART_ONE },
 };

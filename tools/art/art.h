@@ -108,6 +108,8 @@ struct sheet art_items(void);
 struct sheet art_tiles(void);
 struct sheet art_seabed(void);
 struct sheet art_finds(void);
+struct sheet art_last(void);
+struct sheet art_water(void);
 struct sheet art_kite(void);
 struct sheet art_lanterns(void);
 struct sheet art_keeper(void);
