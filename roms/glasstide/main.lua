@@ -6,6 +6,8 @@ require "stages/one"
 require "stages/two"
 require "stages/three"
 require "stages/moon"
+require "stages/rush"
+require "stages/caravan"
 local sea = require "sea"
 local craft = require "players/craft"
 

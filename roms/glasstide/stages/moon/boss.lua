@@ -127,15 +127,15 @@ end
 
 boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "queen",
   warning = 150, phases = {
-    { id = "gibbous", hp = 1100, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
+    { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
       drops = { pearl = 8 } },
-    { id = "half", spell = "Half Sign: Two Waters", hp = 1500, time = 50 * 60, bonus = 40000,
+    { id = "half", spell = "Half Sign: Two Waters", hp = 2300, time = 50 * 60, bonus = 40000,
       run = at_night(half), clear = FOAM, drops = { pearl = 8 } },
-    { id = "crescent", spell = "Crescent Sign: Reaping Tide", hp = 1500, time = 50 * 60,
+    { id = "crescent", spell = "Crescent Sign: Reaping Tide", hp = 2300, time = 50 * 60,
       bonus = 40000, run = at_night(crescent), clear = FOAM, drops = { pearl = 8, conch = 1 } },
-    { id = "new", spell = "New Sign: A Way Through Rings", hp = 1600, time = 55 * 60,
+    { id = "new", spell = "New Sign: A Way Through Rings", hp = 2300, time = 55 * 60,
       bonus = 50000, run = at_night(late.new), clear = FOAM, drops = { pearl = 8 } },
-    { id = "full", spell = "Full Sign: Nearest of Nights", hp = 1900, time = 60 * 60,
+    { id = "full", spell = "Full Sign: Nearest of Nights", hp = 2600, time = 60 * 60,
       bonus = 60000, run = at_night(late.full), clear = FOAM, drops = { pearl = 8, heart = 1 } },
     { id = "eclipse", spell = "Last Sign: The Sea Falls In", survive = true, time = 44 * 60,
       bonus = 100000, run = at_night(late.eclipse), clear = FOAM } } })
