@@ -13,7 +13,7 @@ return {
   palette = "art/palette.png", font = "art/font.png",
   -- each stage below the first has creatures and scenery in colours of its own (banks 10 to 13)
   palettes = { two = "art/palette_two.png", three = "art/palette_three.png",
-               moon = "art/palette_moon.png" },
+               moon = "art/palette_moon.png", story = "art/palette_story.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -40,6 +40,13 @@ return {
     queen_face = { file = "art/queen_face.png", bank = 12 },
     -- the moon
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    -- what the opening and the endings show
+    dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
+    brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
+    wave    = { file = "art/wave.png",    bank = 10, palette = "story" },
+    dive    = { file = "art/dive.png",    bank = 11, palette = "story" },
+    flood   = { file = "art/flood.png",   bank = 12, palette = "story" },
+    home    = { file = "art/home.png",    bank = 14, palette = "story" },
 
   },
   sprites = {
@@ -99,6 +106,12 @@ return {
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
     moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
     moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
+    brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
+    wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },
+    dive  = { sheet = "dive",  x = 0, y = 0, w = 240, h = 160 },
+    flood = { sheet = "flood", x = 0, y = 0, w = 240, h = 160 },
+    home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
     moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
     -- who talks

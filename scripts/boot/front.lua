@@ -53,12 +53,23 @@ local function attract(a, show)
     wait(1)
   end
   show("scores", board.difficulty(), SCORES)
+  a.told = false
+end
+
+-- What is told before the title: once the power is on, and each time nobody came.
+local function tell(a)
+  if not a.opening then return end
+  text.clear()
+  a.opening()
+  sys.wipe()
 end
 
 -- The title, and back to it, until somebody starts. Returns how many play.
 local function wait_for_players(a, show)
   local what, players
   while what ~= "start" do
+    if not a.told then tell(a) end
+    a.told = true
     local list = places(a)
     what, players = show("title", ATTRACT, list, what)
     if what == nil then

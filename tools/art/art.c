@@ -50,6 +50,12 @@ static const struct picture GAME[] = {
     /* the moon */
     { "last", art_last, ART_MOON },
     { "water", art_water, ART_MOON },
+    { "dry", art_dry, ART_STORY },
+    { "brink", art_brink, ART_STORY },
+    { "wave", art_wave, ART_STORY },
+    { "dive", art_dive, ART_STORY },
+    { "flood", art_flood, ART_STORY },
+    { "home", art_home, ART_STORY },
 
     { NULL, NULL, ART_ONE },
 };
@@ -170,7 +176,7 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages below the first. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = { "", "palette_two", "palette_three", "palette_moon" };
+    static const char *const names[ART_STAGES] = { "", "palette_two", "palette_three", "palette_moon", "palette_story" };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_TWO; stage < ART_STAGES; stage++) {

@@ -25,9 +25,10 @@ void sheet_free(struct sheet *s);
 void sheet_set(struct sheet *s, int x, int y, int shade);
 int sheet_get(const struct sheet *s, int x, int y);
 
-/* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13; those of the night,
+/* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13, and of its story's
+ * pictures; those of the night,
  * whose banks 0 to 7 are the same. */
-enum art_stage { ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_STAGES };
+enum art_stage { ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_STORY, ART_STAGES };
 void art_palette(uint32_t rgb[256]);
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256]);
 void art_night_palette(uint32_t rgb[256]);
@@ -110,6 +111,12 @@ struct sheet art_seabed(void);
 struct sheet art_finds(void);
 struct sheet art_last(void);
 struct sheet art_water(void);
+struct sheet art_dry(void);
+struct sheet art_brink(void);
+struct sheet art_wave(void);
+struct sheet art_dive(void);
+struct sheet art_flood(void);
+struct sheet art_home(void);
 struct sheet art_kite(void);
 struct sheet art_lanterns(void);
 struct sheet art_keeper(void);

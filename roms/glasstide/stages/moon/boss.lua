@@ -62,13 +62,13 @@ local function half(e)
   wait(30)
   for k = 1, forever do
     pattern.ring { from = e, kind = "orb", bank = 6, dir = 5.5 * k + 3 * k * k % 17, speed = 2,
-                   n = by_difficulty { easy = 22, normal = 34, hard = 44, abyss = 56 },
+                   n = by_difficulty { easy = 22, normal = 36, hard = 52, abyss = 58 },
                    each = refract }
-    if k % 6 == 0 then
+    if k % by_difficulty { easy = 6, normal = 5, hard = 4 } == 0 then
       pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
                     delay = 24, n = by_difficulty { easy = 1, normal = 2, hard = 3 } }
     end
-    wait(by_difficulty { easy = 44, normal = 32, hard = 27, abyss = 22 })
+    wait(by_difficulty { easy = 44, normal = 31, hard = 25, abyss = 22 })
   end
 end
 

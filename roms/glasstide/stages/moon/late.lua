@@ -18,8 +18,8 @@ end
 local function maze_ring(e, at, way, kind, bank)
   local name = board.difficulty()
   local age = DOWN_THERE / GROW[name]
-  local n = by_difficulty { easy = 60, normal = 76, hard = 90, abyss = 104 }
-  local gap = by_difficulty { easy = 8, normal = 6, hard = 6, abyss = 6 }
+  local n = by_difficulty { easy = 48, normal = 80, hard = 94, abyss = 108 }
+  local gap = by_difficulty { easy = 5, normal = 3, hard = 3, abyss = 3 }
   for i = 1, n - gap do
     local dir = at - way * SPIN * age + 360 * (i + gap / 2 - 0.5) / n
     bullet.fire { kind = kind, bank = bank, from = e, dir = dir, speed = GROW[name],
@@ -35,12 +35,12 @@ function late.new(e)
     local way = k % 2 == 0 and 1 or -1
     at = at + rng.number(8, by_difficulty { easy = 14, normal = 19, hard = 22, abyss = 19 }) *
          (at > 104 and -1 or at < 76 and 1 or (rng.chance(0.5) and 1 or -1))
-    maze_ring(e, at, way, "pellet", way > 0 and 6 or 7)
+    maze_ring(e, at, way, by_difficulty { easy = "pellet", normal = "orb" }, way > 0 and 6 or 7)
     if k % 5 == 0 then
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
                       n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 2 } }
     end
-    wait(by_difficulty { easy = 96, normal = 70, hard = 58, abyss = 54 })
+    wait(by_difficulty { easy = 110, normal = 70, hard = 58, abyss = 54 })
   end
 end
 
@@ -52,7 +52,7 @@ function late.full(e)
   e.picture = "full"
   e:move { x = 120, y = 100, over = 120, ease = "both" }
   task.go(function()
-    local n = by_difficulty { easy = 2, normal = 3, hard = 3, abyss = 4 }
+    local n = by_difficulty { easy = 2, normal = 2, hard = 3, abyss = 4 }
     local speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 }
     local seed = { kind = "pellet", from = e, speed = speed }
     for k = 1, forever do
@@ -61,7 +61,7 @@ function late.full(e)
         seed.bank = k % 240 < 120 and 3 or 2
         bullet.fire(seed)
       end
-      wait(by_difficulty { easy = 3, normal = 2, hard = 1 })
+      wait(by_difficulty { easy = 3, normal = 1 })
     end
   end)
   for k = 1, forever do
