@@ -31,9 +31,9 @@ static const struct face FACES[PHASES] = {
 };
 
 static const double craters[CRATERS][3] = {
-    { -40, -26, 11 }, { 38, -34, 9 },  { -30, 40, 12 }, { 44, 22, 10 }, { -52, 8, 7 },   { 8, -50, 8 },  { 12, 50, 9 },
-    { -14, -44, 5 },  { 54, -6, 6 },   { -46, 30, 5 },  { 28, 42, 6 },  { -8, 56, 4.5 }, { 26, -48, 4 }, { -56, -12, 4 },
-    { 46, 38, 4.5 },
+    { -40, -26, 11 }, { 38, -34, 9 },  { -30, 40, 12 }, { 44, 22, 10 },  { -52, 8, 7 },
+    { 8, -50, 8 },    { 12, 50, 9 },   { -14, -44, 5 }, { 54, -6, 6 },   { -46, 30, 5 },
+    { 28, 42, 6 },    { -8, 56, 4.5 }, { 26, -48, 4 },  { -56, -12, 4 }, { 46, 38, 4.5 },
 };
 
 /* 4 x 4 steps between two shades. */
@@ -115,7 +115,10 @@ static int eye(const struct face *f, int frame, int px, int py, double x, double
     return ball + 0.3 * order(px, py) > 0.52 ? 13 : 12;
 }
 
-static double sway(int frame, int i) { return (frame ? 1.6 : -1.6) * (i % 2 ? 1 : -1); }
+static double sway(int frame, int i)
+{
+    return (frame ? 1.6 : -1.6) * (i % 2 ? 1 : -1);
+}
 
 /* Behind the disc: weed that hangs from the frame, the frame itself with twelve studs. */
 static void setting(struct sheet *s, int x, int y, int frame, bool eclipse)
@@ -136,8 +139,8 @@ static void setting(struct sheet *s, int x, int y, int frame, bool eclipse)
     paint_ball(p, eclipse ? (struct mat){ GLOW, 9, 11, -0.1 } : SILVER, 0, 0, FRAME, FRAME, 0);
     for (int i = 0; i < 48; i++) { /* a milled edge */
         double t = i / 48.0, far = FRAME - 1.2;
-        paint_limb(p, eclipse ? STUD : (struct mat){ FLAT, 3, 3, 0 }, art_cos(t) * (far - 3), art_sin(t) * (far - 3), 0.6,
-                   art_cos(t) * far, art_sin(t) * far, 0.6);
+        paint_limb(p, eclipse ? STUD : (struct mat){ FLAT, 3, 3, 0 }, art_cos(t) * (far - 3), art_sin(t) * (far - 3),
+                   0.6, art_cos(t) * far, art_sin(t) * far, 0.6);
     }
     for (int i = 0; i < 12; i++) {
         double t = i / 12.0, far = 0.5 * (FRAME + DISC) + 0.2;

@@ -168,7 +168,8 @@ static void boat(struct paint *p, double x, double y, double k, double turn, boo
     paint_limb(p, EDGE, x + 20 * q, y - 20 * c, 0.5 * k, x + 7 * c + 19 * q, y + 7 * q - 19 * c, 0.5 * k);
     paint_poly(p, HULL, 7, at, 2.2 * k);
     paint_limb(p, SHADE, x - 8 * c, y - 8 * q, 0.6 * k, x + 9 * c, y + 9 * q, 0.6 * k);
-    paint_ball(p, lit ? LIT : EDGE, x + 7 * c + 15 * q, y + 7 * q - 15 * c, (lit ? 3.4 : 2.2) * k, (lit ? 3.8 : 2.8) * k, 0);
+    paint_ball(p, lit ? LIT : EDGE, x + 7 * c + 15 * q, y + 7 * q - 15 * c, (lit ? 3.4 : 2.2) * k,
+               (lit ? 3.8 : 2.8) * k, 0);
 }
 
 /* ---- the pictures ---- */
@@ -347,7 +348,8 @@ struct sheet art_dive(void)
 
     for (int y = 0; y < HIGH; y++) {
         for (int x = 0; x < WIDE; x++) {
-            double t = (double)y / HIGH, rays = art_sin((x - 0.5 * y) / 46.0) + 0.6 * art_sin((x - 0.5 * y) / 19.0 + 0.3);
+            double t = (double)y / HIGH,
+                   rays = art_sin((x - 0.5 * y) / 46.0) + 0.6 * art_sin((x - 0.5 * y) / 19.0 + 0.3);
             double v = 6.4 * (1 - t) * (1 - t) + rays * (1 - t) * 0.9 + 0.4;
             sheet_set(&s, x, y, (int)art_clamp(v + order(x, y), 1, 7));
         }
