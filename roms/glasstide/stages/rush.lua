@@ -4,7 +4,7 @@ local sea = require "sea"
 
 -- In the order of the dive.
 local ORDER <const> = {
-  { "nautilus", "crab", "main", "shallows" },
+  { "nautilus", "one", "shallows" }, { "crab", "one", "shallows" },
   { "queen", "three", "abyss" },
   { "moon", "moon", "moon" },
 }
