@@ -1,6 +1,5 @@
 -- stages/two.lua - the drowned glassworks, where the furnace still burns.
 local habits = require "stages/two/habits"
-local meeting = require "stages/two/meeting"
 local sea = require "sea"
 require "stages/two/creatures"
 require "stages/two/bellows"
@@ -129,9 +128,8 @@ stage.def("two", function()
   stage.mark("eels")
   bg.show("hearth")
   sea.speed(0.6)
-  wait(90)
-  meeting()
+  wait(60)
   boss.fight("eels")
   sea.speed(2.2)
   wait(90)
-end, { music = "tide" })
+end, { music = "works" })

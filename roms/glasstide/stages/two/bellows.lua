@@ -22,7 +22,7 @@ local bubbles = { easy = bubble(7), normal = bubble(11), hard = bubble(14),
 local function breath(e)
   wait(20)
   for k = 1, forever do
-    sound.play("hiss", { from = e })
+    sound.play("steam", { from = e })
     local turn = 16 * angle.sin(67 * k)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + turn, spread = 110,
                   speed = 2.1,
@@ -76,7 +76,7 @@ local function draught(e)
   for k = 1, forever do
     sound.play("charge", { from = e })
     inhale()
-    sound.play("hiss", { from = e })
+    sound.play("steam", { from = e })
     exhale(k)
     wait(by_difficulty { easy = 60, normal = 40, hard = 30, abyss = 20 })
   end
@@ -109,7 +109,7 @@ local function wheels(e)
   for k = 1, forever do
     local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 1, abyss = 1 }
     local n = by_difficulty { easy = 2, normal = 3, hard = 3, abyss = 4 }
-    sound.play("clank", { from = e })
+    sound.play("gear", { from = e })
     for i = 1, n do
       wheel(120 + 62 * (i - (n + 1) / 2) + 24 * angle.sin(90 * k), 40, (i + k) % 2 == 0, speed)
     end
@@ -123,7 +123,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 74, music = "queen",
+boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 74, music = "lantern",
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 640, time = 26 * 60, bonus = 12000,

@@ -1,6 +1,8 @@
 -- stages/two/eels.lua - the two who run the works: Cinder, who melts, and Quench, who cools. Where
 -- each has a bar of its
 -- own, the one that is left is angry.
+local meeting = require "stages/two/meeting"
+
 local duel = {} -- the two of them, by name, while a phase runs
 
 local function other(e) return e == duel.cinder and duel.quench or duel.cinder end
@@ -84,7 +86,7 @@ local function simmer(e)
   e:move { x = 196, y = 46, over = 50, ease = "both" }
   wait(80)
   for k = 1, forever do
-    sound.play("hiss", { from = e })
+    sound.play("steam", { from = e })
     pattern.fan { from = e, dy = 16, kind = "steam", bank = 0, dir = 122, spread = 84, speed = 0.9,
                   n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 7 } }
     if k % 2 == 0 then e:move { x = k % 4 == 0 and 196 or 44, y = 46, over = 90, ease = "both" } end
@@ -118,7 +120,7 @@ local function temper(e)
   e:move { x = 120, y = 66, over = 46, ease = "both" }
   wait(50)
   for k = 1, forever do
-    sound.play("clank", { from = e })
+    sound.play("gear", { from = e })
     cast(k)
     wait(by_difficulty { easy = 60, normal = 46, hard = 40, abyss = 36 })
     pattern.ring { from = e, kind = "steam", bank = 0, dir = 11 * k, speed = 0.85,
@@ -191,7 +193,7 @@ local function crossing(cinder, quench)
     left:move { x = 120, y = 52, over = 60, ease = "in" }
     right:move { x = 120, y = 104, over = 60, ease = "in" }
     wait(60)
-    sound.play("clank", { from = left })
+    sound.play("gear", { from = left })
     pattern.ring { x = 120, y = 84, kind = "steam", bank = 0, dir = 8 * k, speed = 1.1,
                    n = by_difficulty { easy = 10, normal = 16, hard = 22, abyss = 30 } }
   end
@@ -223,7 +225,7 @@ local function press(e)
       end
     end
     wait(150)
-    sound.play("clank", { from = e })
+    sound.play("gear", { from = e })
     screen.shake { size = 2, over = 12 }
     rest(e, by_difficulty { easy = 190, normal = 150, hard = 120, abyss = 110 })
     e:move { x = rng.int(50, 100), y = rng.int(56, 84), over = 50, ease = "both" }
@@ -247,10 +249,11 @@ end
 local FOAM = { items = "foam",
                spark = "pop" } -- what is left of their bullets when a phase is beaten
 
-boss.def("eels", { title = "Cinder and Quench", music = "queen",
+boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
   cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 74 },
            { name = "quench", title = "Quench", kind = "quench", x = 172, y = 74 } },
   phases = {
+    { talk = meeting },
     { id = "both", hp = { cinder = 420, quench = 420 }, time = 30 * 60, run = pair(sparks, bars),
       clear = FOAM,
       drops = { pearl = 6 } },

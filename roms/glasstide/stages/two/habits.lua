@@ -78,7 +78,7 @@ end
 function habits.puff(e)
   wait(70)
   for k = 1, forever do
-    sound.play("hiss", { from = e })
+    sound.play("steam", { from = e })
     pattern.ring { from = e, kind = "orb", bank = k % 2 == 0 and 6 or 5, dir = 13 * k, speed = 2.1,
                    motion = breathe,
                    n = by_difficulty { easy = 9, normal = 13, hard = 18, abyss = 26 } }
@@ -106,7 +106,7 @@ end
 function habits.vent(e)
   wait(50)
   while true do
-    sound.play("hiss", { from = e })
+    sound.play("steam", { from = e })
     local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
     for side = 0, 180, 180 do
       pattern.stack { from = e, dy = 6, kind = "steam", bank = 0, dir = side, speed = 1,
