@@ -55,7 +55,7 @@ end
 
 local function exhale(first)
   local n = by_difficulty { easy = 24, normal = 40, hard = 54, abyss = 66 }
-  local wide = by_difficulty { easy = 6, normal = 6 }
+  local wide = by_difficulty { easy = 6, normal = 5, hard = 4 }
   local swing = by_difficulty { easy = 9, normal = 14, hard = 18, abyss = 15 }
   local waves = by_difficulty { easy = 6, normal = 9, hard = 11, abyss = 26 }
   for i = 1, waves do
