@@ -12,7 +12,7 @@ return {
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
-  palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
+  palettes = { one = "art/palette_one.png", deep = "art/palette_deep.png", two = "art/palette_two.png",
                three = "art/palette_three.png", moon = "art/palette_moon.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =

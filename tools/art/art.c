@@ -175,7 +175,9 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = { "", "palette_one", "palette_two", "palette_three", "palette_moon" };
+    static const char *const names[ART_STAGES] = {
+        "", "palette_one", "palette_deep", "palette_two", "palette_three", "palette_moon"
+    };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {

@@ -27,7 +27,7 @@ int sheet_get(const struct sheet *s, int x, int y);
 
 /* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13 (ART_MAIN: the same);
  * those of the night, whose banks 0 to 7 are the same. */
-enum art_stage { ART_MAIN, ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_STAGES };
+enum art_stage { ART_MAIN, ART_ONE, ART_DEEP, ART_TWO, ART_THREE, ART_MOON, ART_STAGES };
 void art_palette(uint32_t rgb[256]);
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256]);
 void art_night_palette(uint32_t rgb[256]);

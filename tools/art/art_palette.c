@@ -203,6 +203,12 @@ static const struct key NIGHT[8][12] = {
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
 };
 
+/* The scenery of stage one below the wreck, where less light comes. */
+static const struct key DEEP[12] = {
+    { 1, 0x02040c },  { 4, 0x060f22 },  { 8, 0x0d2442 },  { 12, 0x1b3c58 },
+    { 13, 0x123250 }, { 14, 0x1a4458 }, { 15, 0x28505c },
+};
+
 /* Banks 10 to 13 of the stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
 static const struct key ONE[4][12] = {
     /* 10 blue glass: 2..9 glass, 10..13 what is inside */
@@ -416,6 +422,11 @@ void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
     const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
 
+    if (stage == ART_DEEP) {
+        art_stage_palette(ART_ONE, rgb);
+        fill(&rgb[13 * 16], DEEP);
+        return;
+    }
     art_palette(rgb);
     for (int bank = 10; stage != ART_MAIN && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);

@@ -110,6 +110,7 @@ stage.def("one", function()
   sea.speed(0.8)
   boss.fight("nautilus")
   sea.speed(1.8)
+  palette.fade { to = "deep", over = 400, first = 13 * 16, last = 13 * 16 + 15 } -- less light
   wait(90)
   stage.mark("deep")
   deep()

@@ -38,8 +38,12 @@ end
 
 -- 2. Chambered Lamp: it lays its own shell round itself in pearls of light, chamber by chamber, and
 -- then unwinds it: what was laid last goes first.
-local unwind = motion.def { { wait = "rest" }, { bank = RUBY }, { speed = 1.7, over = 50 } }
-local drift = motion.def { { wait = "rest" }, { bank = AMBER }, { speed = 1.0, over = 60 } }
+local function unwinding(bank, speed)
+  return motion.def { { wait = "rest" }, { bank = bank }, { speed = speed, over = 50 } }
+end
+local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
+                 abyss = unwinding(RUBY, 1.3) }
+local drift = { easy = unwinding(AMBER, 1.0), abyss = unwinding(AMBER, 0.9) }
 
 local function wind(e, n, from, way, kind, program)
   local r = 26
@@ -58,21 +62,22 @@ end
 local function chambers(e)
   for k = 1, forever do
     local way = k % 2 == 0 and -1 or 1
-    local n = by_difficulty { easy = 36, normal = 60, hard = 66 }
+    local n = by_difficulty { easy = 36, normal = 66, hard = 70 }
     e:move { x = rng.int(96, 144), y = rng.int(70, 86), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
-    wind(e, n, 40 * k, way, "orb", unwind)
+    wind(e, n, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
-      wind(e, by_difficulty { hard = 40, abyss = 66 }, 40 * k + 180, -way, "pellet", drift)
+      wind(e, by_difficulty { hard = 50, abyss = 70 }, 40 * k + 180, -way, "pellet",
+           by_difficulty(drift))
     end
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
       pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "kunai", bank = GOLD, aim = true,
-                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 3, abyss = 5 },
+                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 5 },
                     speed = 2.0, delay = 12 }
     end
-    wait(by_difficulty { easy = 70, normal = 44, hard = 36, abyss = 30 })
+    wait(by_difficulty { easy = 70, normal = 30, hard = 14, abyss = 1 })
   end
 end
 
