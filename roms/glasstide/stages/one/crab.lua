@@ -28,14 +28,14 @@ local function sweep(e, side)
     if claw and claw.alive then
       pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
                     spread = 20, dir = dir, speed = 1.9,
-                    n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } }
+                    n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
     elseif k % 8 == 0 then
       pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
                      bank = side < 0 and MAGENTA or RUBY, dir = dir, speed = 1.3,
                      n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 20 } }
     end
     dir = dir - 13 * side
-    wait(by_difficulty { easy = 11, normal = 8, hard = 6 })
+    wait(by_difficulty { easy = 12, normal = 9, hard = 6 })
   end
 end
 
@@ -43,7 +43,7 @@ local function pincers(e)
   task.go(sweep, e, -1)
   task.go(sweep, e, 1)
   for k = 1, forever do
-    wait(84)
+    wait(by_difficulty { easy = 110, normal = 96, hard = 80, abyss = 70 })
     either(e, function(claw, side)
       local at = claw and claw.alive and { claw, 0, 24 } or { e, 43 * side, 20 }
       sound.play("snap", { from = e })
@@ -52,7 +52,7 @@ local function pincers(e)
                      n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 7 } }
     end)
     if by_difficulty { easy = false, abyss = true } then
-      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 30 }
+      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 26 }
     end
     wander(e, 50)
   end
@@ -122,7 +122,7 @@ local function falling(every, n)
 end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
-               normal = falling(26, 2), hard = falling(15, 2), abyss = falling(13, 4) }
+               normal = falling(34, 2), hard = falling(12, 3), abyss = falling(13, 4) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },

@@ -43,7 +43,8 @@ local function unwinding(bank, speed)
 end
 local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
                  abyss = unwinding(RUBY, 1.3) }
-local drift = { easy = unwinding(AMBER, 1.0), abyss = unwinding(AMBER, 0.9) }
+-- What it lays the other way round looks at you when its turn comes.
+local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true }, { speed = 1.5, over = 40 } }
 
 local function wind(e, n, from, way, kind, program)
   local r = 26
@@ -68,8 +69,7 @@ local function chambers(e)
     sound.play("still", { from = e })
     wind(e, n, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
-      wind(e, by_difficulty { hard = 50, abyss = 70 }, 40 * k + 180, -way, "pellet",
-           by_difficulty(drift))
+      wind(e, by_difficulty { hard = 30, abyss = 60 }, 40 * k + 180, -way, "pellet", moth)
     end
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
