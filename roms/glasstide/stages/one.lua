@@ -109,6 +109,7 @@ stage.def("one", function()
   stage.mark("nautilus")
   sea.speed(0.8)
   boss.fight("nautilus")
+  music.play("tide")
   sea.speed(1.8)
   palette.fade { to = "deep", over = 400, first = 13 * 16, last = 13 * 16 + 15 } -- less light
   wait(90)

@@ -187,7 +187,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "queen",
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
                    warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
@@ -195,7 +195,7 @@ boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, mu
     run = grotto, clear = FOAM, drops = { pearl = 8 } },
   { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 1100, time = 35 * 60,
     bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
-  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 1050, time = 40 * 60,
+  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 40 * 60,
     bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
   { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
     bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })
