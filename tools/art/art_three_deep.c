@@ -59,7 +59,8 @@ static void angler_brow(struct paint *p, int frame)
     paint_curve(p, (struct mat){ GLASS, 3, 8, 0.1 }, lip0, lipc, lip1, 4.4, 4.4);
     paint_mirror(p, true);
     for (int i = 0; i < 3; i++) {
-        double a[2] = { 7.0 + 9 * i, -37.0 + 4.4 * i * i * 0.7 }, c[2] = { 12.0 + 10 * i, -24 }, b[2] = { 11.0 + 9 * i, -11.5 };
+        double a[2] = { 7.0 + 9 * i, -37.0 + 4.4 * i * i * 0.7 }, c[2] = { 12.0 + 10 * i, -24 },
+               b[2] = { 11.0 + 9 * i, -11.5 };
         paint_curve(p, (struct mat){ VEIL, 2, 8, 0.14 }, a, c, b, 0.8, 0.6);
     }
     paint_ball(p, DEEP, 24, -15, 9.4, 8.0, -0.04);
@@ -95,7 +96,8 @@ static void lantern(struct sheet *s, int x, int y, int frame)
     double k = wave(frame, 0);
     paint_mirror(p, true);
     for (int i = 0; i < 2; i++) {
-        double a[2] = { 3.0 + 3 * i, 6 }, c[2] = { 6.0 + 4 * i + k, 10 }, b[2] = { 5.0 + 3 * i - k * 1.4, 14.6 - 3 * i };
+        double a[2] = { 3.0 + 3 * i, 6 }, c[2] = { 6.0 + 4 * i + k, 10 },
+               b[2] = { 5.0 + 3 * i - k * 1.4, 14.6 - 3 * i };
         paint_curve(p, FILM, a, c, b, 1.0, 0.4);
     }
     paint_mirror(p, false);
@@ -150,7 +152,8 @@ static void queen_fins(struct paint *p, int frame)
     double k = wave(frame, 0) * 3.4, l = wave(frame, 0.3) * 3.2, m = wave(frame, 0.15) * 3.0;
     double low[] = { 26, 47 + l, 36, 44 + l, 44, 36 + l * 0.7, 47, 26, 40, 14 };
     double mid[] = { 42, 18, 53, 18 + m * 0.4, 60, 9 + m, 60, -3 + m, 52, -8 };
-    double top[] = { 40, 0, 52, -10 + k * 0.4, 59, -24 + k, 61.5, -40 + k, 57, -53 + k, 45, -46 + k * 0.6, 33, -38 + k * 0.3, 20, -26 };
+    double top[] = { 40, 0,       52, -10 + k * 0.4, 59, -24 + k,       61.5, -40 + k,
+                     57, -53 + k, 45, -46 + k * 0.6, 33, -38 + k * 0.3, 20,   -26 };
     paint_fin(p, FILM, 8, 4, 5, low, 0.18);
     paint_fin(p, FILM, 8, 0, 5, mid, 0.16);
     paint_fin(p, FILM, 6, -8, 8, top, 0.13);
@@ -167,7 +170,8 @@ static void queen_arms(struct paint *p, int frame)
 {
     for (int i = 0; i < 5; i++) {
         double sway = wave(frame, 0.19 * i), tx = 3.5 + i * 5.6;
-        double a[2] = { tx * 0.8, 14 }, c[2] = { tx + 6 + sway * 6, 36 }, b[2] = { tx * 1.2 - sway * 6, 62.0 - i * 5.4 };
+        double a[2] = { tx * 0.8, 14 }, c[2] = { tx + 6 + sway * 6, 36 },
+               b[2] = { tx * 1.2 - sway * 6, 62.0 - i * 5.4 };
         paint_curve(p, i % 2 ? PANE : FLESH, a, c, b, 3.0, 0.7);
         if (i % 2)
             paint_ball(p, SILVER, b[0], b[1], 1.3, 1.3, 0);
@@ -184,7 +188,8 @@ static void queen_halo(struct paint *p)
     for (int i = 0; i < 13; i++) {
         double a = 0.5 + i / 24.0, r = i % 2 ? 41.5 : 45.5;
         if (-24 + r * art_sin(a) > -63)
-            paint_limb(p, SILVER, 38 * art_cos(a), -24 + 38 * art_sin(a), 1.1, r * art_cos(a), -24 + r * art_sin(a), 0.4);
+            paint_limb(p, SILVER, 38 * art_cos(a), -24 + 38 * art_sin(a), 1.1, r * art_cos(a), -24 + r * art_sin(a),
+                       0.4);
     }
 }
 
@@ -224,8 +229,11 @@ static void queen_bell(struct paint *p, int frame)
         for (int i = 0; i < 12 - row; i++) {
             double u = (i - 5.5 + row * 0.5) / 5.5, ry = 4.6 + wave(frame, i * 0.25 + row * 0.5) * 0.8;
             double y = 16.0 - row * 3.6 - u * u * 4.6;
-            paint_ball(p, row == 2 ? SILVER : row ? PANE : FILM, u * (rx + 1.6 - row * 1.4), y, row == 2 ? 1.7 : 3.7,
-                       row == 2 ? 1.7 : ry, 0);
+            paint_ball(p,
+                       row == 2 ? SILVER
+                       : row    ? PANE
+                                : FILM,
+                       u * (rx + 1.6 - row * 1.4), y, row == 2 ? 1.7 : 3.7, row == 2 ? 1.7 : ry, 0);
         }
     }
 }

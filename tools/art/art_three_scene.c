@@ -135,15 +135,17 @@ static void walls(struct sheet *s, int y0)
         uint32_t seed = 40 + (uint32_t)depth;
         for (int i = 0; i < 16; i++) {
             double side = i % 2 ? 1 : -1, y = -TALL / 2.0 + i * (TALL / 16.0) + pick(&seed, -10, 10);
-            double half = pick(&seed, 8, 13), tall = pick(&seed, 26, 54), x = side * (WIDE / 2.0 - 8 - 11 * (2 - depth));
+            double half = pick(&seed, 8, 13), tall = pick(&seed, 26, 54),
+                   x = side * (WIDE / 2.0 - 8 - 11 * (2 - depth));
             x -= side * pick(&seed, -5, 5);
             for (int copy = -1; copy <= 1; copy++) {
                 double top = y - tall + copy * TALL, foot = y + tall + copy * TALL;
-                double column[] = { x - half, top + 6, x - half * 0.4, top, x + half * 0.5, top + 2, x + half, top + 8,
-                                    x + half, foot - 5, x, foot, x - half, foot - 8 };
+                double column[] = { x - half, top + 6,  x - half * 0.4, top, x + half * 0.5, top + 2,  x + half,
+                                    top + 8,  x + half, foot - 5,       x,   foot,           x - half, foot - 8 };
                 paint_poly(p, rock, 7, column, 3.4);
                 if (depth == 2 && i % 5 == 1) {
-                    paint_limb(p, BONE, x - side * half, y + copy * TALL, 1.3, x - side * (half + 9), y - 10 + copy * TALL, 0.6);
+                    paint_limb(p, BONE, x - side * half, y + copy * TALL, 1.3, x - side * (half + 9),
+                               y - 10 + copy * TALL, 0.6);
                     paint_ball(p, EMBER, x - side * (half + 9), y - 11 + copy * TALL, 1.5, 1.5, 0);
                 }
             }
@@ -170,8 +172,10 @@ static void water(struct sheet *s, int y0)
     static const double order[2][2] = { { 0.125, 0.625 }, { 0.875, 0.375 } };
     for (int y = 0; y < TALL; y++) {
         for (int x = 0; x < WIDE; x++) {
-            double u = (double)x / WIDE, v = (double)y / TALL, bend = 0.16 * art_sin(2 * v + u) + 0.1 * art_sin(u * 3 - v);
-            double fold = art_sin(3 * v + bend * 2 + u) + 0.8 * art_sin(2 * u + 2 * v + bend * 3) + 0.5 * art_sin(5 * v - u + bend);
+            double u = (double)x / WIDE, v = (double)y / TALL,
+                   bend = 0.16 * art_sin(2 * v + u) + 0.1 * art_sin(u * 3 - v);
+            double fold = art_sin(3 * v + bend * 2 + u) + 0.8 * art_sin(2 * u + 2 * v + bend * 3) +
+                          0.5 * art_sin(5 * v - u + bend);
             sheet_set(s, x, y0 + y, (int)art_clamp(2.6 + fold * 1.2 + order[y & 1][x & 1], 1, 7));
         }
     }

@@ -4,8 +4,8 @@ require "stages/three/creatures"
 require "stages/three/angler"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
-local meeting = require "stages/three/meeting"
 local sea = require "sea"
+local fx = require "fx"
 
 local swoop = path.def {
   { x = -18, y = 44 }, { x = 70, y = 104, over = 54, ease = "out" }, { x = 166, y = 122, over = 56 },
@@ -118,6 +118,7 @@ stage.def("three", function()
   bg.show("lightless", { over = 60 })
   wait(70)
   boss.fight("angler")
+  wait(100) -- its light goes out
   bg.show("abyss", { over = 50 })
   sea.speed(2.2)
   stage.at(2985)
@@ -125,15 +126,12 @@ stage.def("three", function()
   deep()
   bg.show("court", { over = 60 })
   sea.speed(0.5)
-  music.stop { fade = 60 }
   stage.mark("queen")
   task.go(omen)
   wait(180)
-  meeting()
-  music.play("queen") -- until she is broken, however often she comes back
   queen.fight()
   music.stop { fade = 140 }
-  wait(150)
+  wait(fx.COLLAPSE)
   -- the moon: `local moon = require "stages/moon"` above, and here
   -- `if moon.open() then moon.dive() end`
-end, { music = "tide" })
+end, { music = "abyss" })

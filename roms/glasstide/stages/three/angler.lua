@@ -31,7 +31,7 @@ enemy.def("lantern", { sprite = "lantern", hit = { circle = 11 }, hp = 60000, sp
                        blink = kinds.BLINK, on_hit = kinds.chip })
 enemy.def("angler", { sprite = "angler", hit = { box = { 76, 62 } }, hp = 100, score = 40000,
                       spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
-                      on_death = kinds.collapse, drops = { pearl = 10, conch = 1 }, run = stalk,
+                      on_death = kinds.huge, drops = { pearl = 10, conch = 1 }, run = stalk,
                       parts = { { kind = "lantern", dx = 0, dy = 44, share = 1, tag = "lamp" } } })
 
 -- The lamp flares: all is seen for a moment, and sinks back into the dark.
@@ -90,7 +90,7 @@ local function bait(e)
   while true do
     wait(by(130, 110, 96, 90))
     flare()
-    sound.play("lamp", { from = e })
+    sound.play("angler", { from = e })
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true, spread = by(30, 40, 54, 80),
                   n = by(3, 5, 7, 11), speed = by(1.9, 2.2, 2.3, 1.7), delay = 20 }
@@ -213,7 +213,8 @@ end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "queen", phases = {
+boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "lantern",
+  phases = {
   { id = "bait", hp = 760, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 860, time = 30 * 60, bonus = 20000,
     run = match, clear = FOAM, drops = { pearl = 6 } },

@@ -4,6 +4,8 @@ local sea = require "sea"
 local by = require "stages/three/by"
 local scene = require "stages/three/scene"
 local figures = require "stages/three/queen_figures"
+local meeting = require "stages/three/meeting"
+local fx = require "fx"
 
 local function wander(e, over)
   e:move { x = rng.int(80, 160), y = rng.int(62, 92), over = over, ease = "both" }
@@ -208,7 +210,8 @@ local function again(e)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 80,
-                    portrait = "queen_face", music = "queen", phases = {
+                    portrait = "queen_face", music = "queen", warning = 120, phases = {
+  { talk = meeting },
   { id = "wheels", hp = 1150, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1300, time = 50 * 60, bonus = 30000,
@@ -236,7 +239,7 @@ local queen = {}
 -- Returns when she is broken. What breaks the first time is only what she wore.
 function queen.fight()
   boss.fight("queen")
-  if not stage.skipping() then wait(100) end
+  if not stage.skipping() then wait(fx.COLLAPSE) end
   repeat
     broken = false
     boss.fight("undertow")

@@ -47,6 +47,7 @@ function figures.window(e)
   for k = 0, forever do
     if k % 6 == 0 then step = by(5, 6, 6, 5) * (k // 6 % 2 == 0 and 1 or -1) end
     turn = turn + step
+    if k % 12 == 0 then sound.play("chord", { from = e }) end
     ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), k // 12 % 2 == 0 and 1 or -1)
     wait(by(34, 27, 23, 21))
   end
