@@ -1,5 +1,5 @@
--- stages/three/meeting.lua - what is said before the queen: six lines, three of them the pilot's own.
--- Nobody has to press anything: a line goes after some seconds.
+-- stages/three/meeting.lua - what is said before the queen: six lines, three of them the pilot's
+-- own. Nobody has to press anything: a line goes after some seconds.
 talk.def("heron", { name = "Iri", voice = "iri", faces = { calm = "iri", cross = "iri_cross" } })
 talk.def("petrel", { name = "Sen", voice = "sen", faces = { calm = "sen", cross = "sen_cross" } })
 talk.def("queen", { name = "The Queen", side = "right", voice = "the_queen",
