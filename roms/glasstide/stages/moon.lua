@@ -41,16 +41,12 @@ end
 
 -- The way down from the queen.
 function moon.dive()
-  if stage.skipping() then return end
-  palette.fade { to = "moon", over = 90 }
-  fight()
+  if not stage.skipping() then fight() end
 end
 
 stage.def("moon", function()
-  palette.load("moon")
-  bg.show("moon", { over = 0 })
   stage.mark("moon")
   fight()
-end, { music = "tide" })
+end, { music = "abyss" })
 
 return moon
