@@ -1,7 +1,9 @@
--- main.lua - Glass Tide: two small craft dive through a tide of glass creatures.
+-- main.lua - Glass Tide: three small craft dive through a tide of glass creatures.
 require "kinds"
 require "players/heron"
 require "players/petrel"
+require "players/tern"
+require "players/pilots"
 require "stages/one"
 require "stages/two"
 require "stages/three"
@@ -9,17 +11,11 @@ require "stages/moon"
 require "stages/rush"
 require "stages/caravan"
 require "unlocks"
+require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
 
-local GRAZE = 40 -- points
-
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
-
-on.graze(function(p, _)
-  score.add(GRAZE, p)
-  spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 }
-end)
 
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.
@@ -48,12 +44,11 @@ boot.run { modes = {
     { name = "caravan", stages = { "caravan" }, text = "Two minutes, and all that swims by." },
     { name = "rush", stages = { "rush" }, needs = "rush", text = "All who guard something, against the clock." } },
   opening = require "opening",
-  players = { "heron", "petrel" }, demo = "attract",
+  players = { "heron", "petrel", "tern" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
-  ships = { heron = { text = "Quick, with darts ahead." },
-            petrel = { text = "Slow, with a fan of fangs." } },
+  ships = require "players/forms",
   music = { title = "title", results = "clear", clear = "clear", over = "over", opening = "opening", ending = "ending",
             staff = "staff", name = "scores", scores = "scores", room = true },
   ending = require "ending",

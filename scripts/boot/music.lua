@@ -4,8 +4,8 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 -- "clear" and "over" are the last words of a game, which are no screen, and the opening is a function of the game's.
 local SCREENS <const> = {
-  "title", "mode", "difficulty", "ship", "results", "name", "ending", "staff", "scores", "history", "unlocks", "clear",
-  "over", "room", "opening",
+  "title", "mode", "difficulty", "ship", "results", "name", "ending", "staff", "scores", "history", "unlocks", "missions",
+  "mission", "clear", "over", "room", "opening",
 }
 
 local FADE <const> = 30 -- frames

@@ -29,7 +29,6 @@ end
 function moon.outlived() return outlived end
 
 local function fight()
-  bg.show("moon")
   sea.speed(0)
   music.stop { fade = 90 }
   wait(90)
@@ -41,10 +40,13 @@ end
 
 -- The way down from the queen.
 function moon.dive()
-  if not stage.skipping() then fight() end
+  if stage.skipping() then return end
+  bg.show("moon", { over = 90 })
+  fight()
 end
 
 stage.def("moon", function()
+  bg.show("moon", { over = 0 })
   stage.mark("moon")
   fight()
 end, { music = "abyss" })

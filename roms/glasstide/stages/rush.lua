@@ -5,8 +5,7 @@ local sea = require "sea"
 -- In the order of the dive.
 local ORDER <const> = {
   { "nautilus", "shallows" }, { "crab", "shallows" },
-  { "queen", "abyss" },
-  { "moon", "moon" },
+  { "angler", "lightless" }, { "queen", "court" }, { "moon", "moon" },
 }
 
 local rush = {}
@@ -27,7 +26,7 @@ local function provide()
 end
 
 local function fight(who)
-  bg.show(who[2], { over = 20 })
+  bg.show(who[2], { over = who == ORDER[1] and 0 or 20 })
   sea.speed(0.8)
   stage.mark(who[1])
   wait(50)

@@ -21,7 +21,7 @@ test.equal(run:live("enemies"), 0, "nothing comes after it")
 test.shot("caravan-over")
 test.expect(run:wait(function(r) return r:moment("clear", "caravan") end, 180), "it is over")
 
-local ORDER <const> = { "nautilus", "crab", "queen", "moon" }
+local ORDER <const> = { "nautilus", "crab", "angler", "queen", "moon" }
 local rush = test.run { stage = "rush", seed = 1, invincible = true, difficulty = "easy",
                         pads = "fire" }
 for i, name in ipairs(ORDER) do
