@@ -57,6 +57,7 @@ return {
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
     -- what the opening and the endings show
     dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
     brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
@@ -165,6 +166,8 @@ return {
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
     moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
     moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    moon_face    = { sheet = "last_face", x = 0,  y = 0, w = 72, h = 96 },
+    moon_cross   = { sheet = "last_face", x = 72, y = 0, w = 72, h = 96 },
     dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
     brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
     wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },

@@ -67,6 +67,7 @@ static const struct picture GAME[] = {
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
     { "last", art_last, ART_MOON },
+    { "last_face", art_last_face, ART_MOON },
     { "water", art_water, ART_MOON },
     { "dry", art_dry, ART_STORY },
     { "brink", art_brink, ART_STORY },

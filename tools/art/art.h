@@ -130,6 +130,7 @@ struct sheet art_wreck(void);
 struct sheet art_kelp(void);
 struct sheet art_shafts(void);
 struct sheet art_last(void);
+struct sheet art_last_face(void);
 struct sheet art_water(void);
 struct sheet art_dry(void);
 struct sheet art_brink(void);

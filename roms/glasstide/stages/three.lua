@@ -2,6 +2,7 @@
 -- Anglerlamp in water without light, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
+local moon = require "stages/moon"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
 local sea = require "sea"
@@ -145,6 +146,5 @@ stage.def("three", function()
   queen.fight()
   music.stop { fade = 140 }
   wait(fx.COLLAPSE)
-  -- the moon: `local moon = require "stages/moon"` above, and here
-  -- `if moon.open() then moon.dive() end`
+  if moon.open() then moon.dive() end
 end, { music = "abyss" })
