@@ -8,12 +8,13 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 512, lasers = 32, options = 8,
+            items = 1024, lasers = 64, options = 8, lines = 16, registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
-  -- each stage below the first has creatures and scenery in colours of its own (banks 10 to 13)
-  palettes = { two = "art/palette_two.png", three = "art/palette_three.png",
-               moon = "art/palette_moon.png" },
+  -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
+  palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
+               three = "art/palette_three.png", moon = "art/palette_moon.png",
+               dark = "art/palette_dark.png", story = "art/palette_story.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -24,21 +25,44 @@ return {
     sparks  = { file = "art/sparks.png",  bank = 0 },
     finds   = { file = "art/finds.png",   bank = 0 },
     blasts  = { file = "art/blasts.png",  bank = 14 },
+    fires   = { file = "art/fires.png",   bank = 14 },
+    lights  = { file = "art/lights.png",  bank = 0 },
+    sherds  = { file = "art/sherds.png",  bank = 10 },
     logo    = { file = "art/logo.png",    bank = 15 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
+    tern    = { file = "art/tern.png",    bank = 8 },
+    arms    = { file = "art/arms.png",    bank = 0 },
     iri     = { file = "art/iri.png",     bank = 8 },
-    sen     = { file = "art/sen.png",     bank = 10 },
+    sen     = { file = "art/sen.png",     bank = 8 },
+    ono     = { file = "art/ono.png",     bank = 8 },
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
-    guard   = { file = "art/guard.png",   bank = 12 },
+    shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
+    lantern_nautilus = { file = "art/lantern_nautilus.png", bank = 12, palette = "one" },
+    crab    = { file = "art/crab.png",    bank = 12, palette = "one" },
+    crab_face = { file = "art/crab_face.png", bank = 12, palette = "one" },
+    shafts  = { file = "art/shafts.png",  bank = 13, palette = "one" },
     -- stage two
 
     -- stage three
+    lamplight = { file = "art/lamplight.png", bank = 0, palette = "three" },
     queen   = { file = "art/queen.png",   bank = 12 },
-    queen_face = { file = "art/queen_face.png", bank = 12 },
+    queen_abyss = { file = "art/queen_abyss.png", bank = 12, palette = "three" },
+    queen_face = { file = "art/queen_face.png", bank = 12, palette = "three" },
+    abyss_life = { file = "art/abyss_life.png", bank = 10, palette = "three" },
+    gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
+    angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    -- what the opening and the endings show
+    dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
+    brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
+    wave    = { file = "art/wave.png",    bank = 10, palette = "story" },
+    dive    = { file = "art/dive.png",    bank = 11, palette = "story" },
+    flood   = { file = "art/flood.png",   bank = 12, palette = "story" },
+    home    = { file = "art/home.png",    bank = 14, palette = "story" },
 
   },
   sprites = {
@@ -65,11 +89,20 @@ return {
     dart   = { sheet = "shots", x = 0,  y = 0, w = 16, h = 16, rotations = 32 },
     fang   = { sheet = "shots", x = 16, y = 0, w = 14, h = 14, rotations = 32 },
     sliver = { sheet = "shots", x = 32, y = 0, w = 12, h = 12, rotations = 32 },
+    pike   = { sheet = "arms",  x = 0,  y = 0, w = 30, h = 30, rotations = 64 },
+    hook   = { sheet = "arms",  x = 32, y = 0, w = 18, h = 18, rotations = 32 },
+    mote   = { sheet = "arms",  x = 52, y = 0, w = 12, h = 12, rotations = 32 },
+    prism  = { sheet = "arms",  x = 64, y = 0, w = 12, h = 10, frames = 4, every = 3 },
+    lens_ray = { sheet = "arms", x = 116, y = 0, w = 1, h = 10 },
+    lamp_ray = { sheet = "arms", x = 120, y = 0, w = 1, h = 52 },
 
     heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3,
                origin = { 14, 17 } },
     petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3,
                origin = { 15, 16 } },
+    tern   = { sheet = "tern",   x = 0, y = 0,  w = 32, h = 36, frames = 4, every = 3,
+               origin = { 16, 17 } },
+    tern_bead   = { sheet = "tern",   x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
 
@@ -85,20 +118,69 @@ return {
                  origin = { 20, 20 } },
     float    = { sheet = "enemies", x = 0,  y = 200, w = 36, h = 40, frames = 4, every = 12,
                  origin = { 18, 22 } },
-    crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9,
-                 origin = { 40, 30 } },
+    arrow    = { sheet = "shoal",   x = 0,  y = 0,   w = 30, h = 44, frames = 4, every = 7,
+                 origin = { 15, 26 } },
+    seahorse = { sheet = "shoal",   x = 0,  y = 46,  w = 32, h = 48, frames = 4, every = 6 },
+    hatch      = { sheet = "shoal", x = 0,  y = 96,  w = 40, h = 40 },
+    hatch_ajar = { sheet = "shoal", x = 40, y = 96,  w = 40, h = 40 },
+    hatch_half = { sheet = "shoal", x = 80, y = 96,  w = 40, h = 40 },
+    hatch_open = { sheet = "shoal", x = 120, y = 96, w = 40, h = 40 },
+    lantern_nautilus = { sheet = "lantern_nautilus", x = 0, y = 0, w = 84, h = 80, frames = 4,
+                         every = 9, origin = { 40, 36 } },
+    crab     = { sheet = "crab",    x = 0,  y = 0,   w = 112, h = 88, frames = 4, every = 9,
+                 origin = { 56, 44 } },
+    claw     = { sheet = "crab",    x = 0,  y = 88,  w = 48, h = 64, frames = 4, every = 9 },
+    shaft       = { sheet = "shafts", x = 0,   y = 0, w = 112, h = 320 },
+    shaft_thin  = { sheet = "shafts", x = 112, y = 0, w = 112, h = 320 },
     -- stage two
 
     -- stage three
-    queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
-                 origin = { 48, 44 } },
+    mite     = { sheet = "abyss_life", x = 0,   y = 0,   w = 24, h = 22, frames = 4, every = 5 },
+    bell     = { sheet = "abyss_life", x = 96,  y = 0,   w = 20, h = 22, frames = 4, every = 7 },
+    viper    = { sheet = "abyss_life", x = 176, y = 0,   w = 32, h = 52, frames = 4, every = 6,
+                 origin = { 16, 32 } },
+    chain_head = { sheet = "abyss_life", x = 0, y = 52,  w = 40, h = 44, frames = 4, every = 8,
+                 origin = { 20, 17 } },
+    comb     = { sheet = "abyss_life", x = 160, y = 52,  w = 36, h = 48, frames = 4, every = 6,
+                 origin = { 18, 21 } },
+    squid    = { sheet = "abyss_life", x = 0,   y = 100, w = 40, h = 56, frames = 4, every = 7,
+                 origin = { 20, 24 } },
+    shark    = { sheet = "abyss_life", x = 0,   y = 156, w = 52, h = 72, frames = 4, every = 7,
+                 origin = { 26, 44 } },
+    spider   = { sheet = "abyss_life", x = 0,   y = 228, w = 60, h = 52, frames = 4, every = 7,
+                 origin = { 30, 28 } },
+    gulper   = { sheet = "gulper",  x = 0,   y = 0,   w = 64, h = 64, frames = 4, every = 8 },
+    angler   = { sheet = "angler",  x = 0,   y = 0,   w = 120, h = 96, frames = 4, every = 9,
+                 origin = { 60, 48 } },
+    lantern  = { sheet = "angler",  x = 0,   y = 96,  w = 28, h = 32, frames = 4, every = 6 },
+    stalk    = { sheet = "angler",  x = 112, y = 96,  w = 8,  h = 8 },
+    lamplight = { sheet = "lamplight", x = 0, y = 0, w = 168, h = 168 },
+    queen_afar = { sheet = "queen", x = 0,   y = 0,   w = 96, h = 96, frames = 4, every = 14 },
+    queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
+                 origin = { 64, 58 } },
     -- the moon
+    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
+    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
+    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
+    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
+    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
+    brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
+    wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },
+    dive  = { sheet = "dive",  x = 0, y = 0, w = 240, h = 160 },
+    flood = { sheet = "flood", x = 0, y = 0, w = 240, h = 160 },
+    home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
+    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
     -- who talks
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
     iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
     sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
+    crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
+    crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
+    ono         = { sheet = "ono",        x = 0,  y = 0, w = 72, h = 96 },
+    ono_cross   = { sheet = "ono",        x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -112,6 +194,19 @@ return {
     shock   = { sheet = "sparks", x = 0,   y = 64, w = 48, h = 48, frames = 8, every = 2 },
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
     blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
+    -- fire in three sizes, light that is added, and what glass leaves: fx.lua
+    fire_a  = { sheet = "fires",  x = 0, y = 0,   w = 32,  h = 32,  frames = 10, every = 3 },
+    fire_b  = { sheet = "fires",  x = 0, y = 32,  w = 32,  h = 32,  frames = 10, every = 3 },
+    fire_c  = { sheet = "fires",  x = 0, y = 64,  w = 64,  h = 64,  frames = 10, every = 4 },
+    fire_d  = { sheet = "fires",  x = 0, y = 128, w = 64,  h = 64,  frames = 10, every = 4 },
+    fire_e  = { sheet = "fires",  x = 0, y = 192, w = 112, h = 112, frames = 14, every = 4 },
+    flare   = { sheet = "lights", x = 0, y = 0,   w = 64,  h = 64,  frames = 6, every = 3 },
+    ripple  = { sheet = "lights", x = 0, y = 64,  w = 64,  h = 64,  frames = 8, every = 3 },
+    breaker = { sheet = "lights", x = 0, y = 128, w = 144, h = 144, frames = 8, every = 4 },
+    sherd_s = { sheet = "sherds", x = 0, y = 0,   w = 8,   h = 8,   frames = 8, every = 3 },
+    sherd_m = { sheet = "sherds", x = 0, y = 8,   w = 12,  h = 12,  frames = 8, every = 4 },
+    sherd_l = { sheet = "sherds", x = 0, y = 20,  w = 18,  h = 18,  frames = 8, every = 5 },
+    bubbles = { sheet = "sherds", x = 0, y = 38,  w = 12,  h = 12,  frames = 4, every = 14 },
 
     nacre    = { sheet = "finds", x = 0,  y = 0, w = 14, h = 14 },
     conch    = { sheet = "finds", x = 16, y = 0, w = 16, h = 16 },
@@ -125,14 +220,26 @@ return {
     floor    = { tiles = "art/floor.png",  bank = 13, file = "maps/floor.csv" },
     caustics = { tiles = "art/floor.png",  bank = 13, file = "maps/caustics.csv" },
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
+    kelp     = { tiles = "art/kelp.png",   bank = 13, file = "maps/floor.csv", palette = "one" },
+    wreck    = { tiles = "art/wreck.png",  bank = 13, file = "maps/wreck.csv", palette = "one" },
     -- stage two
 
     -- stage three
-    seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
+    trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
+    chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
+                 palette = "three" },
+    walls    = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/walls.csv",
+                 palette = "three" },
+    snow     = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/snow.csv",
+                 palette = "three" },
+    depths   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/depths.csv",
+                 palette = "three" },
     -- the moon
+    water    = { tiles = "art/water.png",  bank = 13, file = "maps/floor.csv", palette = "moon" },
+    moonlight = { tiles = "art/water.png", bank = 13, file = "maps/caustics.csv", palette = "moon" },
 
   },
-  blends = { ghost = { mix = 50 } },
+  blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },
   -- What is heard often is short and gives way first. The first eleven play by themselves.
   sounds = {
     graze    = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
@@ -169,6 +276,7 @@ return {
     hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
     bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
     the_crab = { mml = "t300 @pulse E0,18,0,8 o4 V104 f64c64", priority = 5, limit = 1 },
+    snap     = { mml = "t300 @pulse E0,20,0,10 o4 V112 {g>c}32", priority = 4, limit = 1 },
 
     -- stage two: the works, and the voices of the two eels
     pour     = { file = "sfx/pour.mml", priority = 4, limit = 1 },
@@ -204,6 +312,12 @@ return {
     mission  = { file = "sfx/mission.mml", priority = 6, limit = 1 },
     failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
+    lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
+    mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
+    pike     = { mml = "t300 @triangle E0,26,0,10 o6 V92 {d<a}16", priority = 0, limit = 1 },
+    hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
+    prism    = { mml = "t300 @sine E0,18,0,8 o7 V64 e64", priority = 1, limit = 1 },
+    bell     = { mml = "t120 @fm E0,120,0,80 o4 V120 c4", priority = 6, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
@@ -219,6 +333,7 @@ return {
     -- voices of those who talk, a letter each
     iri       = { mml = "t300 @pulse E1,22,0,10 o5 V116 a32", priority = 5, limit = 1 },
     sen       = { mml = "t300 @triangle E1,24,0,10 o5 V84 d32", priority = 5, limit = 1 },
+    the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V118 c64r64c64", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
   music = { -- each file says its key, chords and form; docs/music.md
