@@ -7,7 +7,7 @@
 
 enum { FACE_W = 72, FACE_H = 96 };
 
-/* What bank 8 has of skin, hair and cloth. */
+/* What bank 8, the same in all stages, has of skin, hair and cloth. */
 struct palette {
     int skin, shade, blush; /* of a face */
     int ink, white;         /* outlines, and what shines */
@@ -163,8 +163,8 @@ static const struct palette SEN = { 14,
                                     11,
                                     1,
                                     15,
-                                    { MATTE, 2, 6, 0.1 },
-                                    { MATTE, 7, 9, 0.05 },
+                                    { MATTE, 2, 6, 0.02 },
+                                    { MATTE, 7, 9, 0.1 },
                                     { GLASS, 7, 9, 0.15 },
                                     { MATTE, 10, 12, 0.1 },
                                     { MATTE, 2, 5, 0.1 } };

@@ -203,7 +203,54 @@ static const struct key NIGHT[8][12] = {
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
 };
 
-/* Banks 10 to 13 of the deeper stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
+/* Banks 10 to 13 of the stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
+static const struct key ONE[4][12] = {
+    /* 10 blue glass: 2..9 glass, 10..13 what is inside */
+    { { 1, 0x050a1e },
+      { 2, 0x102a5e },
+      { 4, 0x2060a4 },
+      { 7, 0x58aeea },
+      { 9, 0xbcecff },
+      { 10, 0x0c5a74 },
+      { 11, 0x1ea6ba },
+      { 12, 0x6ce6e6 },
+      { 13, 0xd0fff8 },
+      { 14, 0xdcf6ff },
+      { 15, 0xffffff } },
+    /* 11 indigo glass: the same parts */
+    { { 1, 0x0a0a22 },
+      { 2, 0x1e1e60 },
+      { 4, 0x3c42a8 },
+      { 7, 0x7e8cec },
+      { 9, 0xd2daff },
+      { 10, 0x104a8c },
+      { 11, 0x2a8ed8 },
+      { 12, 0x7cd4ff },
+      { 13, 0xdcf6ff },
+      { 14, 0xe4eaff },
+      { 15, 0xffffff } },
+    /* 12 bosses: 2..8 glass, 9..11 silver, 12..13 cold light */
+    { { 1, 0x060a20 },
+      { 2, 0x18205a },
+      { 4, 0x3450ac },
+      { 6, 0x6c9cec },
+      { 8, 0xc2ecff },
+      { 9, 0x2c4a66 },
+      { 10, 0x7ea6bc },
+      { 11, 0xdcf4f8 },
+      { 12, 0x0e7c9c },
+      { 13, 0x6ee6ec },
+      { 14, 0xe6fcff },
+      { 15, 0xffffff } },
+    /* 13 the shallows: 1..12 blue slate, 13..15 light on it */
+    { { 1, 0x030812 },
+      { 4, 0x0a1a2e },
+      { 8, 0x163a54 },
+      { 12, 0x2a5866 },
+      { 13, 0x1c4e60 },
+      { 14, 0x266066 },
+      { 15, 0x3c6666 } },
+};
 static const struct key TWO[4][12] = {
     /* 10 copper: 2..9 metal, 10..13 what burns inside */
     { { 1, 0x140a06 },
@@ -253,8 +300,8 @@ static const struct key THREE[4][12] = {
     /* 10 violet glass: 2..9 glass, 10..13 what is inside */
     { { 1, 0x0c0618 },
       { 2, 0x261448 },
-      { 4, 0x543090 },
-      { 7, 0x9a6cd8 },
+      { 4, 0x5e36a2 },
+      { 7, 0xa678e6 },
       { 9, 0xdcc4ff },
       { 10, 0x5a1464 },
       { 11, 0xa83cb4 },
@@ -264,7 +311,7 @@ static const struct key THREE[4][12] = {
     /* 11 rose glass: the same parts */
     { { 1, 0x14060f },
       { 2, 0x3e1238 },
-      { 4, 0x7c2c70 },
+      { 4, 0x8c327e },
       { 7, 0xc868b4 },
       { 9, 0xffc8f0 },
       { 10, 0x3c1c78 },
@@ -288,8 +335,8 @@ static const struct key THREE[4][12] = {
     /* 13 the abyss: 1..12 violet slate, 13..15 what glimmers in it */
     { { 1, 0x06050f },
       { 4, 0x100d20 },
-      { 8, 0x231d3c },
-      { 12, 0x463c66 },
+      { 8, 0x292246 },
+      { 12, 0x4c4170 },
       { 13, 0x40306c },
       { 14, 0x6c549a },
       { 15, 0xb0a0d4 } },
@@ -365,13 +412,27 @@ void art_palette(uint32_t rgb[256])
         fill(&rgb[bank * 16], KEYS[bank]);
 }
 
+/* Where no lamp shines: glass is a shape and no more, but teeth, eyes and lights stay to be seen. */
+static void darken(uint32_t rgb[256])
+{
+    for (int bank = 10; bank < 14; bank++) {
+        for (int i = 1; i < 16; i++) {
+            bool light = bank < 12 ? i == 13 || i == 15 : bank == 12 && (i == 11 || i == 13 || i == 15);
+            uint32_t *c = &rgb[bank * 16 + i];
+            *c = mix(*c, rgb[0], light ? 3 : bank == 13 ? 6 : 7, 10);
+        }
+    }
+}
+
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
-    const struct key(*banks)[12] = stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
+    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
 
     art_palette(rgb);
-    for (int bank = 10; stage != ART_ONE && bank < 14; bank++)
+    for (int bank = 10; stage != ART_MAIN && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);
+    if (stage == ART_DARK)
+        darken(rgb);
 }
 
 void art_night_palette(uint32_t rgb[256])
