@@ -14,7 +14,7 @@ return {
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
   palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
                three = "art/palette_three.png", moon = "art/palette_moon.png",
-               dark = "art/palette_dark.png" },
+               dark = "art/palette_dark.png", story = "art/palette_story.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -55,6 +55,14 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    -- what the opening and the endings show
+    dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
+    brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
+    wave    = { file = "art/wave.png",    bank = 10, palette = "story" },
+    dive    = { file = "art/dive.png",    bank = 11, palette = "story" },
+    flood   = { file = "art/flood.png",   bank = 12, palette = "story" },
+    home    = { file = "art/home.png",    bank = 14, palette = "story" },
 
   },
   sprites = {
@@ -151,6 +159,18 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
+    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
+    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
+    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
+    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
+    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
+    brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
+    wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },
+    dive  = { sheet = "dive",  x = 0, y = 0, w = 240, h = 160 },
+    flood = { sheet = "flood", x = 0, y = 0, w = 240, h = 160 },
+    home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
+    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
     -- who talks
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
@@ -215,6 +235,8 @@ return {
     depths   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/depths.csv",
                  palette = "three" },
     -- the moon
+    water    = { tiles = "art/water.png",  bank = 13, file = "maps/floor.csv", palette = "moon" },
+    moonlight = { tiles = "art/water.png", bank = 13, file = "maps/caustics.csv", palette = "moon" },
 
   },
   blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },

@@ -66,6 +66,14 @@ static const struct picture GAME[] = {
     { "trench", art_trench, ART_THREE },
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
+    { "last", art_last, ART_MOON },
+    { "water", art_water, ART_MOON },
+    { "dry", art_dry, ART_STORY },
+    { "brink", art_brink, ART_STORY },
+    { "wave", art_wave, ART_STORY },
+    { "dive", art_dive, ART_STORY },
+    { "flood", art_flood, ART_STORY },
+    { "home", art_home, ART_STORY },
 
     { NULL, NULL, ART_MAIN },
 };
@@ -187,7 +195,7 @@ static const struct picture *pictures(const char *what)
 static bool write_stages(const char *dir)
 {
     static const char *const names[ART_STAGES] = {
-        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark"
+        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark", "palette_story"
     };
     uint32_t rgb[256];
 
