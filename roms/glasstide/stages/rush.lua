@@ -5,6 +5,7 @@ local sea = require "sea"
 -- In the order of the dive.
 local ORDER <const> = {
   { "nautilus", "shallows" }, { "crab", "shallows" },
+  { "bellows", "hearth" }, { "eels", "hearth" },
   { "angler", "lightless" }, { "queen", "court" }, { "moon", "moon" },
 }
 
