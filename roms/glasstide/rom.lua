@@ -8,12 +8,13 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 512, lasers = 32, options = 8,
+            items = 1024, lasers = 64, options = 8, lines = 16, registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
   palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
-               three = "art/palette_three.png", moon = "art/palette_moon.png" },
+               three = "art/palette_three.png", moon = "art/palette_moon.png",
+               dark = "art/palette_dark.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -31,8 +32,11 @@ return {
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
+    tern    = { file = "art/tern.png",    bank = 8 },
+    arms    = { file = "art/arms.png",    bank = 0 },
     iri     = { file = "art/iri.png",     bank = 8 },
     sen     = { file = "art/sen.png",     bank = 8 },
+    ono     = { file = "art/ono.png",     bank = 8 },
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
     shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
@@ -43,8 +47,13 @@ return {
     -- stage two
 
     -- stage three
+    lamplight = { file = "art/lamplight.png", bank = 0, palette = "three" },
     queen   = { file = "art/queen.png",   bank = 12 },
-    queen_face = { file = "art/queen_face.png", bank = 12 },
+    queen_abyss = { file = "art/queen_abyss.png", bank = 12, palette = "three" },
+    queen_face = { file = "art/queen_face.png", bank = 12, palette = "three" },
+    abyss_life = { file = "art/abyss_life.png", bank = 10, palette = "three" },
+    gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
+    angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
 
   },
@@ -72,11 +81,20 @@ return {
     dart   = { sheet = "shots", x = 0,  y = 0, w = 16, h = 16, rotations = 32 },
     fang   = { sheet = "shots", x = 16, y = 0, w = 14, h = 14, rotations = 32 },
     sliver = { sheet = "shots", x = 32, y = 0, w = 12, h = 12, rotations = 32 },
+    pike   = { sheet = "arms",  x = 0,  y = 0, w = 30, h = 30, rotations = 64 },
+    hook   = { sheet = "arms",  x = 32, y = 0, w = 18, h = 18, rotations = 32 },
+    mote   = { sheet = "arms",  x = 52, y = 0, w = 12, h = 12, rotations = 32 },
+    prism  = { sheet = "arms",  x = 64, y = 0, w = 12, h = 10, frames = 4, every = 3 },
+    lens_ray = { sheet = "arms", x = 116, y = 0, w = 1, h = 10 },
+    lamp_ray = { sheet = "arms", x = 120, y = 0, w = 1, h = 52 },
 
     heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3,
                origin = { 14, 17 } },
     petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3,
                origin = { 15, 16 } },
+    tern   = { sheet = "tern",   x = 0, y = 0,  w = 32, h = 36, frames = 4, every = 3,
+               origin = { 16, 17 } },
+    tern_bead   = { sheet = "tern",   x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
 
@@ -109,8 +127,29 @@ return {
     -- stage two
 
     -- stage three
-    queen    = { sheet = "queen",   x = 0,  y = 0,   w = 96, h = 96, frames = 4, every = 10,
-                 origin = { 48, 44 } },
+    mite     = { sheet = "abyss_life", x = 0,   y = 0,   w = 24, h = 22, frames = 4, every = 5 },
+    bell     = { sheet = "abyss_life", x = 96,  y = 0,   w = 20, h = 22, frames = 4, every = 7 },
+    viper    = { sheet = "abyss_life", x = 176, y = 0,   w = 32, h = 52, frames = 4, every = 6,
+                 origin = { 16, 32 } },
+    chain_head = { sheet = "abyss_life", x = 0, y = 52,  w = 40, h = 44, frames = 4, every = 8,
+                 origin = { 20, 17 } },
+    comb     = { sheet = "abyss_life", x = 160, y = 52,  w = 36, h = 48, frames = 4, every = 6,
+                 origin = { 18, 21 } },
+    squid    = { sheet = "abyss_life", x = 0,   y = 100, w = 40, h = 56, frames = 4, every = 7,
+                 origin = { 20, 24 } },
+    shark    = { sheet = "abyss_life", x = 0,   y = 156, w = 52, h = 72, frames = 4, every = 7,
+                 origin = { 26, 44 } },
+    spider   = { sheet = "abyss_life", x = 0,   y = 228, w = 60, h = 52, frames = 4, every = 7,
+                 origin = { 30, 28 } },
+    gulper   = { sheet = "gulper",  x = 0,   y = 0,   w = 64, h = 64, frames = 4, every = 8 },
+    angler   = { sheet = "angler",  x = 0,   y = 0,   w = 120, h = 96, frames = 4, every = 9,
+                 origin = { 60, 48 } },
+    lantern  = { sheet = "angler",  x = 0,   y = 96,  w = 28, h = 32, frames = 4, every = 6 },
+    stalk    = { sheet = "angler",  x = 112, y = 96,  w = 8,  h = 8 },
+    lamplight = { sheet = "lamplight", x = 0, y = 0, w = 168, h = 168 },
+    queen_afar = { sheet = "queen", x = 0,   y = 0,   w = 96, h = 96, frames = 4, every = 14 },
+    queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
+                 origin = { 64, 58 } },
     -- the moon
 
     -- who talks
@@ -120,6 +159,8 @@ return {
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
     crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
     crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
+    ono         = { sheet = "ono",        x = 0,  y = 0, w = 72, h = 96 },
+    ono_cross   = { sheet = "ono",        x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -164,11 +205,19 @@ return {
     -- stage two
 
     -- stage three
-    seabed   = { tiles = "art/seabed.png", bank = 13, file = "maps/seabed.csv" },
+    trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
+    chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
+                 palette = "three" },
+    walls    = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/walls.csv",
+                 palette = "three" },
+    snow     = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/snow.csv",
+                 palette = "three" },
+    depths   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/depths.csv",
+                 palette = "three" },
     -- the moon
 
   },
-  blends = { ghost = { mix = 50 }, glow = "add" },
+  blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },
   -- What is heard often is short and gives way first. The first eleven play by themselves.
   sounds = {
     graze    = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
@@ -241,6 +290,12 @@ return {
     mission  = { file = "sfx/mission.mml", priority = 6, limit = 1 },
     failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
+    lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
+    mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
+    pike     = { mml = "t300 @triangle E0,26,0,10 o6 V92 {d<a}16", priority = 0, limit = 1 },
+    hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
+    prism    = { mml = "t300 @sine E0,18,0,8 o7 V64 e64", priority = 1, limit = 1 },
+    bell     = { mml = "t120 @fm E0,120,0,80 o4 V120 c4", priority = 6, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },

@@ -4,8 +4,8 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 -- "clear" and "over" are the last words of a game, which are no screen.
 local SCREENS <const> = {
-  "title", "mode", "difficulty", "ship", "results", "name", "ending", "staff", "scores", "history", "unlocks", "clear",
-  "over", "room",
+  "title", "mode", "difficulty", "ship", "results", "name", "ending", "staff", "scores", "history", "unlocks", "missions",
+  "mission", "clear", "over", "room",
 }
 
 local FADE <const> = 30 -- frames

@@ -39,9 +39,11 @@ static const struct picture GAME[] = {
     { "petrel", art_petrel, ART_MAIN },
     { "iri", art_iri, ART_MAIN },
     { "sen", art_sen, ART_MAIN },
+    { "tern", art_tern, ART_MAIN },
+    { "ono", art_ono, ART_MAIN },
+    { "arms", art_arms, ART_MAIN },
     /* stage one */
     { "enemies", art_enemies, ART_MAIN },
-    { "guard", art_guard, ART_MAIN },
     { "floor", art_floor, ART_MAIN },
     { "reef", art_reef, ART_MAIN },
     { "shoal", art_shoal, ART_ONE },
@@ -55,8 +57,14 @@ static const struct picture GAME[] = {
 
     /* stage three */
     { "queen", art_queen, ART_MAIN },
-    { "queen_face", art_queen_face, ART_MAIN },
-    { "seabed", art_seabed, ART_MAIN },
+    { "queen_face", art_queen_face, ART_THREE },
+    { "queen_abyss", art_queen_abyss, ART_THREE },
+    { "abyss_life", art_abyss_life, ART_THREE },
+    { "gulper", art_gulper, ART_THREE },
+    { "angler", art_angler, ART_THREE },
+    { "lamplight", art_lamplight, ART_THREE },
+    { "trench", art_trench, ART_THREE },
+    { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
 
     { NULL, NULL, ART_MAIN },
@@ -178,7 +186,9 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = { "", "palette_one", "palette_two", "palette_three", "palette_moon" };
+    static const char *const names[ART_STAGES] = {
+        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark"
+    };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {

@@ -300,8 +300,8 @@ static const struct key THREE[4][12] = {
     /* 10 violet glass: 2..9 glass, 10..13 what is inside */
     { { 1, 0x0c0618 },
       { 2, 0x261448 },
-      { 4, 0x543090 },
-      { 7, 0x9a6cd8 },
+      { 4, 0x5e36a2 },
+      { 7, 0xa678e6 },
       { 9, 0xdcc4ff },
       { 10, 0x5a1464 },
       { 11, 0xa83cb4 },
@@ -311,7 +311,7 @@ static const struct key THREE[4][12] = {
     /* 11 rose glass: the same parts */
     { { 1, 0x14060f },
       { 2, 0x3e1238 },
-      { 4, 0x7c2c70 },
+      { 4, 0x8c327e },
       { 7, 0xc868b4 },
       { 9, 0xffc8f0 },
       { 10, 0x3c1c78 },
@@ -335,8 +335,8 @@ static const struct key THREE[4][12] = {
     /* 13 the abyss: 1..12 violet slate, 13..15 what glimmers in it */
     { { 1, 0x06050f },
       { 4, 0x100d20 },
-      { 8, 0x231d3c },
-      { 12, 0x463c66 },
+      { 8, 0x292246 },
+      { 12, 0x4c4170 },
       { 13, 0x40306c },
       { 14, 0x6c549a },
       { 15, 0xb0a0d4 } },
@@ -412,13 +412,27 @@ void art_palette(uint32_t rgb[256])
         fill(&rgb[bank * 16], KEYS[bank]);
 }
 
+/* Where no lamp shines: glass is a shape and no more, but teeth, eyes and lights stay to be seen. */
+static void darken(uint32_t rgb[256])
+{
+    for (int bank = 10; bank < 14; bank++) {
+        for (int i = 1; i < 16; i++) {
+            bool light = bank < 12 ? i == 13 || i == 15 : bank == 12 && (i == 11 || i == 13 || i == 15);
+            uint32_t *c = &rgb[bank * 16 + i];
+            *c = mix(*c, rgb[0], light ? 3 : bank == 13 ? 6 : 7, 10);
+        }
+    }
+}
+
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
-    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
+    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
 
     art_palette(rgb);
     for (int bank = 10; stage != ART_MAIN && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);
+    if (stage == ART_DARK)
+        darken(rgb);
 }
 
 void art_night_palette(uint32_t rgb[256])
