@@ -224,6 +224,8 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "continues", A_INT, OPT, 1, 99, NULL, NULL },
+                                             { "pages", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "grades", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "screens", A_TABLE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boot_music[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
                                                { "title", A_STR, OPT, 0, 63, NULL, NULL },
