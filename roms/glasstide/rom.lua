@@ -8,7 +8,7 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 1024, lasers = 64, curve_points = 2048, options = 8, lines = 16,
+            items = 1024, lasers = 64, curve_points = 2048, options = 8, lines = 64,
             registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
