@@ -323,12 +323,12 @@ void trial_mark_free(struct trial_mark *m)
 /* ---- a demo ---- */
 
 bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
-                  char *err, size_t err_size)
+                  int prints, char *err, size_t err_size)
 {
     struct demo_writer w = { 0 };
     bool good = trial_again(t, err, err_size);
 
-    if (good && !demo_begin(&w, path, cart, t->b, t->start, 0))
+    if (good && (!demo_begin(&w, path, cart, t->b, t->start, 0) || !demo_prints(&w, (enum demo_prints)prints)))
         good = err_set(err, err_size, "%s", w.err);
     for (uint32_t f = 0; good && f < frames; f++) {
         const uint16_t now[PADS] = { pads[f], 0 };

@@ -85,9 +85,9 @@ uint16_t trial_press(const struct trial *t);
 /* Can the ship be steered now? Between frames. */
 bool trial_steers(const struct trial *t);
 
-/* A demo of so many frames of pads (of player 1) from power-on, to that path. False and one sentence. */
+/* A demo of so many frames of pads (of player 1) from power-on, to that path, with such prints (enum demo_prints). False and one sentence. */
 struct cart;
 bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
-                  char *err, size_t err_size);
+                  int prints, char *err, size_t err_size);
 
 #endif
