@@ -1,5 +1,6 @@
 -- kinds.lua - sparks, bullets, items, and what creatures have in common. Stages declare their own with what this returns.
 local craft = require "players/craft"
+local fx = require "fx"
 
 -- A spark that plays its frames once lives frames * every.
 local GOLD, BLUE = 3, 5
@@ -71,43 +72,18 @@ local function chip(e, _, _)
   spark.burst { kind = "splint", from = e, dy = 6, n = 1, dir = 90, spread = 140, speed = 2.5 }
 end
 
-local function small(e, _)
-  spark.burst { kind = "blast", from = e, speed = 0 }
-  spark.burst { kind = "fizz", from = e, n = 5, speed = 1 }
-end
-
-local function large(e, _)
-  sound.play("crash", { from = e })
-  spark.burst { kind = "blaze", from = e, speed = 0 }
-  spark.burst { kind = "shock", from = e, speed = 0 }
-  spark.burst { kind = "fizz", from = e, n = 12, speed = 1.6 }
-end
+-- What breaks, by its size.
+local function small(e, _) fx.small(e) end
+local function large(e, _) fx.large(e) end
+local function huge(e, _) fx.huge(e) end
+local function collapse(e, _) fx.collapse(e) end
 
 -- A tough shell throws its splinters at whoever broke it; they tumble.
-local function burst(e, p)
-  large(e, p)
+local function burst(e, _)
+  fx.large(e)
   sound.play("shatter", { from = e })
   pattern.ring { from = e, kind = "chip", bank = 7, aim = true, speed = 1.8,
                  n = by_difficulty { easy = 6, normal = 10, hard = 16 } }
-end
-
--- A boss goes down in a chain of fire. Its handle is dead by then: the place is kept.
-local function collapse(e, _)
-  local x, y = e.x, e.y
-  screen.shake { size = 5, over = 80 }
-  sound.play("collapse", { from = e })
-  task.go(function()
-    for i = 1, 14 do
-      local dx, dy = 34 * angle.cos(137 * i), 26 * angle.sin(137 * i)
-      spark.burst { kind = i % 3 == 0 and "blaze" or "blast", x = x + dx, y = y + dy, speed = 0.4 }
-      spark.burst { kind = "crumb", x = x + dx, y = y + dy, n = 8, speed = 3 }
-      wait(5)
-    end
-    spark.burst { kind = "blaze", x = x, y = y, n = 7, speed = 2 }
-    spark.burst { kind = "shock", x = x, y = y, speed = 0 }
-    spark.burst { kind = "glint", x = x, y = y, n = 48, speed = 5 }
-    screen.flash { over = 30, share = 0.6 }
-  end)
 end
 
 local COLD, WARM = 0, 1 -- the two colours of glass
@@ -121,4 +97,4 @@ local function creature(name, bank, w, h, hp, score, on_death, drops)
 end
 
 return { glass = glass, creature = creature, chip = chip, small = small, large = large,
-         burst = burst, collapse = collapse, COLD = COLD, WARM = WARM, BLINK = BLINK }
+         huge = huge, burst = burst, collapse = collapse, COLD = COLD, WARM = WARM, BLINK = BLINK }

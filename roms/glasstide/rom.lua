@@ -11,9 +11,9 @@ return {
             items = 512, lasers = 32, options = 8,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
-  -- each stage below the first has creatures and scenery in colours of its own (banks 10 to 13)
-  palettes = { two = "art/palette_two.png", three = "art/palette_three.png",
-               moon = "art/palette_moon.png" },
+  -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
+  palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
+               three = "art/palette_three.png", moon = "art/palette_moon.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -24,15 +24,22 @@ return {
     sparks  = { file = "art/sparks.png",  bank = 0 },
     finds   = { file = "art/finds.png",   bank = 0 },
     blasts  = { file = "art/blasts.png",  bank = 14 },
+    fires   = { file = "art/fires.png",   bank = 14 },
+    lights  = { file = "art/lights.png",  bank = 0 },
+    sherds  = { file = "art/sherds.png",  bank = 10 },
     logo    = { file = "art/logo.png",    bank = 15 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
     iri     = { file = "art/iri.png",     bank = 8 },
-    sen     = { file = "art/sen.png",     bank = 10 },
+    sen     = { file = "art/sen.png",     bank = 8 },
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
-    guard   = { file = "art/guard.png",   bank = 12 },
+    shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
+    lantern_nautilus = { file = "art/lantern_nautilus.png", bank = 12, palette = "one" },
+    crab    = { file = "art/crab.png",    bank = 12, palette = "one" },
+    crab_face = { file = "art/crab_face.png", bank = 12, palette = "one" },
+    shafts  = { file = "art/shafts.png",  bank = 13, palette = "one" },
     -- stage two
 
     -- stage three
@@ -85,8 +92,20 @@ return {
                  origin = { 20, 20 } },
     float    = { sheet = "enemies", x = 0,  y = 200, w = 36, h = 40, frames = 4, every = 12,
                  origin = { 18, 22 } },
-    crab     = { sheet = "guard",   x = 0,  y = 0,   w = 80, h = 60, frames = 4, every = 9,
-                 origin = { 40, 30 } },
+    arrow    = { sheet = "shoal",   x = 0,  y = 0,   w = 30, h = 44, frames = 4, every = 7,
+                 origin = { 15, 26 } },
+    seahorse = { sheet = "shoal",   x = 0,  y = 46,  w = 32, h = 48, frames = 4, every = 6 },
+    hatch      = { sheet = "shoal", x = 0,  y = 96,  w = 40, h = 40 },
+    hatch_ajar = { sheet = "shoal", x = 40, y = 96,  w = 40, h = 40 },
+    hatch_half = { sheet = "shoal", x = 80, y = 96,  w = 40, h = 40 },
+    hatch_open = { sheet = "shoal", x = 120, y = 96, w = 40, h = 40 },
+    lantern_nautilus = { sheet = "lantern_nautilus", x = 0, y = 0, w = 84, h = 80, frames = 4,
+                         every = 9, origin = { 40, 36 } },
+    crab     = { sheet = "crab",    x = 0,  y = 0,   w = 112, h = 88, frames = 4, every = 9,
+                 origin = { 56, 44 } },
+    claw     = { sheet = "crab",    x = 0,  y = 88,  w = 48, h = 64, frames = 4, every = 9 },
+    shaft       = { sheet = "shafts", x = 0,   y = 0, w = 112, h = 320 },
+    shaft_thin  = { sheet = "shafts", x = 112, y = 0, w = 112, h = 320 },
     -- stage two
 
     -- stage three
@@ -99,6 +118,8 @@ return {
     iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
     sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
+    crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
+    crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -112,6 +133,19 @@ return {
     shock   = { sheet = "sparks", x = 0,   y = 64, w = 48, h = 48, frames = 8, every = 2 },
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
     blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
+    -- fire in three sizes, light that is added, and what glass leaves: fx.lua
+    fire_a  = { sheet = "fires",  x = 0, y = 0,   w = 32,  h = 32,  frames = 10, every = 3 },
+    fire_b  = { sheet = "fires",  x = 0, y = 32,  w = 32,  h = 32,  frames = 10, every = 3 },
+    fire_c  = { sheet = "fires",  x = 0, y = 64,  w = 64,  h = 64,  frames = 10, every = 4 },
+    fire_d  = { sheet = "fires",  x = 0, y = 128, w = 64,  h = 64,  frames = 10, every = 4 },
+    fire_e  = { sheet = "fires",  x = 0, y = 192, w = 112, h = 112, frames = 14, every = 4 },
+    flare   = { sheet = "lights", x = 0, y = 0,   w = 64,  h = 64,  frames = 6, every = 3 },
+    ripple  = { sheet = "lights", x = 0, y = 64,  w = 64,  h = 64,  frames = 8, every = 3 },
+    breaker = { sheet = "lights", x = 0, y = 128, w = 144, h = 144, frames = 8, every = 4 },
+    sherd_s = { sheet = "sherds", x = 0, y = 0,   w = 8,   h = 8,   frames = 8, every = 3 },
+    sherd_m = { sheet = "sherds", x = 0, y = 8,   w = 12,  h = 12,  frames = 8, every = 4 },
+    sherd_l = { sheet = "sherds", x = 0, y = 20,  w = 18,  h = 18,  frames = 8, every = 5 },
+    bubbles = { sheet = "sherds", x = 0, y = 38,  w = 12,  h = 12,  frames = 4, every = 14 },
 
     nacre    = { sheet = "finds", x = 0,  y = 0, w = 14, h = 14 },
     conch    = { sheet = "finds", x = 16, y = 0, w = 16, h = 16 },
@@ -125,6 +159,8 @@ return {
     floor    = { tiles = "art/floor.png",  bank = 13, file = "maps/floor.csv" },
     caustics = { tiles = "art/floor.png",  bank = 13, file = "maps/caustics.csv" },
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
+    kelp     = { tiles = "art/kelp.png",   bank = 13, file = "maps/floor.csv", palette = "one" },
+    wreck    = { tiles = "art/wreck.png",  bank = 13, file = "maps/wreck.csv", palette = "one" },
     -- stage two
 
     -- stage three
@@ -132,7 +168,7 @@ return {
     -- the moon
 
   },
-  blends = { ghost = { mix = 50 } },
+  blends = { ghost = { mix = 50 }, glow = "add" },
   -- What is heard often is short and gives way first. The first eleven play by themselves.
   sounds = {
     graze    = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
@@ -164,16 +200,52 @@ return {
     beam     = { file = "sfx/beam.mml", priority = 4, limit = 1 },
     still    = { file = "sfx/still.mml", priority = 5, limit = 1 },
     flow     = { file = "sfx/flow.mml", priority = 5, limit = 1 },
-    -- stage one
+    -- stage one: a claw breaks, a hatch opens, a bubble bursts; the crab speaks
+    claw     = { file = "sfx/claw.mml", priority = 6, limit = 1 },
+    hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
+    bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
+    the_crab = { mml = "t300 @pulse E0,18,0,8 o4 V104 f64c64", priority = 5, limit = 1 },
+    snap     = { mml = "t300 @pulse E0,20,0,10 o4 V112 {g>c}32", priority = 4, limit = 1 },
 
-    -- stage two
+    -- stage two: the works, and the voices of the two eels
+    pour     = { file = "sfx/pour.mml", priority = 4, limit = 1 },
+    steam    = { file = "sfx/steam.mml", priority = 3, limit = 2 },
+    gear     = { file = "sfx/gear.mml", priority = 3, limit = 1 },
+    reflect  = { file = "sfx/reflect.mml", priority = 2, limit = 2 },
+    cinder_cry = { file = "sfx/cinder_cry.mml", priority = 6, limit = 1 },
+    quench_cry = { file = "sfx/quench_cry.mml", priority = 6, limit = 1 },
+    cinder   = { mml = "t300 @saw E1,24,0,12 o4 V72 {d<b}32", priority = 5, limit = 1 },
+    quench   = { mml = "t300 @sine E2,30,0,16 o6 V80 {d<a}32", priority = 5, limit = 1 },
 
-    -- stage three
+    -- stage three: a lamp in the dark, the queen's five glasses
+    angler   = { file = "sfx/angler.mml", priority = 5, limit = 1 },
+    chord    = { file = "sfx/chord.mml", priority = 5, limit = 1 },
 
-    -- the moon
+    -- the moon: its bell, its voice
+    toll     = { file = "sfx/toll.mml", priority = 6, limit = 1 },
+    the_moon = { mml = "t300 @fm E4,60,0,40 o3 V92 a16", priority = 5, limit = 1 },
 
-    -- crafts
+    -- crafts: what the tern fires, shots that are gathered, bombs; gauge, chain, tasks
+    peal     = { mml = "t300 @fm E0,30,0,12 o5 V72 {d>d}32", priority = 0, limit = 1 },
+    charge_shot = { file = "sfx/charge_shot.mml", priority = 3, limit = 1 },
+    ray      = { file = "sfx/ray.mml", priority = 3, limit = 1 },
+    bell_bomb = { file = "sfx/bell_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
+    lamp_bomb = { file = "sfx/lamp_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
+    full     = { file = "sfx/full.mml", priority = 5, limit = 1 },
+    release  = { file = "sfx/release.mml", priority = 6, limit = 1 },
+    shard    = { file = "sfx/shard.mml", priority = 2, limit = 2 },
+    medal    = { file = "sfx/medal.mml", priority = 3, limit = 2 },
+    chain_one   = { file = "sfx/chain_one.mml", priority = 4, limit = 1 },
+    chain_two   = { file = "sfx/chain_two.mml", priority = 4, limit = 1 },
+    chain_three = { file = "sfx/chain_three.mml", priority = 5, limit = 1 },
+    mission  = { file = "sfx/mission.mml", priority = 6, limit = 1 },
+    failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
+    ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
 
+    -- a boss comes in; a clock's last seconds; what is unlocked
+    entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
+    tick     = { mml = "t300 @pulse E0,14,0,8 o6 V84 g32", priority = 5, limit = 1 },
+    unlock   = { file = "sfx/unlock.mml", priority = 6, limit = 1 },
     -- menus, and the way round
     select   = { file = "sfx/select.mml", priority = 5, limit = 1 },
     back     = { file = "sfx/back.mml", priority = 5, limit = 1 },
@@ -184,18 +256,30 @@ return {
     -- voices of those who talk, a letter each
     iri       = { mml = "t300 @pulse E1,22,0,10 o5 V116 a32", priority = 5, limit = 1 },
     sen       = { mml = "t300 @triangle E1,24,0,10 o5 V84 d32", priority = 5, limit = 1 },
+    the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V118 c64r64c64", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
   music = { -- each file says its key, chords and form; docs/music.md
-    title  = { file = "music/title.mml", volume = 0.74 },
+    title   = { file = "music/title.mml", volume = 0.74 },
+    opening = { file = "music/opening.mml", volume = 0.74 },
     -- stages
-    tide   = { file = "music/tide.mml", volume = 0.71 },
+    tide    = { file = "music/tide.mml", volume = 0.71 },
+    works   = { file = "music/works.mml", volume = 0.71 },
+    abyss   = { file = "music/abyss.mml", volume = 0.71 },
+    caravan = { file = "music/caravan.mml", volume = 0.71 },
     -- bosses
-    queen  = { file = "music/queen.mml", volume = 0.75 },
+    lantern = { file = "music/lantern.mml", volume = 0.75 },
+    claws   = { file = "music/claws.mml", volume = 0.75 },
+    furnace = { file = "music/furnace.mml", volume = 0.75 },
+    queen   = { file = "music/queen.mml", volume = 0.75 },
+    moon    = { file = "music/moon.mml", volume = 0.75 },
     -- and afterwards
-    clear  = { file = "music/clear.mml", volume = 0.64 },
-    over   = { file = "music/over.mml", volume = 0.62 },
-    scores = { file = "music/scores.mml", volume = 0.82 },
+    clear   = { file = "music/clear.mml", volume = 0.64 },
+    over    = { file = "music/over.mml", volume = 0.62 },
+    ending  = { file = "music/ending.mml", volume = 0.82 },
+    true_ending = { file = "music/true_ending.mml", volume = 0.82 },
+    staff   = { file = "music/staff.mml", volume = 0.82 },
+    scores  = { file = "music/scores.mml", volume = 0.82 },
   },
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 100000, 300000 },

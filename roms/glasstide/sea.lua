@@ -1,6 +1,6 @@
--- sea.lua - the sea behind all: the shallows, a floor of sand with light on it between two reefs,
--- and the abyss, plates of stone that lead to where no light comes from. It flows as fast as a
--- stage asks for, and lives as long as the board does, under the title too.
+-- sea.lua - how the sea behind all flows: as fast as a stage asks for, and for as long as the board
+-- lives, under the title too. What it looks like is said by each stage's scene; here is the abyss,
+-- plates of stone that lead to where no light comes from.
 local sea = {}
 
 local now, wanted = 0.6, 0.6 -- px a frame that the floor moves
@@ -8,14 +8,6 @@ local still = false
 local parts = {}             -- of what flows: { layer or plane, its part of that }
 
 palette.cycle { first = 13 * 16 + 13, last = 13 * 16 + 15, every = 14 } -- what glimmers in bank 13
-
-bg.def("shallows", function()
-  bg.layer(1).map = "floor"
-  bg.layer(2).map = "caustics"
-  bg.layer(3).map, bg.layer(3).x = "reef", -14
-  bg.lines(2, { wave = 6, every = 160, speed = 0.4 })
-  parts = { { bg.layer(1), 1 }, { bg.layer(2), 1.2 }, { bg.layer(3), 1.75 } }
-end)
 
 bg.def("abyss", function()
   local glow, floor = bg.layer(1), bg.plane()
@@ -25,6 +17,9 @@ bg.def("abyss", function()
   bg.lines(1, { wave = 9, every = 50, speed = 0.3 })
   parts = { { glow, 0.3 }, { floor, -2 } }
 end)
+
+-- What flows from now on, as a background's task says it: a list of { layer or plane, its part }.
+function sea.flow(list) parts = list end
 
 -- The flow reaches this speed gently.
 function sea.speed(v) wanted = v end

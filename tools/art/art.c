@@ -23,36 +23,46 @@ struct picture {
 };
 
 static const struct picture GAME[] = {
-    { "bullets", art_bullets, ART_ONE },
-    { "shots", art_shots, ART_ONE },
-    { "sparks", art_sparks, ART_ONE },
-    { "finds", art_finds, ART_ONE },
-    { "blasts", art_blasts, ART_ONE },
-    { "font", art_font, ART_ONE },
-    { "kana", art_kana, ART_ONE },
-    { "logo", art_logo, ART_ONE },
+    { "bullets", art_bullets, ART_MAIN },
+    { "shots", art_shots, ART_MAIN },
+    { "sparks", art_sparks, ART_MAIN },
+    { "finds", art_finds, ART_MAIN },
+    { "blasts", art_blasts, ART_MAIN },
+    { "fires", art_fires, ART_MAIN },
+    { "lights", art_lights, ART_MAIN },
+    { "sherds", art_sherds, ART_MAIN },
+    { "font", art_font, ART_MAIN },
+    { "kana", art_kana, ART_MAIN },
+    { "logo", art_logo, ART_MAIN },
     /* crafts, and who flies them */
-    { "heron", art_heron, ART_ONE },
-    { "petrel", art_petrel, ART_ONE },
-    { "iri", art_iri, ART_ONE },
-    { "sen", art_sen, ART_ONE },
+    { "heron", art_heron, ART_MAIN },
+    { "petrel", art_petrel, ART_MAIN },
+    { "iri", art_iri, ART_MAIN },
+    { "sen", art_sen, ART_MAIN },
     /* stage one */
-    { "enemies", art_enemies, ART_ONE },
-    { "guard", art_guard, ART_ONE },
-    { "floor", art_floor, ART_ONE },
-    { "reef", art_reef, ART_ONE },
+    { "enemies", art_enemies, ART_MAIN },
+    { "guard", art_guard, ART_MAIN },
+    { "floor", art_floor, ART_MAIN },
+    { "reef", art_reef, ART_MAIN },
+    { "shoal", art_shoal, ART_ONE },
+    { "lantern_nautilus", art_lantern_nautilus, ART_ONE },
+    { "crab", art_crab, ART_ONE },
+    { "crab_face", art_crab_face, ART_ONE },
+    { "wreck", art_wreck, ART_ONE },
+    { "kelp", art_kelp, ART_ONE },
+    { "shafts", art_shafts, ART_ONE },
     /* stage two */
 
     /* stage three */
-    { "queen", art_queen, ART_ONE },
-    { "queen_face", art_queen_face, ART_ONE },
-    { "seabed", art_seabed, ART_ONE },
+    { "queen", art_queen, ART_MAIN },
+    { "queen_face", art_queen_face, ART_MAIN },
+    { "seabed", art_seabed, ART_MAIN },
     /* the moon */
 
-    { NULL, NULL, ART_ONE },
+    { NULL, NULL, ART_MAIN },
 };
 static const struct picture BENCH[] = {
-    { "discs", art_bench, ART_ONE }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
+    { "discs", art_bench, ART_MAIN }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
 };
 static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
 
@@ -165,13 +175,13 @@ static const struct picture *pictures(const char *what)
     return NULL;
 }
 
-/* The palettes of the stages below the first. */
+/* The palettes of the stages. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = { "", "palette_two", "palette_three", "palette_moon" };
+    static const char *const names[ART_STAGES] = { "", "palette_one", "palette_two", "palette_three", "palette_moon" };
     uint32_t rgb[256];
 
-    for (enum art_stage stage = ART_TWO; stage < ART_STAGES; stage++) {
+    for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {
         art_stage_palette(stage, rgb);
         if (!write_palette(dir, names[stage], rgb))
             return false;

@@ -25,9 +25,9 @@ void sheet_free(struct sheet *s);
 void sheet_set(struct sheet *s, int x, int y, int shade);
 int sheet_get(const struct sheet *s, int x, int y);
 
-/* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13; those of the night,
- * whose banks 0 to 7 are the same. */
-enum art_stage { ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_STAGES };
+/* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13 (ART_MAIN: the same);
+ * those of the night, whose banks 0 to 7 are the same. */
+enum art_stage { ART_MAIN, ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_STAGES };
 void art_palette(uint32_t rgb[256]);
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256]);
 void art_night_palette(uint32_t rgb[256]);
@@ -96,6 +96,9 @@ struct sheet art_iri(void);
 struct sheet art_sen(void);
 struct sheet art_queen_face(void);
 struct sheet art_blasts(void);
+struct sheet art_fires(void);
+struct sheet art_lights(void);
+struct sheet art_sherds(void);
 struct sheet art_floor(void);
 struct sheet art_reef(void);
 struct sheet art_logo(void);
@@ -108,6 +111,13 @@ struct sheet art_items(void);
 struct sheet art_tiles(void);
 struct sheet art_seabed(void);
 struct sheet art_finds(void);
+struct sheet art_shoal(void);
+struct sheet art_lantern_nautilus(void);
+struct sheet art_crab(void);
+struct sheet art_crab_face(void);
+struct sheet art_wreck(void);
+struct sheet art_kelp(void);
+struct sheet art_shafts(void);
 struct sheet art_kite(void);
 struct sheet art_lanterns(void);
 struct sheet art_keeper(void);

@@ -7,7 +7,7 @@
 
 enum { FACE_W = 72, FACE_H = 96 };
 
-/* What the banks 8 and 10 have of skin, hair and cloth. */
+/* What bank 8, the same in all stages, has of skin, hair and cloth. */
 struct palette {
     int skin, shade, blush; /* of a face */
     int ink, white;         /* outlines, and what shines */
@@ -158,14 +158,14 @@ struct sheet art_iri(void)
 
 /* ---- the Petrel's: hair in the wind, a headset ---- */
 
-static const struct palette SEN = { 13,
+static const struct palette SEN = { 14,
                                     12,
                                     11,
                                     1,
                                     15,
-                                    { MATTE, 2, 6, 0.1 },
-                                    { MATTE, 5, 9, 0.1 },
-                                    { GLASS, 5, 9, 0.15 },
+                                    { MATTE, 2, 6, 0.02 },
+                                    { MATTE, 7, 9, 0.1 },
+                                    { GLASS, 7, 9, 0.15 },
                                     { MATTE, 10, 12, 0.1 },
                                     { MATTE, 2, 5, 0.1 } };
 
@@ -226,7 +226,7 @@ static void sen(struct sheet *s, int x, bool cross)
 
 struct sheet art_sen(void)
 {
-    struct sheet s = sheet_new(2 * FACE_W, FACE_H, 10);
+    struct sheet s = sheet_new(2 * FACE_W, FACE_H, 8);
     sen(&s, 0, false);
     sen(&s, FACE_W, true);
     return s;

@@ -203,7 +203,54 @@ static const struct key NIGHT[8][12] = {
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
 };
 
-/* Banks 10 to 13 of the deeper stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
+/* Banks 10 to 13 of the stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
+static const struct key ONE[4][12] = {
+    /* 10 blue glass: 2..9 glass, 10..13 what is inside */
+    { { 1, 0x050a1e },
+      { 2, 0x102a5e },
+      { 4, 0x2060a4 },
+      { 7, 0x58aeea },
+      { 9, 0xbcecff },
+      { 10, 0x0c5a74 },
+      { 11, 0x1ea6ba },
+      { 12, 0x6ce6e6 },
+      { 13, 0xd0fff8 },
+      { 14, 0xdcf6ff },
+      { 15, 0xffffff } },
+    /* 11 indigo glass: the same parts */
+    { { 1, 0x0a0a22 },
+      { 2, 0x1e1e60 },
+      { 4, 0x3c42a8 },
+      { 7, 0x7e8cec },
+      { 9, 0xd2daff },
+      { 10, 0x104a8c },
+      { 11, 0x2a8ed8 },
+      { 12, 0x7cd4ff },
+      { 13, 0xdcf6ff },
+      { 14, 0xe4eaff },
+      { 15, 0xffffff } },
+    /* 12 bosses: 2..8 glass, 9..11 silver, 12..13 cold light */
+    { { 1, 0x060a20 },
+      { 2, 0x18205a },
+      { 4, 0x3450ac },
+      { 6, 0x6c9cec },
+      { 8, 0xc2ecff },
+      { 9, 0x2c4a66 },
+      { 10, 0x7ea6bc },
+      { 11, 0xdcf4f8 },
+      { 12, 0x0e7c9c },
+      { 13, 0x6ee6ec },
+      { 14, 0xe6fcff },
+      { 15, 0xffffff } },
+    /* 13 the shallows: 1..12 blue slate, 13..15 light on it */
+    { { 1, 0x030812 },
+      { 4, 0x0a1a2e },
+      { 8, 0x163a54 },
+      { 12, 0x2a5866 },
+      { 13, 0x1c4e60 },
+      { 14, 0x266066 },
+      { 15, 0x3c6666 } },
+};
 static const struct key TWO[4][12] = {
     /* 10 copper: 2..9 metal, 10..13 what burns inside */
     { { 1, 0x140a06 },
@@ -367,10 +414,10 @@ void art_palette(uint32_t rgb[256])
 
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
-    const struct key(*banks)[12] = stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
+    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
 
     art_palette(rgb);
-    for (int bank = 10; stage != ART_ONE && bank < 14; bank++)
+    for (int bank = 10; stage != ART_MAIN && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);
 }
 

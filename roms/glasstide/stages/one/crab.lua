@@ -1,54 +1,84 @@
--- stages/guard.lua - halfway down: the Chandelier Crab.
+-- stages/one/crab.lua - where the shallows end: the Chandelier Crab, five phases. Its claws are
+-- parts of it, and break off; what they did, the shell then does in another way.
+local meeting = require "stages/one/meeting"
 
--- A bubble slows, bursts, and is a splinter that falls.
-motion.def { name = "burst",
-  { speed = 0.2, over = 40 }, { kind = "shard", bank = 5, speed = 0.3 }, { dir = 90 },
-  { speed = 2.3, over = 50 } }
-local snap = motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = 3, over = 20 } }
+local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 
--- 1. Both claws sweep the sides, and snap at whoever is between them.
-local function claw(e, side)
+-- The two claws, left and right, dead or alive.
+local function claws(e)
+  return { e:parts("left claw")[1], e:parts("right claw")[1] }
+end
+
+local function either(e, f)
+  local both = claws(e)
+  for i = 1, 2 do f(both[i], i == 1 and -1 or 1) end
+end
+
+local function wander(e, over)
+  e:move { x = rng.int(86, 154), y = rng.int(74, 92), over = over, ease = "both" }
+end
+
+-- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
+local snap = motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = 2.8, over = 24 } }
+
+local function sweep(e, side)
   local dir = 90 + 60 * side
-  while true do
-    pattern.fan { from = e, dx = 26 * side, dy = 20, kind = "rice", bank = side < 0 and 6 or 7,
-                  spread = 20, dir = dir, speed = 1.9,
-                  n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
+  for k = 1, forever do
+    local claw = claws(e)[side < 0 and 1 or 2]
+    if claw and claw.alive then
+      pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
+                    spread = 20, dir = dir, speed = 1.9,
+                    n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
+    elseif k % 8 == 0 then
+      pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
+                     bank = side < 0 and MAGENTA or RUBY, dir = dir, speed = 1.3,
+                     n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 20 } }
+    end
     dir = dir - 13 * side
-    wait(by_difficulty { easy = 9, normal = 6, hard = 5 })
+    wait(by_difficulty { easy = 10, normal = 7, hard = 6 })
   end
 end
 
 local function pincers(e)
-  task.go(claw, e, -1)
-  task.go(claw, e, 1)
-  while true do
+  task.go(sweep, e, -1)
+  task.go(sweep, e, 1)
+  for k = 1, forever do
     wait(84)
-    for side = -1, 1, 2 do
-      pattern.line { from = e, dx = 26 * side, dy = 32, kind = "kunai", bank = 2, width = 40,
-                     dir = 90, speed = 2.4, delay = 22, motion = snap,
-                     n = by_difficulty { easy = 3, normal = 5, hard = 7 } }
+    either(e, function(claw, side)
+      local at = claw and claw.alive and { claw, 0, 24 } or { e, 43 * side, 20 }
+      sound.play("snap", { from = e })
+      pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, width = 40,
+                     dir = 90, speed = 2.2, delay = 24, motion = snap,
+                     n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 7 } }
+    end)
+    if by_difficulty { easy = false, abyss = true } then
+      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 22 }
     end
-    e:move { x = rng.int(80, 160), y = rng.int(60, 84), over = 50, ease = "both" }
+    wander(e, 50)
   end
 end
 
--- 2. What goes to the walls comes back from them, once, and then it is gold.
-local echo = motion.def { { bounce = 1, walls = "left right top", { bank = 3 } } }
+-- 2. What goes to the walls comes back from them, and then it is gold.
+local echo = motion.def { { bounce = 1, walls = "left right top", { bank = GOLD } } }
 
 local function grotto(e)
   for k = 1, forever do
-    for i = 1, 2 do
-      pattern.ring { from = e, kind = "ring", bank = 4, dir = 11 * (k + i), speed = 1.6,
-                     n = by_difficulty { easy = 10, normal = 15, hard = 22 }, motion = echo }
+    for i = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
+      pattern.ring { from = e, kind = "ring", bank = AMBER, dir = 11 * (k + i),
+                     speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.4 },
+                     n = by_difficulty { easy = 12, normal = 15, hard = 20, abyss = 20 },
+                     motion = echo }
       wait(24)
     end
-    for side = -1, 1, 2 do
-      pattern.whip { from = e, dx = 26 * side, dy = 20, kind = "kunai", bank = 1, aim = true,
-                     speed = 1.7, speed_to = 3.2, bend = 30 * side,
-                     n = by_difficulty { easy = 3, normal = 5, hard = 8 } }
-    end
-    e:move { x = rng.int(70, 170), y = rng.int(56, 84), over = 50, ease = "both" }
-    wait(by_difficulty { easy = 76, normal = 58, hard = 46 })
+    either(e, function(claw, side)
+      local held = claw and claw.alive
+      pattern.whip { from = held and claw or e, dx = held and 0 or 43 * side, dy = 18,
+                     kind = "kunai", bank = RUBY, aim = true, speed = 1.7, speed_to = 3,
+                     bend = 30 * side, delay = 14,
+                     n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
+    end)
+    wander(e, 50)
+    wait(by_difficulty { easy = 84, normal = 58, hard = 46, abyss = 40 })
   end
 end
 
@@ -61,63 +91,105 @@ local function lamplight(e)
     local p = player.nearest(e.x, e.y)
     local dir = (p and angle.to(e, p) or 90) + 180 / n -- whoever is there stands between two
     for i = 1, n do
-      laser.beam { kind = "ray", bank = 3, follow = e, dy = -4, dir = dir + 360 * i / n,
+      laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
-                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36 } }
+                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36, abyss = 0.4 } }
     end
     sound.play("charge", { from = e })
     wait(56)
     sound.play("beam", { from = e })
     wait(14)
-    for i = 1, 5 do
-      pattern.ring { from = e, kind = i % 2 == 0 and "orb" or "pellet", bank = i % 2 == 0 and 6 or 5,
+    for i = 1, by_difficulty { easy = 5, abyss = 7 } do
+      local even = i % 2 == 0
+      pattern.ring { from = e, kind = even and "orb" or "pellet", bank = even and MAGENTA or RUBY,
                      dir = 17 * (k + i), speed = 1.3,
-                     n = by_difficulty { easy = 7, normal = 11, hard = 16 } }
-      wait(50)
+                     n = by_difficulty { easy = 7, normal = 12, hard = 16, abyss = 18 } }
+      wait(by_difficulty { easy = 50, abyss = 36 })
     end
-    e:move { x = rng.int(80, 160), y = rng.int(60, 84), over = 60, ease = "both" }
-    wait(70)
+    wander(e, 60)
+    wait(64)
   end
 end
 
 -- 4. Lamps hang round the crab. Each falls when its rest is over; shot down, it clears a space.
-value.def("rest") -- frames a lamp waits after the first one fell
-motion.def { name = "hang",
-  { orbit = 0, radius_to = 54, spin = 1.6, over = 50 }, { orbit = 54, spin = 1.6, over = forever } }
-motion.def { name = "fall",
-  { speed = 0, over = 12 }, { bank = 1 }, { wait = "rest" }, { aim = true },
-  { speed = 2.6, over = 30 } }
+local hang = motion.def {
+  { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
+local fall = motion.def {
+  { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
+  { speed = 2.5, over = 30 } }
+-- A bubble slows, bursts, and is a splinter that falls.
+local crack = motion.def {
+  { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
+  { speed = 2.2, over = 50 } }
+local CRACKS = { RUBY, MAGENTA, GOLD }
 
 local function chandelier(e)
   local lamps = bullet.group("lamp")
   for k = 1, forever do
-    local n = by_difficulty { easy = 4, normal = 5, hard = 6 }
+    local n = by_difficulty { easy = 4, normal = 5, hard = 6, abyss = 8 }
     for i = 1, n do
-      bullet.fire { kind = "lamp", from = e, bank = 2, dir = 360 * i / n, speed = 0, tag = "lamp",
-                    around = e, motion = "hang", rest = 18 * i }
+      bullet.fire { kind = "lamp", from = e, bank = AMBER, dir = 360 * i / n, speed = 0,
+                    tag = "lamp", around = e, motion = hang, rest = 18 * i }
     end
     wait(50)
     for i = 1, 3 do
-      pattern.ring { from = e, kind = "ring", bank = i + 3, dir = 9.5 * (3 * k + i),
-                     speed = 1.4 + i, motion = "burst",
-                     n = by_difficulty { easy = 12, normal = 17, hard = 24 } }
+      pattern.ring { from = e, kind = "ring", bank = CRACKS[i], dir = 9.5 * (3 * k + i),
+                     speed = 1.4 + i, motion = crack,
+                     n = by_difficulty { easy = 12, normal = 16, hard = 22, abyss = 28 } }
       wait(14)
     end
-    e:move { x = rng.int(70, 170), y = rng.int(56, 80), over = 50, ease = "both" }
+    wander(e, 50)
     wait(60)
-    lamps.motion = "fall"
+    lamps.motion = fall
     lamps.tag = "fallen"
-    wait(by_difficulty { easy = 130, normal = 100, hard = 80 })
+    wait(by_difficulty { easy = 130, normal = 100, hard = 80, abyss = 70 })
+  end
+end
+
+-- 5. Every lamp that it has taken goes out over the water: slow rings that wind both ways through
+-- each other, and wax that drips from them. Look for the lanes; they turn.
+local function lights(v, spin) return motion.def { { polar = v, spin = spin, over = 420 } } end
+local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
+                 normal = { lights(1.0, 0.24), lights(1.0, -0.24) },
+                 hard = { lights(1.05, 0.26), lights(1.05, -0.26) },
+                 abyss = { lights(0.95, 0.2), lights(0.95, -0.2) } }
+
+local function wax(e)
+  while true do
+    wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 80 })
+    for i = -1, 1, 2 do
+      pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
+                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0, lock = true,
+                      delay = 12 }
+    end
+  end
+end
+
+local function harbour(e)
+  local ways = by_difficulty(ebbing)
+  task.go(wax, e)
+  e:move { x = 120, y = 82, over = 60, ease = "both" }
+  wait(40)
+  for k = 1, forever do
+    local left = k % 2 == 0
+    pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
+                   n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 34 },
+                   dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
+    wait(by_difficulty { easy = 28, normal = 22, hard = 18, abyss = 12 })
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("guard", { title = "Chandelier Crab", kind = "crab", x = 120, y = 70, music = "queen", phases = {
-  { id = "pincers", hp = 800, time = 26 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
-  { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 800, time = 30 * 60, bonus = 15000,
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "queen",
+                   warning = 120, phases = {
+  { talk = meeting },
+  { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
+  { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,
     run = grotto, clear = FOAM, drops = { pearl = 8 } },
-  { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 800, time = 30 * 60,
+  { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 1100, time = 35 * 60,
     bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
-  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 30 * 60,
-    bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6, heart = 1 } } } })
+  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 1200, time = 40 * 60,
+    bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
+  { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
+    bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })
