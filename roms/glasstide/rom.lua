@@ -8,14 +8,15 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 1024, lasers = 64, curve_points = 2048, options = 8, lines = 16,
+            items = 1024, lasers = 64, curve_points = 2048, options = 8, lines = 64,
             registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
-  palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
-               three = "art/palette_three.png", moon = "art/palette_moon.png",
-               dark = "art/palette_dark.png", story = "art/palette_story.png" },
+  palettes = { one = "art/palette_one.png", deep = "art/palette_deep.png",
+               two = "art/palette_two.png", three = "art/palette_three.png",
+               moon = "art/palette_moon.png", dark = "art/palette_dark.png",
+               story = "art/palette_story.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -63,6 +64,7 @@ return {
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
     -- what the opening and the endings show
     dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
     brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
@@ -190,6 +192,8 @@ return {
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
     moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
     moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    moon_face    = { sheet = "last_face", x = 0,  y = 0, w = 72, h = 96 },
+    moon_cross   = { sheet = "last_face", x = 72, y = 0, w = 72, h = 96 },
     dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
     brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
     wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },
@@ -350,10 +354,7 @@ return {
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
     lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
     mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
-    pike     = { mml = "t300 @triangle E0,26,0,10 o6 V92 {d<a}16", priority = 0, limit = 1 },
     hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
-    prism    = { mml = "t300 @sine E0,18,0,8 o7 V64 e64", priority = 1, limit = 1 },
-    bell     = { mml = "t120 @fm E0,120,0,80 o4 V120 c4", priority = 6, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
@@ -374,24 +375,24 @@ return {
   },
   music = { -- each file says its key, chords and form; docs/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
-    opening = { file = "music/opening.mml", volume = 0.74 },
+    opening = { file = "music/opening.mml", volume = 0.69 },
     -- stages
     tide    = { file = "music/tide.mml", volume = 0.71 },
-    works   = { file = "music/works.mml", volume = 0.71 },
-    abyss   = { file = "music/abyss.mml", volume = 0.71 },
-    caravan = { file = "music/caravan.mml", volume = 0.71 },
+    works   = { file = "music/works.mml", volume = 0.73 },
+    abyss   = { file = "music/abyss.mml", volume = 0.69 },
+    caravan = { file = "music/caravan.mml", volume = 0.68 },
     -- bosses
-    lantern = { file = "music/lantern.mml", volume = 0.75 },
-    claws   = { file = "music/claws.mml", volume = 0.75 },
-    furnace = { file = "music/furnace.mml", volume = 0.75 },
+    lantern = { file = "music/lantern.mml", volume = 0.65 },
+    claws   = { file = "music/claws.mml", volume = 0.85 },
+    furnace = { file = "music/furnace.mml", volume = 0.56 },
     queen   = { file = "music/queen.mml", volume = 0.75 },
-    moon    = { file = "music/moon.mml", volume = 0.75 },
+    moon    = { file = "music/moon.mml", volume = 0.64 },
     -- and afterwards
     clear   = { file = "music/clear.mml", volume = 0.64 },
     over    = { file = "music/over.mml", volume = 0.62 },
-    ending  = { file = "music/ending.mml", volume = 0.82 },
-    true_ending = { file = "music/true_ending.mml", volume = 0.82 },
-    staff   = { file = "music/staff.mml", volume = 0.82 },
+    ending  = { file = "music/ending.mml", volume = 0.79 },
+    true_ending = { file = "music/true_ending.mml", volume = 0.75 },
+    staff   = { file = "music/staff.mml", volume = 0.71 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",

@@ -77,6 +77,7 @@ static const struct picture GAME[] = {
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
     { "last", art_last, ART_MOON },
+    { "last_face", art_last_face, ART_MOON },
     { "water", art_water, ART_MOON },
     { "dry", art_dry, ART_STORY },
     { "brink", art_brink, ART_STORY },
@@ -204,9 +205,14 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = {
-        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark", "palette_story"
-    };
+    static const char *const names[ART_STAGES] = { "",
+                                                   "palette_one",
+                                                   "palette_deep",
+                                                   "palette_two",
+                                                   "palette_three",
+                                                   "palette_moon",
+                                                   "palette_dark",
+                                                   "palette_story" };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {

@@ -7,6 +7,8 @@
  */
 #include "art.h"
 
+#include <stddef.h>
+
 struct key {
     int at;
     uint32_t rgb;
@@ -201,6 +203,12 @@ static const struct key NIGHT[8][12] = {
       { 15, 0xffffff } },
     /* 15 the moon */
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
+};
+
+/* The scenery of stage one below the wreck, where less light comes. */
+static const struct key DEEP[12] = {
+    { 1, 0x02040c },  { 4, 0x060f22 },  { 8, 0x0d2442 },  { 12, 0x1b3c58 },
+    { 13, 0x123250 }, { 14, 0x1a4458 }, { 15, 0x28505c },
 };
 
 /* Banks 10 to 13 of the stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
@@ -457,11 +465,14 @@ static void darken(uint32_t rgb[256])
 
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
-    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
+    const bool one = stage == ART_ONE || stage == ART_DEEP;
+    const struct key(*banks)[12] = one ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
 
     art_palette(rgb);
     for (int bank = 10; stage != ART_MAIN && stage != ART_STORY && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);
+    if (stage == ART_DEEP)
+        fill(&rgb[13 * 16], DEEP);
     if (stage == ART_DARK)
         darken(rgb);
     for (int bank = 8; stage == ART_STORY && bank < 15; bank++)
