@@ -1,5 +1,7 @@
 -- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp for its own. It
 -- comes when the wreck has gone by.
+local rank = require "rank"
+
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 local LAMP = { dx = -3, dy = 26 } -- where it holds the lamp
 
@@ -32,7 +34,7 @@ local function lantern(e)
     local left = k // 4 % 2 == 0
     pattern.ring { from = e, kind = "orb", bank = left and MAGENTA or AMBER, n = n, dir = 7 * k,
                    speed = 1.25, motion = left and wind_left or wind_right }
-    wait(by_difficulty { easy = 34, normal = 25, hard = 21, abyss = 18 })
+    wait(rank.sooner(by_difficulty { easy = 34, normal = 26, hard = 21, abyss = 18 }))
   end
 end
 
@@ -44,7 +46,8 @@ end
 local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
                  abyss = unwinding(RUBY, 1.3) }
 -- What it lays the other way round looks at you when its turn comes.
-local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true }, { speed = 1.5, over = 40 } }
+local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true },
+                          { speed = 1.5, over = 40 } }
 
 -- One pearl of an arm that winds outwards; none where you are.
 local function lay(e, a, r, way, def)
