@@ -62,6 +62,7 @@ end
 function story.tell(scenes)
   local told = { left = false }
   local behind = cloth()
+  wait(2) -- where all was emptied the sea comes by itself, and brings its colours
   for _, scene in ipairs(scenes) do
     if told.left then break end
     palette.load(scene.palette or "story")
