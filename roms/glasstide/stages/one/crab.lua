@@ -191,7 +191,7 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
 boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
-                   warning = 120, phases = {
+                   portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,

@@ -52,7 +52,7 @@ function habits.drip(e)
                     speed = rank.faster(by_difficulty { easy = 1.3, normal = 1.7, hard = 1.9,
                                                       abyss = 1.5 }) }
     end
-    wait(by_difficulty { easy = 52, normal = 34, hard = 24, abyss = 20 })
+    wait(by_difficulty { easy = 52, normal = 34, hard = 25, abyss = 17 })
   end
 end
 
@@ -78,7 +78,7 @@ end
 function habits.wake(e)
   wait(24)
   for k = 1, forever do
-    local speed = by_difficulty { easy = 1.1, normal = 1.3, hard = 1.6, abyss = 1.3 }
+    local speed = by_difficulty { easy = 1.1, normal = 1.3, hard = 1.5, abyss = 1.4 }
     bullet.fire { from = e, dx = -12, kind = "petal", bank = MAGENTA, speed = speed,
                   motion = ribbon }
     if by_difficulty { easy = false, normal = true } then
@@ -113,7 +113,7 @@ function habits.gild(e)
     if may_fire(e) then
       pattern.fan { from = e, dy = 8, kind = "kunai", bank = GOLD, spread = 24 * i, aim = true,
                     speed = rank.faster(2.2), delay = 12,
-                    n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 7 } }
+                    n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
     end
     wait(30)
   end
@@ -185,7 +185,7 @@ function habits.bubbles(e)
                     n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 1.1, delay = 16,
                     motion = by_difficulty(DRIFTS) }
     end
-    wait(by_difficulty { easy = 110, normal = 84, hard = 76, abyss = 64 })
+    wait(by_difficulty { easy = 110, normal = 84, hard = 76, abyss = 56 })
   end
 end
 
