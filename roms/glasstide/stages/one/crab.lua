@@ -50,7 +50,7 @@ local function pincers(e)
       sound.play("snap", { from = e })
       pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, width = 40,
                      dir = 90, speed = 2.2, delay = 24, motion = snap,
-                     n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 7 } }
+                     n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 6 } }
     end)
     if by_difficulty { easy = false, abyss = true } then
       pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 26 }

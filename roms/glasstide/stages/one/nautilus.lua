@@ -75,7 +75,7 @@ local function chambers(e)
     local way = k % 2 == 0 and -1 or 1
     local n = by_difficulty { easy = 36, normal = 60, hard = 54, abyss = 50 }
     local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
-    e:move { x = rng.int(96, 144), y = rng.int(70, 86), over = 30, ease = "both" }
+    e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
     wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
@@ -94,7 +94,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 78,
+boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 86,
                        music = "lantern", portrait = "lantern_nautilus", phases = {
   { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
