@@ -8,14 +8,13 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 512, lasers = 32, options = 8,
+            items = 1024, lasers = 64, options = 8, lines = 16, registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
-  -- each stage has creatures and scenery in colours of its own (banks 10 to 13); dark is the
-  -- third's where no lamp shines
+  -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
   palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
                three = "art/palette_three.png", moon = "art/palette_moon.png",
-               dark = "art/palette_dark.png" },
+               dark = "art/palette_dark.png", story = "art/palette_story.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -33,8 +32,11 @@ return {
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
+    tern    = { file = "art/tern.png",    bank = 8 },
+    arms    = { file = "art/arms.png",    bank = 0 },
     iri     = { file = "art/iri.png",     bank = 8 },
     sen     = { file = "art/sen.png",     bank = 8 },
+    ono     = { file = "art/ono.png",     bank = 8 },
     -- stage one
     enemies = { file = "art/enemies.png", bank = 10 },
     shoal   = { file = "art/shoal.png",   bank = 10, palette = "one" },
@@ -53,6 +55,14 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    -- what the opening and the endings show
+    dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
+    brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
+    wave    = { file = "art/wave.png",    bank = 10, palette = "story" },
+    dive    = { file = "art/dive.png",    bank = 11, palette = "story" },
+    flood   = { file = "art/flood.png",   bank = 12, palette = "story" },
+    home    = { file = "art/home.png",    bank = 14, palette = "story" },
 
   },
   sprites = {
@@ -79,11 +89,20 @@ return {
     dart   = { sheet = "shots", x = 0,  y = 0, w = 16, h = 16, rotations = 32 },
     fang   = { sheet = "shots", x = 16, y = 0, w = 14, h = 14, rotations = 32 },
     sliver = { sheet = "shots", x = 32, y = 0, w = 12, h = 12, rotations = 32 },
+    pike   = { sheet = "arms",  x = 0,  y = 0, w = 30, h = 30, rotations = 64 },
+    hook   = { sheet = "arms",  x = 32, y = 0, w = 18, h = 18, rotations = 32 },
+    mote   = { sheet = "arms",  x = 52, y = 0, w = 12, h = 12, rotations = 32 },
+    prism  = { sheet = "arms",  x = 64, y = 0, w = 12, h = 10, frames = 4, every = 3 },
+    lens_ray = { sheet = "arms", x = 116, y = 0, w = 1, h = 10 },
+    lamp_ray = { sheet = "arms", x = 120, y = 0, w = 1, h = 52 },
 
     heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3,
                origin = { 14, 17 } },
     petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3,
                origin = { 15, 16 } },
+    tern   = { sheet = "tern",   x = 0, y = 0,  w = 32, h = 36, frames = 4, every = 3,
+               origin = { 16, 17 } },
+    tern_bead   = { sheet = "tern",   x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
 
@@ -140,6 +159,18 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
+    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
+    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
+    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
+    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
+    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
+    brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
+    wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },
+    dive  = { sheet = "dive",  x = 0, y = 0, w = 240, h = 160 },
+    flood = { sheet = "flood", x = 0, y = 0, w = 240, h = 160 },
+    home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
+    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
     -- who talks
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
@@ -148,6 +179,8 @@ return {
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
     crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
     crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
+    ono         = { sheet = "ono",        x = 0,  y = 0, w = 72, h = 96 },
+    ono_cross   = { sheet = "ono",        x = 72, y = 0, w = 72, h = 96 },
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
@@ -202,6 +235,8 @@ return {
     depths   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/depths.csv",
                  palette = "three" },
     -- the moon
+    water    = { tiles = "art/water.png",  bank = 13, file = "maps/floor.csv", palette = "moon" },
+    moonlight = { tiles = "art/water.png", bank = 13, file = "maps/caustics.csv", palette = "moon" },
 
   },
   blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },
@@ -277,6 +312,12 @@ return {
     mission  = { file = "sfx/mission.mml", priority = 6, limit = 1 },
     failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
+    lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
+    mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
+    pike     = { mml = "t300 @triangle E0,26,0,10 o6 V92 {d<a}16", priority = 0, limit = 1 },
+    hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
+    prism    = { mml = "t300 @sine E0,18,0,8 o7 V64 e64", priority = 1, limit = 1 },
+    bell     = { mml = "t120 @fm E0,120,0,80 o4 V120 c4", priority = 6, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },

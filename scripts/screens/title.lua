@@ -3,6 +3,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local page = sys.read("menu/page")
 
 local WORDS = {
+  missions = "MISSIONS",
   scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", replays = "REPLAYS", settings = "SETTINGS",
 }
 local DROP = 24 -- px from above that the logo comes

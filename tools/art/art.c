@@ -39,9 +39,11 @@ static const struct picture GAME[] = {
     { "petrel", art_petrel, ART_MAIN },
     { "iri", art_iri, ART_MAIN },
     { "sen", art_sen, ART_MAIN },
+    { "tern", art_tern, ART_MAIN },
+    { "ono", art_ono, ART_MAIN },
+    { "arms", art_arms, ART_MAIN },
     /* stage one */
     { "enemies", art_enemies, ART_MAIN },
-    { "guard", art_guard, ART_MAIN },
     { "floor", art_floor, ART_MAIN },
     { "reef", art_reef, ART_MAIN },
     { "shoal", art_shoal, ART_ONE },
@@ -64,6 +66,14 @@ static const struct picture GAME[] = {
     { "trench", art_trench, ART_THREE },
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
+    { "last", art_last, ART_MOON },
+    { "water", art_water, ART_MOON },
+    { "dry", art_dry, ART_STORY },
+    { "brink", art_brink, ART_STORY },
+    { "wave", art_wave, ART_STORY },
+    { "dive", art_dive, ART_STORY },
+    { "flood", art_flood, ART_STORY },
+    { "home", art_home, ART_STORY },
 
     { NULL, NULL, ART_MAIN },
 };
@@ -185,7 +195,7 @@ static const struct picture *pictures(const char *what)
 static bool write_stages(const char *dir)
 {
     static const char *const names[ART_STAGES] = {
-        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark"
+        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark", "palette_story"
     };
     uint32_t rgb[256];
 

@@ -26,8 +26,9 @@ void sheet_set(struct sheet *s, int x, int y, int shade);
 int sheet_get(const struct sheet *s, int x, int y);
 
 /* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13 (ART_MAIN: the same;
- * ART_DARK: the third stage's where no lamp shines); those of the night, whose banks 0 to 7 are the same. */
-enum art_stage { ART_MAIN, ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_DARK, ART_STAGES };
+ * ART_DARK: the third stage where no lamp shines), and of its story's pictures; those of the night, whose banks 0 to 7
+ * are the same. */
+enum art_stage { ART_MAIN, ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_DARK, ART_STORY, ART_STAGES };
 void art_palette(uint32_t rgb[256]);
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256]);
 void art_night_palette(uint32_t rgb[256]);
@@ -89,11 +90,14 @@ struct sheet art_shots(void);
 struct sheet art_sparks(void);
 struct sheet art_heron(void);
 struct sheet art_petrel(void);
+struct sheet art_tern(void);
+struct sheet art_arms(void);
 struct sheet art_enemies(void);
 struct sheet art_guard(void);
 struct sheet art_queen(void);
 struct sheet art_iri(void);
 struct sheet art_sen(void);
+struct sheet art_ono(void);
 struct sheet art_queen_face(void);
 struct sheet art_blasts(void);
 struct sheet art_fires(void);
@@ -125,6 +129,14 @@ struct sheet art_crab_face(void);
 struct sheet art_wreck(void);
 struct sheet art_kelp(void);
 struct sheet art_shafts(void);
+struct sheet art_last(void);
+struct sheet art_water(void);
+struct sheet art_dry(void);
+struct sheet art_brink(void);
+struct sheet art_wave(void);
+struct sheet art_dive(void);
+struct sheet art_flood(void);
+struct sheet art_home(void);
 struct sheet art_kite(void);
 struct sheet art_lanterns(void);
 struct sheet art_keeper(void);

@@ -7,8 +7,6 @@
  */
 #include "art.h"
 
-#include <stddef.h>
-
 struct key {
     int at;
     uint32_t rgb;
@@ -389,6 +387,37 @@ static const struct key MOON[4][12] = {
       { 15, 0xa8b0b6 } },
 };
 
+/* The story's pictures, banks 8 to 15: 1..7 what is far, 8..11 what is near, 12..15 what shines. Those of text stay. */
+#define LAMPS                                                                                                          \
+    { 12, 0x9c5a1c }, { 13, 0xf0b040 }, { 14, 0xffdc8c },                                                              \
+    {                                                                                                                  \
+        15, 0xfff6dc                                                                                                   \
+    }
+#define STORY_PICTURE(dark, deep, mid, pale, near, lit, ...)                                                           \
+    {                                                                                                                  \
+        { 1, dark }, { 3, deep }, { 5, mid }, { 7, pale }, { 8, near }, { 11, lit }, __VA_ARGS__                       \
+    }
+static const struct key STORY[8][12] = {
+    /* 8 the dry harbour */
+    STORY_PICTURE(0x1c1630, 0x4c2c4c, 0xa4585a, 0xf0b078, 0x160e18, 0x745044, { 12, 0x8c6a58 }, { 13, 0xd8b898 },
+                  { 14, 0xf4dcc0 }, { 15, 0xfff6e6 }),
+    /* 9 the brink */
+    STORY_PICTURE(0x060818, 0x101a3c, 0x22325e, 0x48608c, 0x05060e, 0x3a4462, LAMPS),
+    /* 10 the wave of glass */
+    STORY_PICTURE(0x050c1c, 0x0c3450, 0x2c7c9c, 0x8ce4e0, 0x14405c, 0xb8fff0, { 12, 0x86204e }, { 13, 0xdc4678 },
+                  { 14, 0xffc0b0 }, { 15, 0xffffff }),
+    /* 11 the dive */
+    STORY_PICTURE(0x03060f, 0x08203a, 0x14506c, 0x4aa0ae, 0x10182a, 0xdce8f4, LAMPS),
+    /* 12 the harbour at dawn */
+    STORY_PICTURE(0x1e2450, 0x584478, 0xc8707c, 0xffdca4, 0x16142a, 0x7c6478, LAMPS),
+    /* 13 of no picture: slate, for faint text */
+    { { 1, 0x060914 }, { 8, 0x2c3c54 }, { 15, 0x9ab6bc } },
+    /* 14 the moon at home */
+    STORY_PICTURE(0x060a1c, 0x0e1c40, 0x263e70, 0x6c8cb8, 0x04060e, 0x3c4a6c, { 12, 0x8c8468 }, { 13, 0xd8cfa8 },
+                  { 14, 0xf6eccc }, { 15, 0xfffdf0 }),
+    { { 1, 0x040a1e }, { 15, 0xffffff } },
+};
+
 static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
 {
     uint32_t out = 0;
@@ -428,14 +457,15 @@ static void darken(uint32_t rgb[256])
 
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
-    static const struct key(*const all[ART_STAGES])[12] = { NULL, ONE, TWO, THREE, MOON, THREE };
-    const struct key(*banks)[12] = all[stage];
+    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
 
     art_palette(rgb);
-    for (int bank = 10; stage != ART_MAIN && bank < 14; bank++)
+    for (int bank = 10; stage != ART_MAIN && stage != ART_STORY && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);
     if (stage == ART_DARK)
         darken(rgb);
+    for (int bank = 8; stage == ART_STORY && bank < 15; bank++)
+        fill(&rgb[bank * 16], STORY[bank - 8]);
 }
 
 void art_night_palette(uint32_t rgb[256])

@@ -4,6 +4,7 @@ require "stages/three/creatures"
 require "stages/three/angler"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
+local moon = require "stages/moon"
 local sea = require "sea"
 local fx = require "fx"
 
@@ -145,6 +146,5 @@ stage.def("three", function()
   queen.fight()
   music.stop { fade = 140 }
   wait(fx.COLLAPSE)
-  -- the moon: `local moon = require "stages/moon"` above, and here
-  -- `if moon.open() then moon.dive() end`
+  if moon.open() then moon.dive() end
 end, { music = "abyss" })

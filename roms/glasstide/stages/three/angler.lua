@@ -2,7 +2,9 @@
 -- its eyes, its teeth, and the lamp that it holds out.
 local kinds = require "kinds"
 local by = require "stages/three/by"
+local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
+local fast, soon = pace.fast, pace.soon
 
 local ROOT <const> = -42  -- where its stalk begins, from its middle
 local FIRST <const>, LAST <const> = 10 * 16 + 1, 13 * 16 + 15 -- colours that light and dark are of
@@ -73,7 +75,7 @@ local function fountain(e)
       bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 336 + lean, speed = speed,
                     motion = name .. " right" }
     end
-    wait(by(26, 17, 12, 9))
+    wait(soon(26, 17, 12, 9))
   end
 end
 
@@ -95,13 +97,13 @@ local function bait(e)
     end
   end)
   while true do
-    wait(by(130, 110, 96, 90))
+    wait(soon(130, 110, 96, 90))
     flare()
     sound.play("angler", { from = e })
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
                   spread = by(30, 40, 54, 80), n = by(3, 5, 7, 11), delay = 20,
-                  speed = by(1.9, 2.2, 2.3, 1.7) }
+                  speed = fast(1.9, 2.2, 2.3, 1.7) }
     swing(e, 60)
   end
 end

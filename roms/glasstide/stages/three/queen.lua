@@ -2,10 +2,12 @@
 -- one she comes back with.
 local sea = require "sea"
 local by = require "stages/three/by"
+local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
 local figures = require "stages/three/queen_figures"
 local meeting = require "stages/three/meeting"
 local fx = require "fx"
+local fast, soon = pace.fast, pace.soon
 
 local function wander(e, over)
   e:move { x = rng.int(80, 160), y = rng.int(74, 98), over = over, ease = "both" }
@@ -24,8 +26,8 @@ local function moon(e, dir)
     wait(50)
     while true do
       bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b),
-                    speed = by(1.3, 1.4, 1.5, 0.9) }
-      wait(by(22, 16, 13, 12))
+                    speed = fast(1.3, 1.4, 1.5, 0.9) }
+      wait(soon(22, 16, 13, 12))
     end
   end)
 end
@@ -40,7 +42,7 @@ local function wheels(e)
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
-                  speed = by(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
+                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
     wander(e, 90)
   end
