@@ -7,6 +7,8 @@
  */
 #include "art.h"
 
+#include <stddef.h>
+
 struct key {
     int at;
     uint32_t rgb;
