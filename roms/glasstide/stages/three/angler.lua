@@ -127,9 +127,11 @@ local function strike(lamp)
     if dx * dx + dy * dy > LIT * LIT then return end
     b.dir, b.motion, b.tag = angle.of(dx, dy), motion_name, "fire"
   end)
-  local dir = rng.dir()
+  local aims = by(false, false, true, true)
+  local dir = aims and 0 or rng.dir()
   for i = 1, by(1, 1, 2, 3) do
-    pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24), dir = dir + 5 * i,
+    pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24),
+                   dir = dir + 5 * i, aim = aims,
                    speed = by(1.3, 1.6, 1.8, 1.3) - 0.22 * (i - 1), delay = 20 }
   end
 end
@@ -225,8 +227,8 @@ local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "lantern",
   phases = {
-  { id = "bait", hp = 760, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
-  { id = "match", spell = "Lamp Sign: Struck Match", hp = 860, time = 30 * 60, bonus = 20000,
+  { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
+  { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,
     run = match, clear = FOAM, drops = { pearl = 6 } },
-  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 860, time = 30 * 60, bonus = 20000,
+  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 740, time = 30 * 60, bonus = 20000,
     run = teeth, clear = FOAM } } })

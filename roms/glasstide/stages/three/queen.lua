@@ -217,21 +217,21 @@ end
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
-  { id = "wheels", hp = 1150, time = 45 * 60, run = wheels, clear = FOAM,
+  { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
-  { id = "held", spell = "Glass Sign: Held Breath", hp = 1300, time = 50 * 60, bonus = 30000,
+  { id = "held", spell = "Glass Sign: Held Breath", hp = 1050, time = 50 * 60, bonus = 30000,
     run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1350, time = 50 * 60, bonus = 30000,
+  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1100, time = 50 * 60, bonus = 30000,
     run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
-  { id = "window", spell = "Pane Sign: Rose Window", hp = 1400, time = 50 * 60, bonus = 40000,
+  { id = "window", spell = "Pane Sign: Rose Window", hp = 1150, time = 50 * 60, bonus = 40000,
     run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1700, time = 60 * 60, bonus = 60000,
-    run = function(e) flower(e, 1700) end, clear = FOAM } } })
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60, bonus = 60000,
+    run = function(e) flower(e, 1350) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen",
-  phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
+  phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
                run = again } } })
 
 local broken -- she was, as she came back

@@ -50,7 +50,7 @@ function figures.window(e)
     if k % 12 == 0 then sound.play("chord", { from = e }) end
     local way = k // 12 % 2 == 0 and 1 or -1
     ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), way)
-    wait(by(34, 27, 23, 21))
+    wait(by(36, 28, 23, 18))
   end
 end
 
