@@ -46,10 +46,10 @@ local function flick(o, beat)
   end
 end
 
-craft.def("tern", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4 },
+craft.def("tern", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
   { fire = lances, bead = bead, bomb = "lamp",
     options = { by = "shards", style = "trail", apart = 9, levels = { { at = 100, n = 2 }, { at = 300, n = 4 } } } })
-craft.def("tern_hooks", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4 },
+craft.def("tern_hooks", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
   { ship = "tern", fire = hooks, bead = flick, bomb = "lamp",
     options = craft.pairs_of({ wide = { { -18, -4 }, { 18, -4 } }, close = { { -10, 10 }, { 10, 10 } } },
                              { wide = { { -30, 4 }, { 30, 4 } }, close = { { -18, 16 }, { 18, 16 } } }) })
