@@ -12,7 +12,7 @@ dive("first_light", "First Light", "Chain 20 before the wreck.",
   { stage = "one", to = "wreck", goal = { chain = 20 }, medals = { 20 * S, 14 * S } })
 dive("clear_water", "Clear Water", "Reach the wreck without a bomb.",
   { stage = "one", to = "wreck", clear = true, bombs = 0, by = "score",
-    medals = { 30000, 60000 } })
+    medals = { 22000, 34000 } })
 dive("salvage", "Salvage", "Break 40 in the wreck.",
   { stage = "one", mark = "wreck", to = "nautilus", goal = { kills = 40 },
     medals = { 40 * S, 30 * S } })
@@ -25,8 +25,8 @@ dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 50 seconds.",
 dive("snail", "Snail's Pace", "Last 20 seconds in the Chambered Lamp. No bomb.",
   { boss = "nautilus", phase = "chambers", difficulty = "hard", goal = { frames = 20 * S },
     bombs = 0, by = "grazes", medals = { 20, 50 } })
-dive("nets", "Cut the Nets", "Win 60,000 points above the crab.",
-  { stage = "one", mark = "deep", to = "crab", goal = { score = 60000 },
+dive("nets", "Cut the Nets", "Win 40,000 points above the crab.",
+  { stage = "one", mark = "deep", to = "crab", goal = { score = 40000 },
     medals = { 60 * S, 45 * S } })
 dive("hooks", "By Hook", "Break 40 above the crab with hooks.",
   { stage = "one", mark = "deep", to = "crab", ship = "tern_hooks", goal = { kills = 40 },
@@ -48,10 +48,10 @@ dive("harbour", "Harbour Dues", "Break Lights of the Harbour without a bomb.",
     medals = { 38 * S, 30 * S } })
 dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
   { boss = "crab", difficulty = "normal", clear = true, by = "score",
-    medals = { 150000, 250000 } })
+    medals = { 90000, 150000 } })
 dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
   { stage = "one", difficulty = "normal", clear = true, by = "score",
-    medals = { 500000, 900000 } })
+    medals = { 240000, 400000 } })
 dive("prism", "Prism", "Bring the multiplier to x3.00 in the shallows.",
   { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 180 * S, 120 * S } })
 
@@ -89,7 +89,7 @@ dive("flower", "Fathomless", "Last 30 seconds in the abyss of the flower.",
     by = "grazes", medals = { 60, 120 } })
 dive("throne", "Audience", "Beat the Queen with two lives.",
   { boss = "queen", difficulty = "normal", lives = 2, clear = true, by = "score",
-    medals = { 300000, 600000 } })
+    medals = { 180000, 320000 } })
 dive("undertow", "The Tide Returns", "Send her back without a bomb.",
   { boss = "undertow", difficulty = "normal", clear = true, bombs = 0, by = "score",
-    medals = { 40000, 80000 } })
+    medals = { 20000, 40000 } })

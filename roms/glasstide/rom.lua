@@ -356,5 +356,5 @@ return {
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
-  players = 2, extends = { 100000, 300000 },
+  players = 2, extends = { 300000, 1000000, 2500000 },
 }
