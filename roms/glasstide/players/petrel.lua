@@ -19,7 +19,7 @@ local hurry = motion.def { { home = 10, over = 60 } }
 local function fangs(p, beat)
   if beat % 6 ~= 0 then return end
   sound.play("fang", { from = p })
-  local step = pad.down("focus", p) and 3 or 8
+  local step = pad.down("focus", p) and 3 or 6
   for i = -2, 2 do
     shot.fire { kind = i == 0 and "tusk" or "fang", from = p, dx = 3 * i, dy = -10, speed = 9, dir = 270 + step * i }
   end
@@ -30,7 +30,7 @@ local function bead(o, beat)
 end
 
 local function swarm(p, beat)
-  if beat % 7 ~= 0 then return end
+  if beat % 6 ~= 0 then return end
   sound.play("mote", { from = p })
   local out = pad.down("focus", p) and 14 or 42
   for side = -1, 1, 2 do

@@ -29,7 +29,7 @@ local function bead(o, beat)
 end
 
 local function hooks(p, beat)
-  if beat % 15 ~= 0 then return end
+  if beat % 18 ~= 0 then return end
   sound.play("hook", { from = p })
   local out = p.focus and 5 or 17
   for side = -1, 1 do
