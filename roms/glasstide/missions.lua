@@ -55,6 +55,27 @@ dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
 dive("prism", "Prism", "Bring the multiplier to x3.00 in the shallows.",
   { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 180 * S, 120 * S } })
 
+-- ---- the works ----
+
+dive("soot", "Soot", "Chain 30 in the street of the works.",
+  { stage = "two", mark = "street", to = "bellows", lives = 3, goal = { chain = 30 },
+    medals = { 40 * S, 28 * S } })
+dive("asthma", "Out of Breath", "Graze 50 while the Bellows breathe.",
+  { boss = "bellows", phase = "breath", difficulty = "normal", goal = { grazes = 50 },
+    limit = 20 * S, medals = { 16 * S, 12 * S } })
+dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
+  { boss = "bellows", phase = "wheels", difficulty = "hard", clear = true, bombs = 0,
+    medals = { 22 * S, 17 * S } })
+dive("shift", "Night Shift", "Break 50 in the halls.",
+  { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 50 },
+    medals = { 60 * S, 45 * S } })
+dive("panes", "Window Shopping", "Collect 120 shards among Panes in Rows.",
+  { boss = "eels", phase = "panes", difficulty = "normal", goal = { prisms = 120 }, bombs = 0,
+    medals = { 30 * S, 20 * S } })
+dive("press", "Stop Press", "Break The Press with fangs.",
+  { boss = "eels", phase = "press", ship = "petrel", difficulty = "normal", clear = true,
+    medals = { 34 * S, 27 * S } })
+
 -- ---- the abyss ----
 
 dive("trench", "Trench Coat", "Chain 30 in the trench.",
@@ -93,3 +114,12 @@ dive("throne", "Audience", "Beat the Queen with two lives.",
 dive("undertow", "The Tide Returns", "Send her back without a bomb.",
   { boss = "undertow", difficulty = "normal", clear = true, bombs = 0, by = "score",
     medals = { 20000, 40000 } })
+
+-- ---- below it ----
+
+dive("tithe", "Tithe", "Graze 150 under the waxing moon.",
+  { boss = "moon", phase = "gibbous", difficulty = "normal", goal = { grazes = 150 }, bombs = 0,
+    limit = 45 * S, medals = { 34 * S, 24 * S }, needs = "rush" })
+dive("eclipse", "Eclipse", "Outlive the sea that falls in.",
+  { boss = "moon", phase = "eclipse", difficulty = "normal", lives = 2, clear = true,
+    by = "grazes", medals = { 100, 250 }, needs = "rush" })
