@@ -37,3 +37,29 @@ run:exec "player.get(1).bombs = 1"
 tap(run, "bomb", 60) -- Clear Water allows none
 test.equal(run:heard("failed"), 1, "it is failed")
 test.equal(run:eval "mission.best('clear_water')", nil, "and nothing kept")
+
+-- Every one of them begins, and runs for some seconds without a fault, with fire held.
+local function begin(i)
+  local one = test.run { seed = i, frames = 60 }
+  one:exec "save.set('unlock/rush', true) save.set('unlock/tern', true)"
+  tap(one, "start", 60)
+  tap(one, "start", 30)
+  tap(one, "down")
+  tap(one, "down")
+  tap(one, "fire", 30)
+  for _ = 2, i do tap(one, "down", 3) end
+  for _ = 1, 8 do
+    if one:eval "player.get(1).alive" then break end
+    tap(one, "fire", 16)
+  end
+  test.expect(one:eval "player.get(1).alive", ("mission %d begins"):format(i))
+  one:exec "player.get(1).safe = 10000"
+  one:press("fire")
+  one:step(240)
+  test.equal(one.fault, nil, ("mission %d"):format(i))
+  test.expect(one:wait("boss.now() or game.stage", 300), ("mission %d: there is a boss or a stage"):format(i))
+end
+
+local _, most = run:eval "mission.stars()"
+test.expect(most >= 90, "thirty missions or more")
+for i = 1, most // 3 do begin(i) end
