@@ -416,5 +416,5 @@ return {
   },
   dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
-  players = 2, extends = { 100000, 300000 },
+  players = 2, extends = { 300000, 1000000, 2500000 },
 }
