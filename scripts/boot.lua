@@ -122,7 +122,9 @@ local function play(a, run)
   local game = enter(ships, false, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
   records().begin(run)
+  run.grades = a.grades
   play_stages(game, run)
+  run.grades = nil
   run.clear = not stopped()
   sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
   local new = left and {} or records().over(run)

@@ -82,7 +82,7 @@ local BLINK = 8 -- frames that a creature blinks when it is hurt: a quarter of t
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
-                    spark = "crumb", blink = BLINK, on_hit = chip, on_death = on_death,
+                    spark = "crumb", blink = BLINK, blink_soft = on_death == collapse, on_hit = chip, on_death = on_death,
                     drops = drops })
 end
 

@@ -3,7 +3,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 local SCREENS = {
   "title", "mode", "difficulty", "ship", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",
-  "music", "unlocks", "missions", "mission",
+  "music", "unlocks", "missions", "mission", "page",
 }
 
 local function fail(what, expected, got)
@@ -131,6 +131,21 @@ local function check_staff(parts)
   end
 end
 
+-- pages: a list of { name, show }. A page is a place of the title, whose own names are the screens'.
+local function check_pages(pages)
+  local known = { start = true, replays = true, settings = true }
+  for _, name in ipairs(SCREENS) do known[name] = true end
+  for i, p in ipairs(pages) do
+    local what = ("page %d"):format(i)
+    if type(p) ~= "table" then fail(what, 'a table, as { name = "how to score", show = f }', type(p)) end
+    expect_names("argument of a page:", p, { "name", "show" })
+    expect_text(what .. ": name", p.name, true)
+    if known[p.name] then sys.fail("boot.run", ('%s: "%s" is there already'):format(what, p.name)) end
+    if type(p.show) ~= "function" then fail(('page "%s": show'):format(p.name), "a function", type(p.show)) end
+    known[p.name] = true
+  end
+end
+
 local function check_demos(demos)
   for i, name in ipairs(demos) do expect_text(("demos: %d"):format(i), name, true) end
 end
@@ -143,5 +158,6 @@ return function(a)
   if a.ending then check_endings(a.ending) end
   if a.staff then check_staff(a.staff) end
   if a.demos then check_demos(a.demos) end
+  if a.pages then check_pages(a.pages) end
   if a.music then sys.read("boot/music")(a) end
 end

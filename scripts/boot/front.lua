@@ -33,6 +33,7 @@ local function places(a)
   if a.music then list[#list + 1] = "music" end
   local unlocks = rawget(sys, "unlock")
   if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
+  for _, p in ipairs(a.pages or {}) do list[#list + 1] = p.name end
   list[#list + 1], list[#list + 2] = "replays", "settings"
   return list
 end
@@ -83,6 +84,13 @@ local function choose_mission(a, show, last, choices)
   end
 end
 
+-- The game's own page of that name, or nil.
+local function page_of(a, name)
+  for _, p in ipairs(a.pages or {}) do
+    if p.name == name then return p end
+  end
+end
+
 -- The title, and back to it, until somebody starts. Returns how many play, or a run of a mission. last: the mission that
 -- was played before; its list comes first then.
 local function wait_for_players(a, show, last, choices)
@@ -103,6 +111,8 @@ local function wait_for_players(a, show, last, choices)
       attract(a, show)
     elseif what == "replays" or what == "settings" then
       board.ask(what)
+    elseif what ~= "start" and page_of(a, what) then
+      show("page", page_of(a, what))
     elseif what ~= "start" then
       expect_place(what, list)
       show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)

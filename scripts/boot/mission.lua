@@ -57,11 +57,11 @@ local function watch(m, game, stopped)
   local stop <close> = setmetatable({}, { __close = function() task.stop(piece) end })
   while not stopped() do
     local there = reached(m, p, age)
+    seen = draw(m, p, age, seen)
     if m.bombs and sys.missions.bombed > m.bombs then break end
     if there and not m.clear then return true, age end
     if not task.alive(piece) then return m.clear and there and (cleared or m.stage ~= nil), age end
     if m.limit and age >= m.limit then break end
-    seen = draw(m, p, age, seen)
     wait(1)
     age = age + 1
   end
@@ -97,7 +97,7 @@ local function try(m, run, host)
   if not left then
     host.quieten()
     hud.banner()
-    sys.cue(done and "bonus" or "wrong")
+    sys.cue(done and "mission" or "failed")
     answer = host.show("mission", result)
   end
   host.leave(game, 1)

@@ -64,14 +64,27 @@ local function tallies(n, last)
   return rows
 end
 
--- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, and the titles of what it
--- unlocked, which may be the next stage.
+-- What the game says of each player in that stage: a letter or a few; nil: it says nothing.
+local function grades(run, name)
+  if not run.grades then return nil end
+  local list = {}
+  for p = 1, run.players do
+    list[p] = run.grades(name, player.get(p))
+    if type(list[p]) ~= "string" then
+      sys.fail("boot.run", 'grades: expected a text, as "S", got ' .. type(list[p]))
+    end
+  end
+  return list
+end
+
+-- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, the titles of what it
+-- unlocked, which may be the next stage, and a grade for each player, or nil.
 function records.stage(run, i)
   run.stage = run.stages[i]
   run.reached, run.cleared[run.stage] = run.reached + 1, true
   local new = earn(run)
   run.stage = nil
-  return tallies(run.players, not records.next(run, i)), new
+  return tallies(run.players, not records.next(run, i)), new, grades(run, run.stages[i])
 end
 
 -- The run is over. Returns the titles of what it unlocked.

@@ -4,8 +4,8 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local page = sys.read("menu/page")
 
 local STAR = hud.glyph(138, "*")
-local RIGHT <const> = hud.glyph(140, ">")
-local NOTES <const> = page.low and 6 or 10 -- rows below the list
+local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
+local NOTES <const> = page.low and 6 or 11 -- rows below the list
 local COLS <const> = math.min(page.cols - 4, 34)
 local COL <const> = page.col + (page.cols - COLS) // 2
 
@@ -54,9 +54,14 @@ local function draw_note(e, row)
   end
 end
 
--- The rows of the page that the chosen one is on.
+-- The rows of the page that the chosen one is on, and below them which page of how many that is.
 local function draw_list(list, at, top, rows, gap, age)
-  local first = (at - 1) // rows * rows
+  local first, pages = (at - 1) // rows * rows, (#list + rows - 1) // rows
+  if pages > 1 then
+    local words = LEFT .. (" %d/%d "):format(first // rows + 1, pages) .. RIGHT
+    page.clear(top + rows * gap, 1)
+    page.centre(top + rows * gap, words, hud.banks.faint)
+  end
   for k = 1, rows do
     local e = list[first + k]
     if e then draw_row(e, first + k, top + (k - 1) * gap, first + k == at, age) else page.clear(top + (k - 1) * gap, 1) end
@@ -86,13 +91,13 @@ return function(last)
   page.begin()
   local top = draw_head(list, 0)
   local room = page.row + page.rows - (page.low and 3 or 6) - top - NOTES
-  local gap = not page.low and room // 2 >= math.min(#list, 8) and 2 or 1
+  local gap = page.low and 1 or 2
   local rows, age, idle, answer = math.max(1, math.min(#list, room // gap)), 0, 0, nil
   while idle < page.IDLE do
     if page.opening(age, 0) then
       draw_head(list, idle)
       draw_list(list, at, top, rows, gap, age)
-      draw_note(list[at], top + rows * gap + 1)
+      draw_note(list[at], top + rows * gap + 2)
     end
     sys.tell_keys()
     wait(1)
@@ -101,7 +106,7 @@ return function(last)
     if to ~= at then
       at, age, idle = to, 5, page.cols
       draw_list(list, at, top, rows, gap, age)
-      draw_note(list[at], top + rows * gap + 1)
+      draw_note(list[at], top + rows * gap + 2)
       sys.cue("menu")
     end
     if page.accepted() then

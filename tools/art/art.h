@@ -26,9 +26,9 @@ void sheet_set(struct sheet *s, int x, int y, int shade);
 int sheet_get(const struct sheet *s, int x, int y);
 
 /* The 256 colours as 0xRRGGBB; those of a stage of Glass Tide, which are others in banks 10 to 13 (ART_MAIN: the same;
- * ART_DARK: the third stage where no lamp shines), and of its story's pictures; those of the night, whose banks 0 to 7
- * are the same. */
-enum art_stage { ART_MAIN, ART_ONE, ART_TWO, ART_THREE, ART_MOON, ART_DARK, ART_STORY, ART_STAGES };
+ * ART_DEEP: the first stage below its wreck; ART_DARK: the third where no lamp shines), and of its story's pictures;
+ * those of the night, whose banks 0 to 7 are the same. */
+enum art_stage { ART_MAIN, ART_ONE, ART_DEEP, ART_TWO, ART_THREE, ART_MOON, ART_DARK, ART_STORY, ART_STAGES };
 void art_palette(uint32_t rgb[256]);
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256]);
 void art_night_palette(uint32_t rgb[256]);
@@ -122,6 +122,17 @@ struct sheet art_queen_abyss(void);
 struct sheet art_trench(void);
 struct sheet art_abyss_tiles(void);
 struct sheet art_finds(void);
+struct sheet art_two_creatures(void);
+struct sheet art_two_bellows(void);
+struct sheet art_two_cinder(void);
+struct sheet art_two_quench(void);
+struct sheet art_two_cinder_face(void);
+struct sheet art_two_quench_face(void);
+struct sheet art_two_bullets(void);
+struct sheet art_two_works(void);
+struct sheet art_two_stacks(void);
+struct sheet art_two_street(void);
+struct sheet art_two_skyline(void);
 struct sheet art_shoal(void);
 struct sheet art_lantern_nautilus(void);
 struct sheet art_crab(void);
@@ -130,6 +141,7 @@ struct sheet art_wreck(void);
 struct sheet art_kelp(void);
 struct sheet art_shafts(void);
 struct sheet art_last(void);
+struct sheet art_last_face(void);
 struct sheet art_water(void);
 struct sheet art_dry(void);
 struct sheet art_brink(void);

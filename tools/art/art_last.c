@@ -172,3 +172,38 @@ struct sheet art_last(void)
         face(&s, SIDE * (i % FRAMES), SIDE * (i / FRAMES), &FACES[i / FRAMES], i % FRAMES);
     return s;
 }
+
+/* Who talks: the eye from near, half asleep and wide awake, with water running down over it. */
+static void portrait(struct sheet *s, int x0, const struct face *f)
+{
+    enum { W = 72, H = 96 };
+    const double radius = 35, zoom = 1.14;
+    struct paint *p = paint_new(W, H);
+
+    paint_ball(p, SILVER, 0, 2, radius, radius, 0);
+    paint_ball(p, (struct mat){ FLAT, 1, 1, 0 }, 0, 2, radius - 2.4, radius - 2.4, 0);
+    for (int i = 0; i < 7; i++) {
+        double t = 0.25 + 0.05 * (i - 3), a[2] = { art_cos(t) * 32, 2 + art_sin(t) * 32 };
+        double c[2] = { a[0] + (i % 2 ? 3 : -3), a[1] + 6 }, b[2] = { a[0], 45 - 3 * (i % 3) };
+        paint_curve(p, i % 2 ? WEED : LEAF, a, c, b, 2.2, 0.7);
+    }
+    paint_done(p, s, x0, 0, 1, 1);
+    for (int py = 0; py < H; py++) {
+        for (int px = 0; px < W; px++) {
+            double x = px + 0.5 - W / 2.0, y = py + 0.5 - H / 2.0 - 2, k = DISC / (radius - 3);
+            if (x * x + y * y > (radius - 3) * (radius - 3))
+                continue;
+            int c = eye(f, 0, px, py, x * zoom, y * zoom);
+            sheet_set(s, x0 + px, py, c ? c : ground(f, px, py, x * k, y * k));
+        }
+    }
+}
+
+struct sheet art_last_face(void)
+{
+    struct sheet s = sheet_new(144, 96, 12);
+
+    portrait(&s, 0, &FACES[1]);
+    portrait(&s, 72, &FACES[4]);
+    return s;
+}

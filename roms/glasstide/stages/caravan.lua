@@ -70,17 +70,17 @@ local function pay()
 end
 
 stage.def("caravan", function()
-  palette.load("main")
   bg.show("caravan", { over = 0 })
-  local began = board.frame()
-  local function left() return math.max(0, LONG - (board.frame() - began)) end
-  local driver, beat = task.go(drive), task.go(tick, left)
+  local began = game.frames -- what stands still while the game does
+  local function left() return math.max(0, LONG - (game.frames - began)) end
+  local road = task.scope() -- with it go the waves that are on their way
+  task.own(road, drive)
+  task.own(road, function() tick(left) end)
   do
     local shown <close> = clock.show(left, LATE)
     stage.at(LONG)
   end
-  task.stop(driver)
-  task.stop(beat)
+  task.stop(road)
   if stage.skipping() then return end
   hud.centre(hud.rows - 2, clock.text(0), hud.banks.alarm)
   player.each(function(p) p.safe = 200 end)
@@ -92,6 +92,6 @@ stage.def("caravan", function()
   sound.play("phase")
   pay()
   wait(180)
-end, { music = "tide" })
+end, { music = "caravan" })
 
 return caravan

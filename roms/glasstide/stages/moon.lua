@@ -29,7 +29,6 @@ end
 function moon.outlived() return outlived end
 
 local function fight()
-  bg.show("moon")
   sea.speed(0)
   music.stop { fade = 90 }
   wait(90)
@@ -42,15 +41,14 @@ end
 -- The way down from the queen.
 function moon.dive()
   if stage.skipping() then return end
-  palette.fade { to = "moon", over = 90 }
+  bg.show("moon", { over = 90 })
   fight()
 end
 
 stage.def("moon", function()
-  palette.load("moon")
   bg.show("moon", { over = 0 })
   stage.mark("moon")
   fight()
-end, { music = "tide" })
+end, { music = "abyss" })
 
 return moon

@@ -4,9 +4,9 @@ local sea = require "sea"
 
 -- In the order of the dive.
 local ORDER <const> = {
-  { "nautilus", "one", "shallows" }, { "crab", "one", "shallows" },
-  { "queen", "three", "abyss" },
-  { "moon", "moon", "moon" },
+  { "nautilus", "shallows" }, { "crab", "shallows" },
+  { "bellows", "hearth" }, { "eels", "hearth" },
+  { "angler", "lightless" }, { "queen", "court" }, { "moon", "moon" },
 }
 
 local rush = {}
@@ -27,8 +27,7 @@ local function provide()
 end
 
 local function fight(who)
-  palette.load(who[2])
-  bg.show(who[3], { over = 20 })
+  bg.show(who[2], { over = who == ORDER[1] and 0 or 20 })
   sea.speed(0.8)
   stage.mark(who[1])
   wait(50)

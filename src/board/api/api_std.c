@@ -115,7 +115,10 @@ static const struct api_param boss_def[] = { NAME,
                                              { "phases", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "cast", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                             { "portrait_left", A_BOOL, OPT, 0, 0, NULL, "false" },
                                              { "warning", A_INT, OPT, 0, 65535, "frames", "0" },
+                                             { "epithet", A_STR, OPT, 1, 63, NULL, NULL },
+                                             { "entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boss_cast[] = { NAME,
                                               { "title", A_STR, REQ, 0, 63, NULL, NULL },
@@ -222,6 +225,8 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "continues", A_INT, OPT, 1, 99, NULL, NULL },
+                                             { "pages", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "grades", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "screens", A_TABLE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boot_music[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
                                                { "title", A_STR, OPT, 0, 63, NULL, NULL },
@@ -315,8 +320,9 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
-        "it; "
-        "warning: so long a band sweeps before; music: plays during the fight, and what was before it goes on after"),
+        "it, from the right, or if portrait_left from the left; warning: so long bars of WARNING run before, round a "
+        "card with the epithet and the title; entrance: sparks it leaves on its way in; music: plays during the fight, "
+        "and what was before it goes on after"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

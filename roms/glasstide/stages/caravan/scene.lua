@@ -11,6 +11,7 @@ local function mixed(i)
 end
 
 bg.def("caravan", function()
+  palette.load("one")
   for i = 1, 12 do palette.set(13 * 16 + i, mixed(i)) end
   local sand, light, left = bg.plane(), bg.layer(2), bg.layer(3)
   sand.map, sand.horizon, sand.height, sand.dir, sand.vy = "floor", 24, 44, 270, -4

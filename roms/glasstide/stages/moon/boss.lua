@@ -117,15 +117,13 @@ end
 -- A phase that is practised has its own night round it too.
 local function at_night(run)
   return function(e)
-    if bg.layer(1).map ~= "water" then
-      palette.load("moon")
-      bg.show("moon", { over = 0 })
-    end
+    if bg.layer(1).map ~= "water" then bg.show("moon", { over = 0 }) end
+    sound.play("toll", { from = e })
     run(e)
   end
 end
 
-boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "queen",
+boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
       drops = { pearl = 8 } },
