@@ -23,12 +23,7 @@ local TRUE <const> = {
                                 "Two lamps come home by it." } },
 }
 
-local function told(scenes, song)
-  return function(_)
-    if song then music.play(song, { fade = 30 }) end
-    story.tell(scenes)
-  end
-end
+local function told(scenes) return function(_) story.tell(scenes) end end
 
 -- The dive alone has endings, and who made it; the other modes have had theirs.
 local function dived(run) return run.mode == nil or run.mode == "dive" end

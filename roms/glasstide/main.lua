@@ -38,6 +38,14 @@ on.stage(function(_, state)
 end)
 on.game_over(function() sea.speed(0.4) end)
 
+-- The pieces of the screens, and the list of the music room.
+local pieces = require "pieces"
+for screen, name in pairs { title = "title", opening = "opening", results = "clear",
+                            clear = "clear", over = "over", ending = "ending", staff = "staff",
+                            name = "scores", scores = "scores" } do
+  pieces[screen] = name
+end
+
 task.go(sea.run)
 boot.run { modes = {
     { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the floor of the sea." },
@@ -49,8 +57,7 @@ boot.run { modes = {
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
   ships = require "players/forms",
-  music = { title = "title", results = "clear", clear = "clear", over = "over", opening = "opening", ending = "ending",
-            staff = "staff", name = "scores", scores = "scores", room = true },
+  music = pieces,
   ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },

@@ -394,24 +394,24 @@ return {
   },
   music = { -- each file says its key, chords and form; docs/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
-    opening = { file = "music/opening.mml", volume = 0.69 },
+    opening = { file = "music/opening.mml", volume = 0.71 },
     -- stages
     tide    = { file = "music/tide.mml", volume = 0.71 },
-    works   = { file = "music/works.mml", volume = 0.73 },
-    abyss   = { file = "music/abyss.mml", volume = 0.69 },
-    caravan = { file = "music/caravan.mml", volume = 0.68 },
+    works   = { file = "music/works.mml", volume = 0.69 },
+    abyss   = { file = "music/abyss.mml", volume = 0.68 },
+    caravan = { file = "music/caravan.mml", volume = 0.65 },
     -- bosses
-    lantern = { file = "music/lantern.mml", volume = 0.65 },
-    claws   = { file = "music/claws.mml", volume = 0.85 },
+    lantern = { file = "music/lantern.mml", volume = 0.68 },
+    claws   = { file = "music/claws.mml", volume = 0.84 },
     furnace = { file = "music/furnace.mml", volume = 0.56 },
     queen   = { file = "music/queen.mml", volume = 0.75 },
-    moon    = { file = "music/moon.mml", volume = 0.64 },
+    moon    = { file = "music/moon.mml", volume = 0.63 },
     -- and afterwards
     clear   = { file = "music/clear.mml", volume = 0.64 },
     over    = { file = "music/over.mml", volume = 0.62 },
-    ending  = { file = "music/ending.mml", volume = 0.79 },
+    ending  = { file = "music/ending.mml", volume = 0.84 },
     true_ending = { file = "music/true_ending.mml", volume = 0.75 },
-    staff   = { file = "music/staff.mml", volume = 0.71 },
+    staff   = { file = "music/staff.mml", volume = 0.68 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
   dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
