@@ -10,8 +10,12 @@ require "stages/three"
 require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
+local front = require "fx/front"
+local grades = require "fx/grades"
+local score_page = require "fx/score_page"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
+hud.low = 3 -- the bombs stand below
 
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.
@@ -35,6 +39,7 @@ end)
 on.game_over(function() sea.speed(0.4) end)
 
 task.go(sea.run)
+task.go(front.run)
 boot.run { stages = { "one", "two", "three" }, players = { "heron", "petrel", "tern" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
                    hard = "Every wave is higher.",
@@ -42,6 +47,6 @@ boot.run { stages = { "one", "two", "three" }, players = { "heron", "petrel", "t
   ships = require "players/forms",
   music = { title = "title", results = "clear", clear = "clear", over = "over", ending = "scores",
             staff = "scores", name = "scores", scores = "scores", room = true },
-  ending = require "ending",
+  pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" } } }
