@@ -11,7 +11,7 @@ item.def("conch", { sprite = "conch", bank = 3, radius = 10, gives = { score = 5
 item.def("heart", { sprite = "heart", bank = 7, radius = 10, gives = { lives = 1 },
                     gravity = 0.02, top = 1 })
 item.def("prism", { sprite = "prism", bank = 4, radius = 10, gives = { score = 10 }, top = 1.2,
-                    on_take = function(p) sound.play("prism", { from = p }) end })
+                    on_take = function(p) sound.play("shard", { from = p }) end })
 item.def("foam",  { sprite = "foam", bank = 4, radius = 9, gives = { score = 20 }, top = 1.4 })
 
 return items

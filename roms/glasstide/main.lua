@@ -7,6 +7,10 @@ require "players/pilots"
 require "stages/one"
 require "stages/two"
 require "stages/three"
+require "stages/moon"
+require "stages/rush"
+require "stages/caravan"
+require "unlocks"
 require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
@@ -40,13 +44,20 @@ on.game_over(function() sea.speed(0.4) end)
 
 task.go(sea.run)
 task.go(front.run)
-boot.run { stages = { "one", "two", "three" }, players = { "heron", "petrel", "tern" }, demo = "attract",
+boot.run { modes = {
+    { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the floor of the sea." },
+    { name = "caravan", stages = { "caravan" }, text = "Two minutes, and all that swims by." },
+    { name = "rush", stages = { "rush" }, needs = "rush", text = "All who guard something, against the clock." } },
+  opening = require "opening",
+  players = { "heron", "petrel", "tern" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
   ships = require "players/forms",
-  music = { title = "title", results = "clear", clear = "clear", over = "over", ending = "scores",
-            staff = "scores", name = "scores", scores = "scores", room = true },
+  music = { title = "title", results = "clear", clear = "clear", over = "over", opening = "opening", ending = "ending",
+            staff = "staff", name = "scores", scores = "scores", room = true },
   pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
-            { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" } } }
+            { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
+            { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",
+              "that is held out to them,", "and bring up shards threefold:", "look down once more." } } }

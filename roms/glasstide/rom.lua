@@ -8,13 +8,15 @@ return {
             -- stand still, and that have numbers of their own; bosses of parts, shots that go through
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
-            items = 1024, lasers = 64, options = 8, lines = 64, registers = 128,
+            items = 1024, lasers = 64, curve_points = 2048, options = 8, lines = 64,
+            registers = 128,
             wide = true }, -- cells that hold any character
   palette = "art/palette.png", font = "art/font.png",
   -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
-  palettes = { one = "art/palette_one.png", two = "art/palette_two.png",
-               three = "art/palette_three.png", moon = "art/palette_moon.png",
-               dark = "art/palette_dark.png" },
+  palettes = { one = "art/palette_one.png", deep = "art/palette_deep.png",
+               two = "art/palette_two.png", three = "art/palette_three.png",
+               moon = "art/palette_moon.png", dark = "art/palette_dark.png",
+               story = "art/palette_story.png" },
   -- what the cells' font lacks comes from here
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
@@ -47,7 +49,13 @@ return {
     crab_face = { file = "art/crab_face.png", bank = 12, palette = "one" },
     shafts  = { file = "art/shafts.png",  bank = 13, palette = "one" },
     -- stage two
-
+    creatures_two = { file = "art/creatures_two.png", bank = 10, palette = "two" },
+    bullets_two = { file = "art/bullets_two.png", bank = 0 },
+    bellows = { file = "art/bellows.png", bank = 12, palette = "two" },
+    cinder  = { file = "art/cinder.png",  bank = 12, palette = "two" },
+    quench  = { file = "art/quench.png",  bank = 11, palette = "two" },
+    cinder_face = { file = "art/cinder_face.png", bank = 12, palette = "two" },
+    quench_face = { file = "art/quench_face.png", bank = 11, palette = "two" },
     -- stage three
     lamplight = { file = "art/lamplight.png", bank = 0, palette = "three" },
     queen   = { file = "art/queen.png",   bank = 12 },
@@ -57,6 +65,15 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    last    = { file = "art/last.png",    bank = 12, palette = "moon" },
+    last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
+    -- what the opening and the endings show
+    dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
+    brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
+    wave    = { file = "art/wave.png",    bank = 10, palette = "story" },
+    dive    = { file = "art/dive.png",    bank = 11, palette = "story" },
+    flood   = { file = "art/flood.png",   bank = 12, palette = "story" },
+    home    = { file = "art/home.png",    bank = 14, palette = "story" },
 
   },
   sprites = {
@@ -127,7 +144,26 @@ return {
     shaft       = { sheet = "shafts", x = 0,   y = 0, w = 112, h = 320 },
     shaft_thin  = { sheet = "shafts", x = 112, y = 0, w = 112, h = 320 },
     -- stage two
-
+    drone    = { sheet = "creatures_two", x = 0,   y = 0,   w = 24, h = 28, frames = 4, every = 5 },
+    bottle   = { sheet = "creatures_two", x = 96,  y = 0,   w = 22, h = 34, frames = 4, every = 7 },
+    tongs    = { sheet = "creatures_two", x = 0,   y = 36,  w = 36, h = 38, frames = 4, every = 6 },
+    worm     = { sheet = "creatures_two", x = 144, y = 36,  w = 32, h = 56, frames = 4, every = 7 },
+    puffer   = { sheet = "creatures_two", x = 0,   y = 92,  w = 36, h = 40, frames = 4, every = 8 },
+    gear_ray = { sheet = "creatures_two", x = 0,   y = 134, w = 60, h = 50, frames = 4, every = 5 },
+    crucible = { sheet = "creatures_two", x = 0,   y = 186, w = 44, h = 46, frames = 4, every = 9 },
+    kiln     = { sheet = "creatures_two", x = 0,   y = 234, w = 68, h = 62, frames = 4, every = 9 },
+    bellows  = { sheet = "bellows", x = 0, y = 0, w = 116, h = 96, frames = 4, every = 9,
+                 origin = { 58, 44 } },
+    cinder   = { sheet = "cinder",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
+                 origin = { 42, 62 } },
+    quench   = { sheet = "quench",  x = 0, y = 0, w = 84,  h = 92, frames = 4, every = 8,
+                 origin = { 42, 62 } },
+    cog      = { sheet = "bullets_two", x = 0,  y = 0,  w = 22, h = 22, frames = 4, every = 3 },
+    ember    = { sheet = "bullets_two", x = 92, y = 0,  w = 6,  h = 5,  frames = 4, every = 30 },
+    pane     = { sheet = "bullets_two", x = 90, y = 8,  w = 34, h = 12 },
+    gob      = { sheet = "bullets_two", x = 0,  y = 24, w = 30, h = 30, frames = 4, every = 7 },
+    steam    = { sheet = "bullets_two", x = 0,  y = 56, w = 22, h = 22, frames = 4, every = 8 },
+    ingot    = { sheet = "bullets_two", x = 90, y = 56, w = 20, h = 20, rotations = 32 },
     -- stage three
     mite     = { sheet = "abyss_life", x = 0,   y = 0,   w = 24, h = 22, frames = 4, every = 5 },
     bell     = { sheet = "abyss_life", x = 96,  y = 0,   w = 20, h = 22, frames = 4, every = 7 },
@@ -153,12 +189,30 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
+    moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
+    moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
+    moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
+    moon_new     = { sheet = "last", x = 0, y = 480, w = 160, h = 160, frames = 2, every = 24 },
+    moon_full    = { sheet = "last", x = 0, y = 640, w = 160, h = 160, frames = 2, every = 24 },
+    moon_face    = { sheet = "last_face", x = 0,  y = 0, w = 72, h = 96 },
+    moon_cross   = { sheet = "last_face", x = 72, y = 0, w = 72, h = 96 },
+    dry   = { sheet = "dry",   x = 0, y = 0, w = 240, h = 160 },
+    brink = { sheet = "brink", x = 0, y = 0, w = 240, h = 160 },
+    wave  = { sheet = "wave",  x = 0, y = 0, w = 240, h = 160 },
+    dive  = { sheet = "dive",  x = 0, y = 0, w = 240, h = 160 },
+    flood = { sheet = "flood", x = 0, y = 0, w = 240, h = 160 },
+    home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
+    moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
     -- who talks
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
     iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
     sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
     sen_cross   = { sheet = "sen",        x = 72, y = 0, w = 72, h = 96 },
+    cinder_face  = { sheet = "cinder_face", x = 0,  y = 0, w = 72, h = 96 },
+    cinder_cross = { sheet = "cinder_face", x = 72, y = 0, w = 72, h = 96 },
+    quench_face  = { sheet = "quench_face", x = 0,  y = 0, w = 72, h = 96 },
+    quench_cross = { sheet = "quench_face", x = 72, y = 0, w = 72, h = 96 },
     crab_face   = { sheet = "crab_face",  x = 0,  y = 0, w = 72, h = 96 },
     crab_cross  = { sheet = "crab_face",  x = 72, y = 0, w = 72, h = 96 },
     ono         = { sheet = "ono",        x = 0,  y = 0, w = 72, h = 96 },
@@ -209,7 +263,13 @@ return {
     kelp     = { tiles = "art/kelp.png",   bank = 13, file = "maps/floor.csv", palette = "one" },
     wreck    = { tiles = "art/wreck.png",  bank = 13, file = "maps/wreck.csv", palette = "one" },
     -- stage two
-
+    works    = { tiles = "art/works.png",  bank = 13, palette = "two", file = "maps/works.csv" },
+    pipes    = { tiles = "art/works.png",  bank = 13, palette = "two", file = "maps/pipes.csv" },
+    stacks   = { tiles = "art/stacks.png", bank = 13, palette = "two", file = "maps/stacks.tmx",
+                 size = 8 },
+    street   = { tiles = "art/street.png", bank = 13, palette = "two", file = "maps/street.csv" },
+    skyline  = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/skyline.csv" },
+    haze     = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/haze.csv" },
     -- stage three
     trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
     chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
@@ -221,6 +281,8 @@ return {
     depths   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/depths.csv",
                  palette = "three" },
     -- the moon
+    water    = { tiles = "art/water.png",  bank = 13, file = "maps/floor.csv", palette = "moon" },
+    moonlight = { tiles = "art/water.png", bank = 13, file = "maps/caustics.csv", palette = "moon" },
 
   },
   blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },
@@ -298,10 +360,7 @@ return {
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
     lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
     mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
-    pike     = { mml = "t300 @triangle E0,26,0,10 o6 V92 {d<a}16", priority = 0, limit = 1 },
     hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
-    prism    = { mml = "t300 @sine E0,18,0,8 o7 V64 e64", priority = 1, limit = 1 },
-    bell     = { mml = "t120 @fm E0,120,0,80 o4 V120 c4", priority = 6, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
@@ -322,24 +381,24 @@ return {
   },
   music = { -- each file says its key, chords and form; docs/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
-    opening = { file = "music/opening.mml", volume = 0.74 },
+    opening = { file = "music/opening.mml", volume = 0.69 },
     -- stages
     tide    = { file = "music/tide.mml", volume = 0.71 },
-    works   = { file = "music/works.mml", volume = 0.71 },
-    abyss   = { file = "music/abyss.mml", volume = 0.71 },
-    caravan = { file = "music/caravan.mml", volume = 0.71 },
+    works   = { file = "music/works.mml", volume = 0.73 },
+    abyss   = { file = "music/abyss.mml", volume = 0.69 },
+    caravan = { file = "music/caravan.mml", volume = 0.68 },
     -- bosses
-    lantern = { file = "music/lantern.mml", volume = 0.75 },
-    claws   = { file = "music/claws.mml", volume = 0.75 },
-    furnace = { file = "music/furnace.mml", volume = 0.75 },
+    lantern = { file = "music/lantern.mml", volume = 0.65 },
+    claws   = { file = "music/claws.mml", volume = 0.85 },
+    furnace = { file = "music/furnace.mml", volume = 0.56 },
     queen   = { file = "music/queen.mml", volume = 0.75 },
-    moon    = { file = "music/moon.mml", volume = 0.75 },
+    moon    = { file = "music/moon.mml", volume = 0.64 },
     -- and afterwards
     clear   = { file = "music/clear.mml", volume = 0.64 },
     over    = { file = "music/over.mml", volume = 0.62 },
-    ending  = { file = "music/ending.mml", volume = 0.82 },
-    true_ending = { file = "music/true_ending.mml", volume = 0.82 },
-    staff   = { file = "music/staff.mml", volume = 0.82 },
+    ending  = { file = "music/ending.mml", volume = 0.79 },
+    true_ending = { file = "music/true_ending.mml", volume = 0.75 },
+    staff   = { file = "music/staff.mml", volume = 0.71 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",

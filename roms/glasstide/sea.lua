@@ -23,7 +23,7 @@ end
 
 function sea.run()
   while true do
-    if not bg.layer(1).map then bg.show("shallows", { over = 0 }) end -- the field was emptied
+    if not (bg.layer(1).map or bg.plane().map) then bg.show("shallows", { over = 0 }) end -- all was emptied
     now = now + (wanted - now) * 0.02
     for _, f in ipairs(parts) do f[1].vy = still and 0 or now * f[2] end
     wait(1)

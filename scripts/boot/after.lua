@@ -4,6 +4,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local SCORES = 6 * 60 -- frames it stands
 
 local function holds(when, run)
+  if type(when) == "function" then return when(run) == true end
   for key, value in pairs(when or {}) do
     if run[key] ~= value then return false end
   end

@@ -116,8 +116,10 @@ local function check_endings(ending)
     if type(e) ~= "table" then fail(("ending %d"):format(i), "a table", type(e)) end
     expect_names("argument of an ending:", e, { "when", "show" })
     if type(e.show) ~= "function" then fail(("ending %d: show"):format(i), "a function", type(e.show)) end
-    expect_type(("ending %d: when"):format(i), e.when, "table")
-    expect_names("condition of an ending:", e.when or {}, RUN)
+    if type(e.when) ~= "function" then
+      expect_type(("ending %d: when"):format(i), e.when, "table")
+      expect_names("condition of an ending:", e.when or {}, RUN)
+    end
   end
 end
 

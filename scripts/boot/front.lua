@@ -56,6 +56,15 @@ local function attract(a, show)
     wait(1)
   end
   show("scores", board.difficulty(), SCORES)
+  a.told = false
+end
+
+-- What is told before the title: once the power is on, and each time nobody came.
+local function tell(a)
+  if not a.opening then return end
+  text.clear()
+  a.opening()
+  sys.wipe()
 end
 
 -- The mission that is to be played, and with which ship; nil: back to the title. last: the one that was played before.
@@ -87,6 +96,8 @@ end
 local function wait_for_players(a, show, last, choices)
   local what, players = last and "missions", nil
   while what ~= "start" do
+    if not a.told then tell(a) end
+    a.told = true
     local list = places(a)
     if last then last = nil else what, players = show("title", ATTRACT, list, what) end
     if what == "missions" then

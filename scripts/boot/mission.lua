@@ -97,7 +97,7 @@ local function try(m, run, host)
   if not left then
     host.quieten()
     hud.banner()
-    sys.cue(done and "bonus" or "wrong")
+    sys.cue(done and "mission" or "failed")
     answer = host.show("mission", result)
   end
   host.leave(game, 1)

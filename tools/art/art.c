@@ -56,7 +56,17 @@ static const struct picture GAME[] = {
     { "kelp", art_kelp, ART_ONE },
     { "shafts", art_shafts, ART_ONE },
     /* stage two */
-
+    { "creatures_two", art_two_creatures, ART_TWO },
+    { "bellows", art_two_bellows, ART_TWO },
+    { "cinder", art_two_cinder, ART_TWO },
+    { "quench", art_two_quench, ART_TWO },
+    { "cinder_face", art_two_cinder_face, ART_TWO },
+    { "quench_face", art_two_quench_face, ART_TWO },
+    { "bullets_two", art_two_bullets, ART_TWO },
+    { "works", art_two_works, ART_TWO },
+    { "stacks", art_two_stacks, ART_TWO },
+    { "street", art_two_street, ART_TWO },
+    { "skyline", art_two_skyline, ART_TWO },
     /* stage three */
     { "queen", art_queen, ART_MAIN },
     { "queen_face", art_queen_face, ART_THREE },
@@ -68,6 +78,15 @@ static const struct picture GAME[] = {
     { "trench", art_trench, ART_THREE },
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
+    { "last", art_last, ART_MOON },
+    { "last_face", art_last_face, ART_MOON },
+    { "water", art_water, ART_MOON },
+    { "dry", art_dry, ART_STORY },
+    { "brink", art_brink, ART_STORY },
+    { "wave", art_wave, ART_STORY },
+    { "dive", art_dive, ART_STORY },
+    { "flood", art_flood, ART_STORY },
+    { "home", art_home, ART_STORY },
 
     { NULL, NULL, ART_MAIN },
 };
@@ -188,9 +207,14 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = {
-        "", "palette_one", "palette_two", "palette_three", "palette_moon", "palette_dark"
-    };
+    static const char *const names[ART_STAGES] = { "",
+                                                   "palette_one",
+                                                   "palette_deep",
+                                                   "palette_two",
+                                                   "palette_three",
+                                                   "palette_moon",
+                                                   "palette_dark",
+                                                   "palette_story" };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {

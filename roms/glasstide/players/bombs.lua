@@ -36,7 +36,7 @@ end
 bomb.def("bell", { over = 120, safe = 170, run = function(p)
   for stroke = 1, STROKES do
     local x, y, radius = p.x, p.y, 60 + 40 * stroke
-    sound.play("bell", { from = p })
+    sound.play("bell_bomb", { from = p })
     screen.shake { size = 1 + stroke, over = 12 }
     ring(x, y, radius)
     ring(x, y, radius // 2)
@@ -57,10 +57,10 @@ end })
 
 -- A broad beam ahead, for as long as the lamp burns; nothing stays in it, and nothing comes near.
 laser.def("lamplight", { strip = "lamp_ray", width = 56, hit = { share = 0.9 }, damage = 5, every = 4,
-                         bank = GREEN, clearable = false })
+                         bank = GREEN, clearable = false, blend = "glow" })
 
 bomb.def("lamp", { over = 130, safe = 160, run = function(p)
-  sound.play("charge", { from = p })
+  sound.play("lamp_bomb", { from = p })
   local ray = laser.beam { kind = "lamplight", follow = p, dy = -12, dir = 270, length = 340,
                            warn = 0, grow = 10, hold = 104, fade = 14 }
   screen.shake { size = 2, over = 110 }

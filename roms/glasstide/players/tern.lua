@@ -14,7 +14,7 @@ local soon = motion.def { { speed = -8, over = 34 } }
 
 local function lances(p, beat)
   if beat % 8 ~= 0 then return end
-  sound.play("pike", { from = p })
+  sound.play("peal", { from = p })
   shot.fire { kind = "pike", from = p, dy = -16, speed = 13 }
   if p.focus or beat % 16 ~= 0 then return end
   for side = -1, 1, 2 do

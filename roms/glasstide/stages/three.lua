@@ -1,14 +1,16 @@
--- stages/three.lua - the abyss: down between columns of basalt, over the trench, past the Anglerlamp
--- in water without light, and to the Queen of the Glass Tide.
+-- stages/three.lua - the abyss: down between columns of basalt, over the trench, past the
+-- Anglerlamp in water without light, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
+local moon = require "stages/moon"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
-local meeting = require "stages/three/meeting"
 local sea = require "sea"
+local fx = require "fx"
 
 local swoop = path.def {
-  { x = -18, y = 44 }, { x = 70, y = 104, over = 54, ease = "out" }, { x = 166, y = 122, over = 56 },
+  { x = -18, y = 44 }, { x = 70, y = 104, over = 54, ease = "out" },
+  { x = 166, y = 122, over = 56 },
   { x = 262, y = 40, over = 58, ease = "in" } }
 local helix = path.def {
   { x = 60, y = -20 }, { x = 180, y = 70, over = 60, ease = "both" },
@@ -24,7 +26,8 @@ local hang = path.def {
   { x = 120, y = -40 }, { x = 120, y = 76, over = 70, ease = "out" }, { wait = 330 },
   { x = 120, y = -60, over = 90, ease = "in" } }
 local patrol = path.def {
-  { x = -36, y = 60 }, { x = 80, y = 92, over = 70, ease = "out" }, { x = 170, y = 70, over = 90, ease = "both" },
+  { x = -36, y = 60 }, { x = 80, y = 92, over = 70, ease = "out" },
+  { x = 170, y = 70, over = 90, ease = "both" },
   { x = 76, y = 110, over = 90, ease = "both" }, { x = 290, y = 40, over = 110, ease = "in" } }
 local moor = path.def {
   { x = 62, y = -50 }, { x = 62, y = 92, over = 110, ease = "out" }, { wait = 320 },
@@ -33,6 +36,7 @@ local dart = path.def {
   { x = 120, y = -80 }, { x = 120, y = 110, over = 60, ease = "out" }, { wait = 90 },
   { x = 120, y = -140, over = 90, ease = "in" } }
 
+local ROSE <const> = 1 -- the other glass
 local wave = stage.wave
 
 -- The same wave from both sides.
@@ -42,6 +46,16 @@ local function both(w)
   wave(w)
 end
 
+local function lone(w)
+  w.n, w.every = 1, 1
+  wave(w)
+end
+
+local function pair(w)
+  w.n, w.every = 1, 1
+  both(w)
+end
+
 -- Down between the columns.
 local function descent()
   stage.at(80)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
@@ -49,9 +63,9 @@ local function descent()
                         run = habits.spit }
   stage.at(390)  wave { kind = "viper", n = 4, every = 16, path = pounce, dx = 52,
                         run = habits.bite }
-  stage.at(590)  both { kind = "squid", n = 1, every = 1, path = sink, run = habits.ink }
+  stage.at(590)  pair { kind = "squid", path = sink, run = habits.ink }
   stage.at(720)  wave { kind = "mite", n = 10, every = 11, path = helix, run = habits.litter }
-  stage.at(960)  wave { kind = "comb", n = 1, every = 1, path = hang, run = habits.lights }
+  stage.at(960)  lone { kind = "comb", path = hang, run = habits.lights }
   stage.at(1090) both { kind = "viper", n = 2, every = 18, path = pounce, dx = 34,
                         run = habits.bite }
   stage.at(1290) wave { kind = "spider", n = 2, every = 50, path = sink, dx = 112,
@@ -68,28 +82,28 @@ local function trench()
                         run = habits.hunt }
   stage.at(2160) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 30, path = dart,
                         run = habits.bite }
-  stage.at(2340) wave { kind = "chain_head", n = 1, every = 1, path = hang, run = habits.chain }
+  stage.at(2340) lone { kind = "chain_head", path = hang, run = habits.chain }
   stage.at(2760)
   stage.clear(120)
 end
 
 -- Behind the lamp: all of them, in company.
 local function deep()
-  stage.at(3030) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
-  stage.at(3200) wave { kind = "gulper", n = 1, every = 1, path = hang, run = habits.gulp }
-  stage.at(3360) both { kind = "viper", n = 3, every = 14, path = pounce, dx = 30,
+  stage.at(3110) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
+  stage.at(3280) lone { kind = "gulper", path = hang, run = habits.gulp }
+  stage.at(3440) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
                         run = habits.bite }
-  stage.at(3540) both { kind = "comb", n = 1, every = 1, path = sink, run = habits.lights }
-  stage.at(3660) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
+  stage.at(3620) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
+  stage.at(3740) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
                         path = helix, run = habits.spit }
-  stage.at(3840) wave { kind = "shark", n = 1, every = 1, path = patrol, run = habits.hunt }
-                 wave { kind = "spider", n = 1, every = 1, path = hang, run = habits.web }
-  stage.at(4000) wave { kind = "shark", n = 1, every = 1, path = patrol, mirror = true,
+  stage.at(3920) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
+                 lone { kind = "spider", bank = ROSE, path = hang, run = habits.web }
+  stage.at(4080) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
                         run = habits.hunt }
-  stage.at(4180) both { kind = "chain_head", n = 1, every = 1, path = moor, run = habits.chain }
-                 both { kind = "squid", n = 1, every = 1, path = sink, run = habits.ink }
-  stage.at(4420) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
-  stage.at(4660)
+  stage.at(4260) pair { kind = "chain_head", path = moor, run = habits.chain }
+                 pair { kind = "squid", bank = ROSE, path = sink, run = habits.ink }
+  stage.at(4500) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
+  stage.at(4740)
   stage.clear(180)
 end
 
@@ -118,22 +132,19 @@ stage.def("three", function()
   bg.show("lightless", { over = 60 })
   wait(70)
   boss.fight("angler")
+  wait(100) -- its light goes out
   bg.show("abyss", { over = 50 })
   sea.speed(2.2)
-  stage.at(2985)
+  stage.at(3060)
   stage.mark("deep")
   deep()
   bg.show("court", { over = 60 })
   sea.speed(0.5)
-  music.stop { fade = 60 }
   stage.mark("queen")
   task.go(omen)
   wait(180)
-  meeting()
-  music.play("queen") -- until she is broken, however often she comes back
   queen.fight()
   music.stop { fade = 140 }
-  wait(150)
-  -- the moon: `local moon = require "stages/moon"` above, and here
-  -- `if moon.open() then moon.dive() end`
-end, { music = "tide" })
+  wait(fx.COLLAPSE)
+  if moon.open() then moon.dive() end
+end, { music = "abyss" })

@@ -221,6 +221,7 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show }",
                                                NULL },
+                                             { "opening", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "continues", A_INT, OPT, 1, 99, NULL, NULL },

@@ -31,7 +31,7 @@ enemy.def("lantern", { sprite = "lantern", hit = { circle = 11 }, hp = 60000, sp
                        blink = kinds.BLINK, on_hit = kinds.chip })
 enemy.def("angler", { sprite = "angler", hit = { box = { 76, 62 } }, hp = 100, score = 40000,
                       spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
-                      on_death = kinds.collapse, drops = { pearl = 10, conch = 1 }, run = stalk,
+                      on_death = kinds.huge, drops = { pearl = 10, conch = 1 }, run = stalk,
                       parts = { { kind = "lantern", dx = 0, dy = 44, share = 1, tag = "lamp" } } })
 
 -- The lamp flares: all is seen for a moment, and sinks back into the dark.
@@ -66,14 +66,14 @@ local function fountain(e)
   local name = by("bow", "bow", "bow", "slow bow")
   for k = 0, forever do
     local lean = 30 * angle.sin(by(9, 9, 9, 7) * k)
-    for i = 1, by(2, 3, 4, 6) do
+    for i = 1, by(2, 3, 5, 7) do
       local speed = by(0.6, 0.6, 0.6, 0.45) + by(0.5, 0.42, 0.36, 0.22) * i
       bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 204 + lean, speed = speed,
                     motion = name .. " left" }
       bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 336 + lean, speed = speed,
                     motion = name .. " right" }
     end
-    wait(by(24, 17, 14, 11))
+    wait(by(26, 17, 12, 9))
   end
 end
 
@@ -87,13 +87,21 @@ local function bait(e)
     end
   end)
   task.go(fountain, e)
+  task.go(function()
+    for k = 1, by(0, 0, forever, forever) do -- what it breathes meanwhile
+      wait(by(60, 60, 64, 46))
+      pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, dir = 7.5 * k, n = by(8, 8, 14, 26),
+                     speed = by(1, 1, 1.1, 0.8) }
+    end
+  end)
   while true do
     wait(by(130, 110, 96, 90))
     flare()
-    sound.play("lamp", { from = e })
+    sound.play("angler", { from = e })
     wait(24)
-    pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true, spread = by(30, 40, 54, 80),
-                  n = by(3, 5, 7, 11), speed = by(1.9, 2.2, 2.3, 1.7), delay = 20 }
+    pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
+                  spread = by(30, 40, 54, 80), n = by(3, 5, 7, 11), delay = 20,
+                  speed = by(1.9, 2.2, 2.3, 1.7) }
     swing(e, 60)
   end
 end
@@ -126,9 +134,9 @@ end
 
 local function breathe(e)
   for k = 0, forever do
-    pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, tag = "pearl", n = by(9, 13, 18, 30),
+    pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, tag = "pearl", n = by(9, 13, 20, 34),
                    dir = 6.5 * k, speed = by(0.95, 1.05, 1.1, 0.8), skip = { 1, 2 } }
-    wait(by(38, 30, 25, 18))
+    wait(by(40, 30, 23, 16))
   end
 end
 
@@ -213,7 +221,8 @@ end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "queen", phases = {
+boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "lantern",
+  phases = {
   { id = "bait", hp = 760, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 860, time = 30 * 60, bonus = 20000,
     run = match, clear = FOAM, drops = { pearl = 6 } },

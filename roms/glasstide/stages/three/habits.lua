@@ -39,7 +39,8 @@ function habits.bite(e)
   for _ = 1, by(1, 1, 2, 3) do
     if not face_to_face(e) then
       pattern.points { from = e, dy = 14, kind = "kunai", bank = 1, aim = true, turns = true,
-                       delay = 22, speed = by(1.6, 2, 2.2, 2.2), list = by(JAW, JAW, WIDE_JAW, WIDE_JAW) }
+                       delay = 22, speed = by(1.6, 2, 2.2, 2.2),
+                       list = by(JAW, JAW, WIDE_JAW, WIDE_JAW) }
     end
     wait(34)
   end

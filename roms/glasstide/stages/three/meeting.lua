@@ -1,5 +1,5 @@
--- stages/three/meeting.lua - what is said before the queen: six lines, three of them the pilot's own.
--- Nobody has to press anything: a line goes after some seconds.
+-- stages/three/meeting.lua - what is said before the queen: six lines, three of them the pilot's
+-- own. Nobody has to press anything: a line goes after some seconds.
 talk.def("heron", { name = "Iri", voice = "iri", faces = { calm = "iri", cross = "iri_cross" } })
 talk.def("petrel", { name = "Sen", voice = "sen", faces = { calm = "sen", cross = "sen_cross" } })
 talk.def("queen", { name = "The Queen", side = "right", voice = "the_queen",
@@ -23,17 +23,18 @@ local LINES = {
            queen = "Every bell he cast, he cooled in me. It burned." },
 }
 
+-- Both forms of a ship have one pilot: heron and heron_lens.
+local function words(kind) return LINES[kind:match("^%a+")] or LINES.heron end
+
 return function()
   local one, two = player.get(1).kind, player.get(2).kind
   local who = one or two
-  local lines = LINES[who] or LINES.heron
   local second = one and two or who
-  talk.run(function()
-    say(who, lines[1], calm)
-    say("queen", lines.queen, calm)
-    say(who, lines[2], cross)
-    say("queen", "Glass remembers every wave. I shall not give it back.", cross)
-    say(second, (LINES[second] or lines)[3], cross)
-    say("queen", "Then come, little lamp. Break against me.", cross)
-  end)
+  local lines = words(who)
+  say(who, lines[1], calm)
+  say("queen", lines.queen, calm)
+  say(who, lines[2], cross)
+  say("queen", "Glass remembers every wave. I shall not give it back.", cross)
+  say(second, words(second)[3], cross)
+  say("queen", "Then come, little lamp. Break against me.", cross)
 end

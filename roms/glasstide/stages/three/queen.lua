@@ -1,12 +1,14 @@
--- stages/three/queen.lua - the floor of the sea: the Queen of the Glass Tide, five phases and the one
--- she comes back with.
+-- stages/three/queen.lua - the floor of the sea: the Queen of the Glass Tide, five phases and the
+-- one she comes back with.
 local sea = require "sea"
 local by = require "stages/three/by"
 local scene = require "stages/three/scene"
 local figures = require "stages/three/queen_figures"
+local meeting = require "stages/three/meeting"
+local fx = require "fx"
 
 local function wander(e, over)
-  e:move { x = rng.int(80, 160), y = rng.int(62, 92), over = over, ease = "both" }
+  e:move { x = rng.int(80, 160), y = rng.int(74, 98), over = over, ease = "both" }
 end
 
 -- 1. Moons circle her and throw orbs outward, rice turns against them; a volley of blades looks for
@@ -21,7 +23,8 @@ local function moon(e, dir)
   task.own(b, function()
     wait(50)
     while true do
-      bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b), speed = by(1.3, 1.4, 1.5, 0.9) }
+      bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b),
+                    speed = by(1.3, 1.4, 1.5, 0.9) }
       wait(by(22, 16, 13, 12))
     end
   end)
@@ -32,7 +35,7 @@ local function wheels(e)
   local moons = by(2, 4, 5, 6)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
-                            every = by(11, 7, 7, 6), speed = by(1.4, 1.7, 1.8, 0.9),
+                            every = by(11, 7, 6, 6), speed = by(1.4, 1.7, 1.8, 0.9),
                             arms = by(3, 5, 7, 13) })
   while true do
     wait(110)
@@ -47,7 +50,8 @@ end
 -- flows again; half of the orbs then look at you, and half go home: each has written on it where.
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
-local pounce = motion.def { { speed = 0 }, { speed = 2, over = 20 } }
+motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.2, over = 40 } }
 
 local function gather(n)
   for i = 1, n do
@@ -68,7 +72,7 @@ local function let_go(e)
     odd = not odd
     b.tag = "let go"
     if odd then
-      b.kind, b.motion = "drop", pounce
+      b.kind, b.motion = "drop", by("creep", "pounce", "pounce", "creep")
       b.bank = 1 -- after kind, which brings its own
       b:aim(rng.number(-14, 14))
     else
@@ -81,10 +85,10 @@ local function held(e)
   scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
-    local n = by(14, 20, 27, 34)
-    for i = 1, by(5, 6, 6, 8) do
+    local n = by(14, 20, 27, 40)
+    for i = 1, by(5, 6, 6, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
-                     dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.9) }
+                     dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
       wait(10)
     end
     wait(18)
@@ -143,11 +147,12 @@ local function ebb(e)
   for k = 1, forever do
     wait(by(60, 50, 46, 60))
     wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
-    pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true, speed = by(1.4, 1.7, 1.8, 1.2),
-                  n = by(1, 3, 3, 3) }
+    pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
+                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
     wait(by(50, 40, 36, 60))
-    pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(), speed = by(1.2, 1.4, 1.5, 1),
-                   n = by(8, 14, 20, 22), motion = "sway", sway = tide() }
+    pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 22),
+                   motion = "sway", sway = tide() }
     wander(e, 80)
   end
 end
@@ -167,8 +172,8 @@ local swell = motion.def {
   { speed = 0.6, over = 40 }, { home = 1.2, over = 50 }, { speed = 2.2, over = 30 } }
 
 local function petals(e, turn, motion_name, bank)
-  pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank, speed = by(1.6, 1.6, 1.6, 1.2),
-                 n = by(7, 10, 14, 18), motion = motion_name,
+  pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 18), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -207,8 +212,9 @@ local function again(e)
   figures.again(e)
 end
 
-boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 80,
-                    portrait = "queen_face", music = "queen", phases = {
+boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
+                    portrait = "queen_face", music = "queen", warning = 120, phases = {
+  { talk = meeting },
   { id = "wheels", hp = 1150, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1300, time = 50 * 60, bonus = 30000,
@@ -221,9 +227,10 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
     run = function(e) flower(e, 1700) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
-boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 80,
+boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen",
-  phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60, run = again } } })
+  phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
+               run = again } } })
 
 local broken -- she was, as she came back
 
@@ -236,7 +243,7 @@ local queen = {}
 -- Returns when she is broken. What breaks the first time is only what she wore.
 function queen.fight()
   boss.fight("queen")
-  if not stage.skipping() then wait(100) end
+  if not stage.skipping() then wait(fx.COLLAPSE) end
   repeat
     broken = false
     boss.fight("undertow")

@@ -39,7 +39,7 @@ end
 
 function figures.window(e)
   task.go(light_through, e)
-  e:move { x = 120, y = 70, over = 50, ease = "both" }
+  e:move { x = 120, y = 84, over = 50, ease = "both" }
   wait(50)
   local arches = by(6, 6, 8, 8)
   local n = arches * by(6, 8, 8, 10)
@@ -47,7 +47,9 @@ function figures.window(e)
   for k = 0, forever do
     if k % 6 == 0 then step = by(5, 6, 6, 5) * (k // 6 % 2 == 0 and 1 or -1) end
     turn = turn + step
-    ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), k // 12 % 2 == 0 and 1 or -1)
+    if k % 12 == 0 then sound.play("chord", { from = e }) end
+    local way = k // 12 % 2 == 0 and 1 or -1
+    ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), way)
     wait(by(34, 27, 23, 21))
   end
 end
@@ -72,13 +74,14 @@ local bloom = motion.def { { speed = 0.4, over = 40 }, { bank = 2 }, { wait = 14
                            { speed = 1.6, over = 60 } }
 
 function figures.again(e)
-  e:move { x = 120, y = 72, over = 40, ease = "both" }
+  e:move { x = 120, y = 84, over = 40, ease = "both" }
   wait(40)
   task.go(kelp, e)
   for k = 1, forever do
     wait(by(120, 100, 88, 100))
-    pattern.rose { from = e, dy = -4, kind = "petal", bank = 1, petals = 5, dir = 37 * k, aim = k % 2 == 0,
-                   n = by(15, 20, 30, 40), speed = 2.4, speed_to = 1.3, motion = bloom }
+    pattern.rose { from = e, dy = -4, kind = "petal", bank = 1, petals = 5, dir = 37 * k,
+                   aim = k % 2 == 0, n = by(15, 20, 30, 40),
+                   speed = 2.4, speed_to = 1.3, motion = bloom }
   end
 end
 
