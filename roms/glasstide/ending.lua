@@ -30,7 +30,7 @@ local function dived(run) return run.mode == nil or run.mode == "dive" end
 
 return {
   { when = function(run) return not dived(run) end, show = function() return false end },
-  { when = function(_) return moon.outlived() end, show = told(TRUE, "true_ending") },
+  { when = function(_) return moon.outlived() end, show = told(TRUE), music = "true_ending" },
   { when = function(run) return run.difficulty == "easy" or run.continues > 0 end, show = told(BUT) },
   { show = told(TURNED) },
 }
