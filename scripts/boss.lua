@@ -47,6 +47,12 @@ function boss.fight(name, args)
   return sys.read("boss/fight")(now, b, b.phases, a)
 end
 
+function boss.now()
+  local status = boss.status()
+  if not (status and status.phase) then return nil end
+  return status.boss.name, status.phase.id, sys.clock() - status.began
+end
+
 function boss.history(name, id, args) return sys.read("boss/history")(find, name, id, args) end
 
 -- The rest is for the pieces, hud.lua and boot.lua.
@@ -72,12 +78,13 @@ function boss.each(f)
   for _, name in ipairs(names) do f(bosses[name]) end
 end
 
--- A function that fights one phase alone.
+-- A function that fights one phase alone, or without an id all of them, with neither warning nor talks.
 function boss.practice(api, name, id)
-  local phase = sys.read("boss/practice")(api, find(api, name), id)
+  local b = find(api, name)
+  local phases = id and { sys.read("boss/practice")(api, b, id) } or b.phases
   return function()
     sys.mark("start", "")
-    return sys.read("boss/fight")(now, bosses[name], { phase })
+    return sys.read("boss/fight")(now, b, phases)
   end
 end
 

@@ -1,5 +1,5 @@
--- kinds.lua - sparks, bullets, items, and what creatures have in common. Stages declare their own with what this returns.
-local craft = require "players/craft"
+-- kinds.lua - sparks, bullets, and what creatures have in common. Stages declare their own with what this returns.
+require "items"
 local fx = require "fx"
 
 -- A spark that plays its frames once lives frames * every.
@@ -52,16 +52,6 @@ glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 
     bullet.sweep { x = b.x, y = b.y, radius = 8, radius_to = 64, over = 14 }
   end })
 
--- What sinks out of the broken: pearls are worth more the deeper one dares to take them, a conch
--- is an undertow more, a heart a life; and bullets that were swept away are foam.
-item.def("pearl", { sprite = "nacre", bank = 4, radius = 9, gives = { score = { 100, 1000 } } })
-item.def("conch", { sprite = "conch", bank = 3, radius = 10, gives = { score = 500, bombs = 1 },
-                    full = "bombs", gravity = 0.02, top = 1,
-                    on_take = function(p) sound.play(p.bombs < craft.MOST and "conch" or "power") end })
-item.def("heart", { sprite = "heart", bank = 7, radius = 10, gives = { lives = 1 },
-                    gravity = 0.02, top = 1 })
-item.def("foam",  { sprite = "foam", bank = 4, radius = 9, gives = { score = 20 }, top = 1.4 })
-
 -- A ray of the crab's lamps; its core is what burns.
 laser.def("ray", { strip = "ray_of_light", width = 12, hit = { share = 0.5 }, graze = 12,
                    vanish = "glint" })
@@ -92,7 +82,7 @@ local BLINK = 8 -- frames that a creature blinks when it is hurt: a quarter of t
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
-                    spark = "crumb", blink = BLINK, on_hit = chip, on_death = on_death,
+                    spark = "crumb", blink = BLINK, blink_soft = on_death == collapse, on_hit = chip, on_death = on_death,
                     drops = drops })
 end
 

@@ -4,13 +4,14 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local SCORES = 6 * 60 -- frames it stands
 
 local function holds(when, run)
+  if type(when) == "function" then return when(run) == true end
   for key, value in pairs(when or {}) do
     if run[key] ~= value then return false end
   end
   return true
 end
 
--- The first ending that is for this run.
+-- The first ending that is for this run. Returns false if it says that no staff is to be shown.
 local function ending(a, show, run)
   if type(a.ending) == "function" then return a.ending(run) end
   for _, e in ipairs(a.ending or {}) do
@@ -29,7 +30,7 @@ end
 -- Everybody whose score is among the best enters a name, then all see the table: of their ship, or if these are two, of
 -- all.
 local function enter_names(a, show, run)
-  local entries = sys.read("boot/records").best(run, #a.players > 1)
+  local entries = sys.read("boot/records").best(run, #a.kinds > 1)
   if #entries == 0 then return end
   local names, ship, mark = show("name", entries), entries[1].row.ship, nil
   if type(names) == "string" then names = { names } end
@@ -47,9 +48,9 @@ end
 -- run: what was played, and what became of it: mode, difficulty, ship, ships, players, continues, clear, scores.
 return function(a, show, run)
   if run.clear then
-    ending(a, show, run)
+    local staff = ending(a, show, run)
     sys.wipe()
-    if a.staff then show("staff", a.staff) end
+    if a.staff and staff ~= false then show("staff", a.staff) end
   end
   enter_names(a, show, run)
 end

@@ -39,9 +39,11 @@ static const struct picture GAME[] = {
     { "petrel", art_petrel, ART_MAIN },
     { "iri", art_iri, ART_MAIN },
     { "sen", art_sen, ART_MAIN },
+    { "tern", art_tern, ART_MAIN },
+    { "ono", art_ono, ART_MAIN },
+    { "arms", art_arms, ART_MAIN },
     /* stage one */
     { "enemies", art_enemies, ART_MAIN },
-    { "guard", art_guard, ART_MAIN },
     { "floor", art_floor, ART_MAIN },
     { "reef", art_reef, ART_MAIN },
     { "shoal", art_shoal, ART_ONE },
@@ -52,12 +54,43 @@ static const struct picture GAME[] = {
     { "kelp", art_kelp, ART_ONE },
     { "shafts", art_shafts, ART_ONE },
     /* stage two */
-
+    { "creatures_two", art_two_creatures, ART_TWO },
+    { "bellows", art_two_bellows, ART_TWO },
+    { "cinder", art_two_cinder, ART_TWO },
+    { "quench", art_two_quench, ART_TWO },
+    { "cinder_face", art_two_cinder_face, ART_TWO },
+    { "quench_face", art_two_quench_face, ART_TWO },
+    { "bullets_two", art_two_bullets, ART_TWO },
+    { "works", art_two_works, ART_TWO },
+    { "stacks", art_two_stacks, ART_TWO },
+    { "street", art_two_street, ART_TWO },
+    { "skyline", art_two_skyline, ART_TWO },
     /* stage three */
     { "queen", art_queen, ART_MAIN },
-    { "queen_face", art_queen_face, ART_MAIN },
-    { "seabed", art_seabed, ART_MAIN },
+    { "queen_face", art_queen_face, ART_THREE },
+    { "queen_abyss", art_queen_abyss, ART_THREE },
+    { "abyss_life", art_abyss_life, ART_THREE },
+    { "gulper", art_gulper, ART_THREE },
+    { "angler", art_angler, ART_THREE },
+    { "lamplight", art_lamplight, ART_THREE },
+    { "trench", art_trench, ART_THREE },
+    { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
+    { "heron_gilt", art_heron_gilt, ART_MAIN },
+    { "petrel_gilt", art_petrel_gilt, ART_MAIN },
+    { "tern_gilt", art_tern_gilt, ART_MAIN },
+    { "heron_ember", art_heron_ember, ART_MAIN },
+    { "petrel_ember", art_petrel_ember, ART_MAIN },
+    { "tern_ember", art_tern_ember, ART_MAIN },
+    { "last", art_last, ART_MOON },
+    { "last_face", art_last_face, ART_MOON },
+    { "water", art_water, ART_MOON },
+    { "dry", art_dry, ART_STORY },
+    { "brink", art_brink, ART_STORY },
+    { "wave", art_wave, ART_STORY },
+    { "dive", art_dive, ART_STORY },
+    { "flood", art_flood, ART_STORY },
+    { "home", art_home, ART_STORY },
 
     { NULL, NULL, ART_MAIN },
 };
@@ -178,7 +211,14 @@ static const struct picture *pictures(const char *what)
 /* The palettes of the stages. */
 static bool write_stages(const char *dir)
 {
-    static const char *const names[ART_STAGES] = { "", "palette_one", "palette_two", "palette_three", "palette_moon" };
+    static const char *const names[ART_STAGES] = { "",
+                                                   "palette_one",
+                                                   "palette_deep",
+                                                   "palette_two",
+                                                   "palette_three",
+                                                   "palette_moon",
+                                                   "palette_dark",
+                                                   "palette_story" };
     uint32_t rgb[256];
 
     for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {

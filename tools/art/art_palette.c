@@ -7,6 +7,8 @@
  */
 #include "art.h"
 
+#include <stddef.h>
+
 struct key {
     int at;
     uint32_t rgb;
@@ -203,6 +205,12 @@ static const struct key NIGHT[8][12] = {
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
 };
 
+/* The scenery of stage one below the wreck, where less light comes. */
+static const struct key DEEP[12] = {
+    { 1, 0x02040c },  { 4, 0x060f22 },  { 8, 0x0d2442 },  { 12, 0x1b3c58 },
+    { 13, 0x123250 }, { 14, 0x1a4458 }, { 15, 0x28505c },
+};
+
 /* Banks 10 to 13 of the stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
 static const struct key ONE[4][12] = {
     /* 10 blue glass: 2..9 glass, 10..13 what is inside */
@@ -253,33 +261,33 @@ static const struct key ONE[4][12] = {
 };
 static const struct key TWO[4][12] = {
     /* 10 copper: 2..9 metal, 10..13 what burns inside */
-    { { 1, 0x140a06 },
-      { 2, 0x3c2012 },
-      { 4, 0x7c4a26 },
-      { 7, 0xc48a4a },
-      { 9, 0xffdca0 },
+    { { 1, 0x140806 },
+      { 2, 0x3c1c10 },
+      { 4, 0x843f1e },
+      { 7, 0xd0803c },
+      { 9, 0xffd49c },
       { 10, 0x8a1c08 },
       { 11, 0xe2541a },
       { 12, 0xff9a3c },
       { 13, 0xffe09a },
       { 15, 0xffffff } },
-    /* 11 verdigris over copper: the same parts */
-    { { 1, 0x0e0c08 },
-      { 2, 0x2e2a18 },
-      { 4, 0x625c34 },
-      { 7, 0xa89a5c },
-      { 9, 0xe8dcaa },
-      { 10, 0x7c2c0c },
-      { 11, 0xc85a20 },
-      { 12, 0xf4a04c },
-      { 13, 0xffe4b0 },
+    /* 11 steel: the same parts, with brass inside */
+    { { 1, 0x0c0b0c },
+      { 2, 0x2c2a2c },
+      { 4, 0x5e5c5c },
+      { 7, 0xa8a49c },
+      { 9, 0xeee8d8 },
+      { 10, 0x5c3a14 },
+      { 11, 0xa4762c },
+      { 12, 0xe0b45c },
+      { 13, 0xfae8b4 },
       { 15, 0xffffff } },
-    /* 12 the two of the furnace: 2..8 iron, 9..11 brass, 12..13 fire */
-    { { 1, 0x100808 },
-      { 2, 0x2c1a18 },
-      { 4, 0x5e3c30 },
-      { 6, 0xa87452 },
-      { 8, 0xf0cfa0 },
+    /* 12 what the furnace made: 2..8 hot iron, 9..11 brass, 12..13 fire */
+    { { 1, 0x100806 },
+      { 2, 0x2e1812 },
+      { 4, 0x6c3822 },
+      { 6, 0xbc6c38 },
+      { 8, 0xffcc90 },
       { 9, 0x7a4210 },
       { 10, 0xd8902c },
       { 11, 0xffdc86 },
@@ -288,20 +296,20 @@ static const struct key TWO[4][12] = {
       { 14, 0xffeccc },
       { 15, 0xffffff } },
     /* 13 the drowned works: 1..12 rust and soot, 13..15 embers */
-    { { 1, 0x0a0606 },
-      { 4, 0x1a1210 },
-      { 8, 0x38261e },
-      { 12, 0x6a4a38 },
-      { 13, 0x7a2e12 },
-      { 14, 0xb85a20 },
-      { 15, 0xe8b070 } },
+    { { 1, 0x0a0708 },
+      { 4, 0x1e1614 },
+      { 8, 0x402c22 },
+      { 12, 0x664736 },
+      { 13, 0x6e2a12 },
+      { 14, 0xa4501e },
+      { 15, 0xd0965c } },
 };
 static const struct key THREE[4][12] = {
     /* 10 violet glass: 2..9 glass, 10..13 what is inside */
     { { 1, 0x0c0618 },
       { 2, 0x261448 },
-      { 4, 0x543090 },
-      { 7, 0x9a6cd8 },
+      { 4, 0x5e36a2 },
+      { 7, 0xa678e6 },
       { 9, 0xdcc4ff },
       { 10, 0x5a1464 },
       { 11, 0xa83cb4 },
@@ -311,7 +319,7 @@ static const struct key THREE[4][12] = {
     /* 11 rose glass: the same parts */
     { { 1, 0x14060f },
       { 2, 0x3e1238 },
-      { 4, 0x7c2c70 },
+      { 4, 0x8c327e },
       { 7, 0xc868b4 },
       { 9, 0xffc8f0 },
       { 10, 0x3c1c78 },
@@ -335,8 +343,8 @@ static const struct key THREE[4][12] = {
     /* 13 the abyss: 1..12 violet slate, 13..15 what glimmers in it */
     { { 1, 0x06050f },
       { 4, 0x100d20 },
-      { 8, 0x231d3c },
-      { 12, 0x463c66 },
+      { 8, 0x292246 },
+      { 12, 0x4c4170 },
       { 13, 0x40306c },
       { 14, 0x6c549a },
       { 15, 0xb0a0d4 } },
@@ -387,6 +395,37 @@ static const struct key MOON[4][12] = {
       { 15, 0xa8b0b6 } },
 };
 
+/* The story's pictures, banks 8 to 15: 1..7 what is far, 8..11 what is near, 12..15 what shines. Those of text stay. */
+#define LAMPS                                                                                                          \
+    { 12, 0x9c5a1c }, { 13, 0xf0b040 }, { 14, 0xffdc8c },                                                              \
+    {                                                                                                                  \
+        15, 0xfff6dc                                                                                                   \
+    }
+#define STORY_PICTURE(dark, deep, mid, pale, near, lit, ...)                                                           \
+    {                                                                                                                  \
+        { 1, dark }, { 3, deep }, { 5, mid }, { 7, pale }, { 8, near }, { 11, lit }, __VA_ARGS__                       \
+    }
+static const struct key STORY[8][12] = {
+    /* 8 the dry harbour */
+    STORY_PICTURE(0x1c1630, 0x4c2c4c, 0xa4585a, 0xf0b078, 0x160e18, 0x745044, { 12, 0x8c6a58 }, { 13, 0xd8b898 },
+                  { 14, 0xf4dcc0 }, { 15, 0xfff6e6 }),
+    /* 9 the brink */
+    STORY_PICTURE(0x060818, 0x101a3c, 0x22325e, 0x48608c, 0x05060e, 0x3a4462, LAMPS),
+    /* 10 the wave of glass */
+    STORY_PICTURE(0x050c1c, 0x0c3450, 0x2c7c9c, 0x8ce4e0, 0x14405c, 0xb8fff0, { 12, 0x86204e }, { 13, 0xdc4678 },
+                  { 14, 0xffc0b0 }, { 15, 0xffffff }),
+    /* 11 the dive */
+    STORY_PICTURE(0x03060f, 0x08203a, 0x14506c, 0x4aa0ae, 0x10182a, 0xdce8f4, LAMPS),
+    /* 12 the harbour at dawn */
+    STORY_PICTURE(0x1e2450, 0x584478, 0xc8707c, 0xffdca4, 0x16142a, 0x7c6478, LAMPS),
+    /* 13 of no picture: slate, for faint text */
+    { { 1, 0x060914 }, { 8, 0x2c3c54 }, { 15, 0x9ab6bc } },
+    /* 14 the moon at home */
+    STORY_PICTURE(0x060a1c, 0x0e1c40, 0x263e70, 0x6c8cb8, 0x04060e, 0x3c4a6c, { 12, 0x8c8468 }, { 13, 0xd8cfa8 },
+                  { 14, 0xf6eccc }, { 15, 0xfffdf0 }),
+    { { 1, 0x040a1e }, { 15, 0xffffff } },
+};
+
 static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
 {
     uint32_t out = 0;
@@ -412,13 +451,32 @@ void art_palette(uint32_t rgb[256])
         fill(&rgb[bank * 16], KEYS[bank]);
 }
 
+/* Where no lamp shines: glass is a shape and no more, but teeth, eyes and lights stay to be seen. */
+static void darken(uint32_t rgb[256])
+{
+    for (int bank = 10; bank < 14; bank++) {
+        for (int i = 1; i < 16; i++) {
+            bool light = bank < 12 ? i == 13 || i == 15 : bank == 12 && (i == 11 || i == 13 || i == 15);
+            uint32_t *c = &rgb[bank * 16 + i];
+            *c = mix(*c, rgb[0], light ? 3 : bank == 13 ? 6 : 7, 10);
+        }
+    }
+}
+
 void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
 {
-    const struct key(*banks)[12] = stage == ART_ONE ? ONE : stage == ART_TWO ? TWO : stage == ART_THREE ? THREE : MOON;
+    const bool one = stage == ART_ONE || stage == ART_DEEP;
+    const struct key(*banks)[12] = one ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
 
     art_palette(rgb);
-    for (int bank = 10; stage != ART_MAIN && bank < 14; bank++)
+    for (int bank = 10; stage != ART_MAIN && stage != ART_STORY && bank < 14; bank++)
         fill(&rgb[bank * 16], banks[bank - 10]);
+    if (stage == ART_DEEP)
+        fill(&rgb[13 * 16], DEEP);
+    if (stage == ART_DARK)
+        darken(rgb);
+    for (int bank = 8; stage == ART_STORY && bank < 15; bank++)
+        fill(&rgb[bank * 16], STORY[bank - 8]);
 }
 
 void art_night_palette(uint32_t rgb[256])

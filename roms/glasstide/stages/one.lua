@@ -5,6 +5,7 @@ require "stages/one/crab"
 local habits = require "stages/one/habits"
 local hatches = require "stages/one/hatches"
 local scene = require "stages/one/scene"
+local fx = require "fx"
 local sea = require "sea"
 
 local swoop = path.def {
@@ -109,7 +110,9 @@ stage.def("one", function()
   stage.mark("nautilus")
   sea.speed(0.8)
   boss.fight("nautilus")
+  music.play("tide")
   sea.speed(1.8)
+  palette.fade { to = "deep", over = 400, first = 13 * 16, last = 13 * 16 + 15 } -- less light
   wait(90)
   stage.mark("deep")
   deep()
@@ -117,5 +120,5 @@ stage.def("one", function()
   sea.speed(0.8)
   boss.fight("crab")
   sea.speed(2.4)
-  wait(60)
+  wait(fx.COLLAPSE)
 end, { music = "tide" })

@@ -1,6 +1,7 @@
 -- stages/one/crab.lua - where the shallows end: the Chandelier Crab, five phases. Its claws are
 -- parts of it, and break off; what they did, the shell then does in another way.
 local meeting = require "stages/one/meeting"
+local rank = require "rank"
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 
@@ -27,7 +28,7 @@ local function sweep(e, side)
     local claw = claws(e)[side < 0 and 1 or 2]
     if claw and claw.alive then
       pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
-                    spread = 20, dir = dir, speed = 1.9,
+                    spread = 20, dir = dir, speed = rank.faster(1.9),
                     n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
     elseif k % 8 == 0 then
       pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
@@ -35,7 +36,7 @@ local function sweep(e, side)
                      n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 20 } }
     end
     dir = dir - 13 * side
-    wait(by_difficulty { easy = 10, normal = 7, hard = 6 })
+    wait(by_difficulty { easy = 12, normal = 9, hard = 6 })
   end
 end
 
@@ -43,16 +44,16 @@ local function pincers(e)
   task.go(sweep, e, -1)
   task.go(sweep, e, 1)
   for k = 1, forever do
-    wait(84)
+    wait(by_difficulty { easy = 110, normal = 96, hard = 80, abyss = 70 })
     either(e, function(claw, side)
       local at = claw and claw.alive and { claw, 0, 24 } or { e, 43 * side, 20 }
       sound.play("snap", { from = e })
       pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, width = 40,
                      dir = 90, speed = 2.2, delay = 24, motion = snap,
-                     n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 7 } }
+                     n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 6 } }
     end)
     if by_difficulty { easy = false, abyss = true } then
-      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 22 }
+      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 26 }
     end
     wander(e, 50)
   end
@@ -66,7 +67,7 @@ local function grotto(e)
     for i = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       pattern.ring { from = e, kind = "ring", bank = AMBER, dir = 11 * (k + i),
                      speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.4 },
-                     n = by_difficulty { easy = 12, normal = 15, hard = 20, abyss = 20 },
+                     n = by_difficulty { easy = 12, normal = 17, hard = 22, abyss = 24 },
                      motion = echo }
       wait(24)
     end
@@ -78,7 +79,7 @@ local function grotto(e)
                      n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
     end)
     wander(e, 50)
-    wait(by_difficulty { easy = 84, normal = 58, hard = 46, abyss = 40 })
+    wait(by_difficulty { easy = 84, normal = 52, hard = 38, abyss = 24 })
   end
 end
 
@@ -93,7 +94,8 @@ local function lamplight(e)
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
-                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36, abyss = 0.4 } }
+                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36,
+                                                abyss = 0.4 } }
     end
     sound.play("charge", { from = e })
     wait(56)
@@ -111,12 +113,19 @@ local function lamplight(e)
   end
 end
 
--- 4. Lamps hang round the crab. Each falls when its rest is over; shot down, it clears a space.
+-- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides;
+-- shot down, it clears a space.
 local hang = motion.def {
   { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
-local fall = motion.def {
-  { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
-  { speed = 2.5, over = 30 } }
+local function falling(every, n)
+  local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA,
+                 speed = 0.8 }
+  return motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
+    { speed = 2.3, over = 30 }, { loop = forever, { wait = every }, { emit = shed } } }
+end
+local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
+                                   { aim = true }, { speed = 2.3, over = 30 } },
+               normal = falling(34, 2), hard = falling(12, 3), abyss = falling(13, 4) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
@@ -135,14 +144,14 @@ local function chandelier(e)
     for i = 1, 3 do
       pattern.ring { from = e, kind = "ring", bank = CRACKS[i], dir = 9.5 * (3 * k + i),
                      speed = 1.4 + i, motion = crack,
-                     n = by_difficulty { easy = 12, normal = 16, hard = 22, abyss = 28 } }
+                     n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 30 } }
       wait(14)
     end
     wander(e, 50)
     wait(60)
-    lamps.motion = fall
+    lamps.motion = by_difficulty(fall)
     lamps.tag = "fallen"
-    wait(by_difficulty { easy = 130, normal = 100, hard = 80, abyss = 70 })
+    wait(by_difficulty { easy = 130, normal = 90, hard = 64, abyss = 44 })
   end
 end
 
@@ -159,8 +168,8 @@ local function wax(e)
     wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 80 })
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
-                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0, lock = true,
-                      delay = 12 }
+                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0,
+                      lock = true, delay = 12 }
     end
   end
 end
@@ -173,23 +182,23 @@ local function harbour(e)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
-                   n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 34 },
+                   n = by_difficulty { easy = 12, normal = 20, hard = 28, abyss = 40 },
                    dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
-    wait(by_difficulty { easy = 28, normal = 22, hard = 18, abyss = 12 })
+    wait(by_difficulty { easy = 28, normal = 21, hard = 16, abyss = 12 })
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "queen",
-                   warning = 120, phases = {
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
+                   portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,
     run = grotto, clear = FOAM, drops = { pearl = 8 } },
   { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 1100, time = 35 * 60,
     bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
-  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 1200, time = 40 * 60,
+  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 40 * 60,
     bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
   { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
     bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })

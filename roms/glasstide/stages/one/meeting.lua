@@ -20,7 +20,7 @@ local words = {
 return function()
   local who = player.get(1).kind
   if not who then who = player.get(2).kind end
-  local say_first, say_then, say_last = table.unpack(words[who] or words.other)
+  local say_first, say_then, say_last = table.unpack(words[who:match("^%a+")] or words.other)
   say(who, say_first, calm)
   say("crab", "Click. Click click.", calm)
   say(who, say_then, cross)

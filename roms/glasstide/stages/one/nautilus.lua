@@ -1,5 +1,7 @@
 -- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp for its own. It
 -- comes when the wreck has gone by.
+local rank = require "rank"
+
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 local LAMP = { dx = -3, dy = 26 } -- where it holds the lamp
 
@@ -32,24 +34,37 @@ local function lantern(e)
     local left = k // 4 % 2 == 0
     pattern.ring { from = e, kind = "orb", bank = left and MAGENTA or AMBER, n = n, dir = 7 * k,
                    speed = 1.25, motion = left and wind_left or wind_right }
-    wait(by_difficulty { easy = 34, normal = 25, hard = 21, abyss = 18 })
+    wait(rank.sooner(by_difficulty { easy = 34, normal = 26, hard = 21, abyss = 18 }))
   end
 end
 
 -- 2. Chambered Lamp: it lays its own shell round itself in pearls of light, chamber by chamber, and
 -- then unwinds it: what was laid last goes first.
-local unwind = motion.def { { wait = "rest" }, { bank = RUBY }, { speed = 1.7, over = 50 } }
-local drift = motion.def { { wait = "rest" }, { bank = AMBER }, { speed = 1.0, over = 60 } }
+local function unwinding(bank, speed)
+  return motion.def { { wait = "rest" }, { bank = bank }, { speed = speed, over = 50 } }
+end
+local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
+                 abyss = unwinding(RUBY, 1.3) }
+-- What it lays the other way round looks at you when its turn comes.
+local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true },
+                          { speed = 1.5, over = 40 } }
 
-local function wind(e, n, from, way, kind, program)
+-- One pearl of an arm that winds outwards; none where you are.
+local function lay(e, a, r, way, def)
+  local x, y = r * angle.cos(a), r * angle.sin(a)
+  if e.y + y >= 196 then return end
+  def.from, def.dx, def.dy, def.dir = e, x, y, a + 64 * way
+  def.speed, def.bank, def.delay = 0, MAGENTA, 20
+  bullet.fire(def)
+end
+
+local function wind(e, n, arms, from, way, kind, program)
   local r = 26
   for i = 1, n do
-    local a = from + way * 21 * i
     r = r * 1.0235
-    local x, y = r * angle.cos(a), r * angle.sin(a)
-    if e.y + y < 196 then -- not where you are
-      bullet.fire { kind = kind, from = e, dx = x, dy = y, dir = a + 64 * way, speed = 0,
-                    bank = MAGENTA, delay = 14, rest = 40 + (n - i), motion = program }
+    for arm = 1, arms do
+      lay(e, from + way * 21 * i + 360 * arm / arms, r, way,
+          { kind = kind, rest = 34 + (n - i), motion = program })
     end
     if i % 2 == 0 then wait(1) end
   end
@@ -58,28 +73,29 @@ end
 local function chambers(e)
   for k = 1, forever do
     local way = k % 2 == 0 and -1 or 1
-    local n = by_difficulty { easy = 36, normal = 60, hard = 66 }
-    e:move { x = rng.int(96, 144), y = rng.int(70, 86), over = 30, ease = "both" }
+    local n = by_difficulty { easy = 36, normal = 60, hard = 54, abyss = 50 }
+    local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
+    e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
-    wind(e, n, 40 * k, way, "orb", unwind)
+    wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
-      wind(e, by_difficulty { hard = 40, abyss = 66 }, 40 * k + 180, -way, "pellet", drift)
+      wind(e, by_difficulty { hard = 24, abyss = 40 }, 1, 40 * k + 180, -way, "pellet", moth)
     end
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
       pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "kunai", bank = GOLD, aim = true,
-                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 3, abyss = 5 },
+                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 5 },
                     speed = 2.0, delay = 12 }
     end
-    wait(by_difficulty { easy = 70, normal = 44, hard = 36, abyss = 30 })
+    wait(by_difficulty { easy = 70, normal = 24, hard = 20, abyss = 10 })
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 78,
-                       phases = {
+boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 86,
+                       music = "lantern", portrait = "lantern_nautilus", phases = {
   { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
     bonus = 12000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

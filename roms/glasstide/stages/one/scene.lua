@@ -47,6 +47,7 @@ end)
 -- about to. Returns when its stern has gone by, and the reef is on its way again.
 function scene.wreck(found)
   local hull = bg.layer(3)
+  wait(2) -- practice that begins here sets the scene first
   hull.y, hull.wrap = hull.y % REEF_TALL, false
   wait_until(function() return hull.y >= REEF_TALL end, 300)
   hull.map, hull.x, hull.y = "wreck", WRECK_X, -WRECK_TALL
