@@ -203,7 +203,7 @@ def bosses(order):
 
 def write(path, lines):
     with open(path, "w") as f:
-        f.write("\n".join(line.rstrip() for line in lines) + "\n")
+        f.write("\n".join(line.rstrip(" ") for line in lines) + "\n")
 
 
 def game_page(folder):
