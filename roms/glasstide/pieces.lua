@@ -4,7 +4,7 @@ local function piece(name, title, text, needs)
   return { name = name, title = title, text = text, needs = needs }
 end
 
-local ROOM <const>, NIGHT <const> = "music_room", "night"
+local ROOM <const>, NIGHT <const> = "music_room", "ember"
 
 return {
   piece("title", "Lamps of the Harbour", "A wave, and a smaller one."),
