@@ -13,12 +13,31 @@ local function angry(e)
   return o and (not o.alive or o.hp == 0)
 end
 
+-- Who is left alone cries out, and glows.
+local function mourn(e)
+  wait(2)
+  wait_until(function() return angry(e) end)
+  sound.play(e == duel.cinder and "cinder_cry" or "quench_cry", { from = e })
+  screen.shake { size = 2, over = 20 }
+  spark.burst { kind = "shock", from = e, speed = 0 }
+  while true do
+    spark.burst { kind = "ember", from = e, n = 3, dir = 270, spread = 150, speed = 1.4 }
+    wait(5)
+  end
+end
+
 local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
 
 -- The functions of a phase in which each has a bar.
 local function pair(cinder, quench)
-  return { cinder = function(e) duel.cinder = e cinder(e) end,
-           quench = function(e) duel.quench = e quench(e) end }
+  local function alone(name, run)
+    return function(e)
+      duel[name] = e
+      task.go(mourn, e)
+      run(e)
+    end
+  end
+  return { cinder = alone("cinder", cinder), quench = alone("quench", quench) }
 end
 
 -- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
@@ -177,6 +196,7 @@ local function throw(from, to, k, back)
                             delay = 3 * i }
   end
   wait(FLIGHT + 3)
+  sound.play("reflect", { from = to })
   for i, b in ipairs(list) do
     if b.alive then
       b.bank, b.dir, b.speed = back and 6 or 5, out + 34 * (i - (n + 1) / 2), back and 1.3 or 1.5
