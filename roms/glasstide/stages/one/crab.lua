@@ -117,15 +117,16 @@ end
 -- shot down, it clears a space.
 local hang = motion.def {
   { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
-local function falling(every, n)
+-- It sheds so often and no more: not where you are.
+local function falling(every, n, times)
   local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA,
                  speed = 0.8, delay = 20 }
   return motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
-    { speed = 2.3, over = 30 }, { loop = forever, { wait = every }, { emit = shed } } }
+    { speed = 2.3, over = 30 }, { loop = times, { wait = every }, { emit = shed } } }
 end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
-               normal = falling(34, 2), hard = falling(12, 3), abyss = falling(13, 4) }
+               normal = falling(30, 2, 2), hard = falling(12, 3, 4), abyss = falling(11, 4, 5) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
