@@ -5,6 +5,7 @@ require "stages/moon/scene"
 require "stages/moon/boss"
 local meeting = require "stages/moon/meeting"
 local sea = require "sea"
+local fx = require "fx"
 
 local SHARDS <const> = 300 -- hundredths: the multiplier that it wakes for
 
@@ -35,7 +36,7 @@ local function fight()
   meeting()
   boss.fight("moon")
   music.stop { fade = 140 }
-  wait(150)
+  wait(fx.COLLAPSE)
 end
 
 -- The way down from the queen.

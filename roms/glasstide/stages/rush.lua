@@ -35,20 +35,17 @@ local function fight(who)
 end
 
 stage.def("rush", function()
-  local frames = 0 -- those of fights alone count
-  local fighting = false
+  local frames = 0 -- those of phases alone count
   task.go(function()
     while true do
-      if fighting then frames = frames + 1 end
+      if boss.now() then frames = frames + 1 end
       wait(1)
     end
   end)
-  local shown <close> = clock.show(function() return frames end)
+  local shown <close> = clock.show(function() return boss.now() and frames or nil end)
   for i, who in ipairs(ORDER) do
     local before = frames
-    fighting = true
     fight(who)
-    fighting = false
     wait(90)
     if not stage.skipping() then
       hud.banner({ ("%d/%d"):format(i, #ORDER), clock.text(frames - before) }, 120)
