@@ -7,7 +7,7 @@ test.equal(run:live("sprites"), 1, "a picture")
 test.shot("opening")
 run:press("start@70:72")
 run:step(60)
-test.equal(run.music, "title", "START leaves it")
+test.equal(run.music, "title", "it is left by START")
 
 local alone = test.run { seed = 1 }
 test.expect(alone:wait(function(r) return r.music == "title" end, 30 * 60), "it ends by itself")
