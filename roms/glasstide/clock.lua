@@ -8,8 +8,8 @@ function clock.text(frames)
   return ("%d:%02d.%02d"):format(frames // 3600, frames // 60 % 60, frames % 60 * 100 // 60)
 end
 
--- Shows f(), frames, for as long as the task that called this has it: local shown <close> = clock.show(f).
--- Below `alarm` frames it is in the colour of one. nil: nothing is shown.
+-- Shows f(), frames, for as long as the task that called this has it: local shown <close> =
+-- clock.show(f). Below `alarm` frames it is in the colour of one. nil: nothing is shown.
 function clock.show(f, alarm)
   local t = task.go(function()
     local there = false

@@ -1,5 +1,5 @@
--- stages/moon.lua - under the abyss: the Drowned Moon, who holds the other end of the tide. It is met at the end of
--- a good run, and can be practised.
+-- stages/moon.lua - under the abyss: the Drowned Moon, who holds the other end of the tide. It is
+-- met at the end of a good run, and can be practised.
 require "stages/moon/creatures"
 require "stages/moon/scene"
 require "stages/moon/boss"

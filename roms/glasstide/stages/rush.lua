@@ -1,4 +1,5 @@
--- stages/rush.lua - all who guard something, one after the other, against the clock. Each is fought where it lives.
+-- stages/rush.lua - all who guard something, one after the other, against the clock. Each is
+-- fought where it lives.
 local clock = require "clock"
 local sea = require "sea"
 
@@ -56,8 +57,8 @@ stage.def("rush", function()
   if stage.skipping() then return end
   local best = rush.best()
   keep(frames)
-  hud.banner({ "ALL OF THEM", clock.text(frames),
-               best and best < frames and text.lang("BEST %s"):format(clock.text(best)) or "BEST TIME" }, 240)
+  local slower = best and best < frames and text.lang("BEST %s"):format(clock.text(best))
+  hud.banner({ "ALL OF THEM", clock.text(frames), slower or "BEST TIME" }, 240)
   wait(240)
 end, { music = "tide" })
 

@@ -123,7 +123,8 @@ local function at_night(run)
   end
 end
 
-boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100, music = "moon", portrait = "moon_cross",
+boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
+  music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
       drops = { pearl = 8 } },
