@@ -31,6 +31,8 @@ return {
     lights  = { file = "art/lights.png",  bank = 0 },
     sherds  = { file = "art/sherds.png",  bank = 10 },
     logo    = { file = "art/logo.png",    bank = 15 },
+    logo_light = { file = "art/logo_light.png", bank = 15 },
+    marker  = { file = "art/marker.png",  bank = 1 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
@@ -63,6 +65,13 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    -- the craft in colours that are earned
+    heron_gilt = { file = "art/heron_gilt.png", bank = 15 },
+    petrel_gilt = { file = "art/petrel_gilt.png", bank = 15 },
+    tern_gilt = { file = "art/tern_gilt.png", bank = 15 },
+    heron_ember = { file = "art/heron_ember.png", bank = 14 },
+    petrel_ember = { file = "art/petrel_ember.png", bank = 14 },
+    tern_ember = { file = "art/tern_ember.png", bank = 14 },
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
     last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
     -- what the opening and the endings show
@@ -187,6 +196,18 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
+    heron_gilt = { sheet = "heron_gilt", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
+                   origin = { 14, 17 } },
+    petrel_gilt = { sheet = "petrel_gilt", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
+                    origin = { 15, 16 } },
+    tern_gilt = { sheet = "tern_gilt", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
+                  origin = { 16, 17 } },
+    heron_ember = { sheet = "heron_ember", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
+                    origin = { 14, 17 } },
+    petrel_ember = { sheet = "petrel_ember", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
+                     origin = { 15, 16 } },
+    tern_ember = { sheet = "tern_ember", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
+                   origin = { 16, 17 } },
     moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
     moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
@@ -248,6 +269,10 @@ return {
     foam     = { sheet = "finds", x = 48, y = 0, w = 8,  h = 8 },
     ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
+    logo_light = { sheet = "logo_light", x = 0, y = 0, w = 208, h = 112, frames = 8, every = 3 },
+    -- stands at the lower edge below a boss
+    boss_marker = { sheet = "marker", x = 0, y = 0, w = 24, h = 10, frames = 2, every = 10,
+                    origin = { 12, 10 } },
   },
   maps = {
     -- stage one
@@ -375,26 +400,27 @@ return {
   },
   music = { -- each file says its key, chords and form; docs/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
-    opening = { file = "music/opening.mml", volume = 0.69 },
+    opening = { file = "music/opening.mml", volume = 0.71 },
     -- stages
     tide    = { file = "music/tide.mml", volume = 0.71 },
-    works   = { file = "music/works.mml", volume = 0.73 },
-    abyss   = { file = "music/abyss.mml", volume = 0.69 },
-    caravan = { file = "music/caravan.mml", volume = 0.68 },
+    works   = { file = "music/works.mml", volume = 0.69 },
+    abyss   = { file = "music/abyss.mml", volume = 0.68 },
+    caravan = { file = "music/caravan.mml", volume = 0.65 },
     -- bosses
-    lantern = { file = "music/lantern.mml", volume = 0.65 },
-    claws   = { file = "music/claws.mml", volume = 0.85 },
+    lantern = { file = "music/lantern.mml", volume = 0.68 },
+    claws   = { file = "music/claws.mml", volume = 0.84 },
     furnace = { file = "music/furnace.mml", volume = 0.56 },
     queen   = { file = "music/queen.mml", volume = 0.75 },
-    moon    = { file = "music/moon.mml", volume = 0.64 },
+    moon    = { file = "music/moon.mml", volume = 0.63 },
     -- and afterwards
     clear   = { file = "music/clear.mml", volume = 0.64 },
     over    = { file = "music/over.mml", volume = 0.62 },
-    ending  = { file = "music/ending.mml", volume = 0.79 },
+    ending  = { file = "music/ending.mml", volume = 0.84 },
     true_ending = { file = "music/true_ending.mml", volume = 0.75 },
-    staff   = { file = "music/staff.mml", volume = 0.71 },
+    staff   = { file = "music/staff.mml", volume = 0.68 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
+  dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 300000, 1000000, 2500000 },
 }

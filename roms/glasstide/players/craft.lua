@@ -4,6 +4,7 @@
 local scoring = require "scoring"
 require "players/bombs"
 local items = require "items"
+local lamps = require "lamps"
 
 -- Bombs that can be kept; the bank of all that a craft fires.
 local craft = { MOST = items.BOMBS, GREEN = 4 }
@@ -85,6 +86,7 @@ function craft.def(name, def, arms)
     while_firing(o, o.by, arms.bead)
   end })
   def.sprite, def.lives, def.bomb = ship, 3, arms.bomb
+  def.pictures = lamps.pictures(ship)
   def.registers = scoring.registers()
   def.registers.bombs = { start = BOMBS, max = craft.MOST }
   def.options = arms.options
@@ -92,6 +94,7 @@ function craft.def(name, def, arms)
   def.magnet, def.collect_line = 30, 96
   def.run = function(p)
     local set <close> = wardrobe()
+    lamps.wear(p)
     if arms.fire then task.own(p, while_firing, p, arms.fire) end
     if arms.ray then task.own(p, arms.ray, p) end
     while true do

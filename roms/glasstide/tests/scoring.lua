@@ -2,7 +2,8 @@
 -- and chains raise what is won, and a death costs a half of it.
 local function ring(run, n, radius)
   run:exec(("for i = 1, %d do bullet.fire { kind = 'orb', from = player.get(1), " ..
-            "dx = %d * angle.cos(360 * i / %d), dy = %d * angle.sin(360 * i / %d), speed = 0 } end"):format(n, radius, n, radius, n))
+            "dx = %d * angle.cos(360 * i / %d), dy = %d * angle.sin(360 * i / %d), speed = 0 } end")
+           :format(n, radius, n, radius, n))
 end
 
 local function own(run, name) return run:eval("player.get(1)." .. name) end
