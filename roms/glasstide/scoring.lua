@@ -20,7 +20,7 @@ function scoring.registers()
   return {
     gauge = { max = scoring.FULL, show = "bar", at = "low", label = "", mark = scoring.NEED },
     shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
-               mark = 500 }, -- the multiplier, in hundredths
+               mark = 500 }, -- in hundredths
     chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
     worn = { drain = 1, every = 30, hold = 120 },
     prisms = 0, longest = 0, captures = 0, misses = 0, used = 0 }
