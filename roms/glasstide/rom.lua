@@ -63,6 +63,13 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    -- the craft in colours that are earned
+    heron_gilt = { file = "art/heron_gilt.png", bank = 15 },
+    petrel_gilt = { file = "art/petrel_gilt.png", bank = 15 },
+    tern_gilt = { file = "art/tern_gilt.png", bank = 15 },
+    heron_ember = { file = "art/heron_ember.png", bank = 14 },
+    petrel_ember = { file = "art/petrel_ember.png", bank = 14 },
+    tern_ember = { file = "art/tern_ember.png", bank = 14 },
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
     last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
     -- what the opening and the endings show
@@ -187,6 +194,18 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
+    heron_gilt = { sheet = "heron_gilt", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
+                   origin = { 14, 17 } },
+    petrel_gilt = { sheet = "petrel_gilt", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
+                    origin = { 15, 16 } },
+    tern_gilt = { sheet = "tern_gilt", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
+                  origin = { 16, 17 } },
+    heron_ember = { sheet = "heron_ember", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
+                    origin = { 14, 17 } },
+    petrel_ember = { sheet = "petrel_ember", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
+                     origin = { 15, 16 } },
+    tern_ember = { sheet = "tern_ember", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
+                   origin = { 16, 17 } },
     moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
     moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
@@ -395,6 +414,7 @@ return {
     staff   = { file = "music/staff.mml", volume = 0.68 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
+  dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
-  players = 2, extends = { 100000, 300000 },
+  players = 2, extends = { 300000, 1000000, 2500000 },
 }
