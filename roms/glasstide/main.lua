@@ -14,8 +14,12 @@ require "unlocks"
 require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
+local front = require "fx/front"
+local grades = require "fx/grades"
+local score_page = require "fx/score_page"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
+hud.low = 3 -- the bombs stand below
 
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.
@@ -47,6 +51,7 @@ for screen, name in pairs { title = "title", opening = "opening", results = "cle
 end
 
 task.go(sea.run)
+task.go(front.run)
 boot.run { modes = {
     { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the floor of the sea." },
     { name = "caravan", stages = { "caravan" }, text = "Two minutes, and all that swims by." },
@@ -57,8 +62,7 @@ boot.run { modes = {
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
   ships = require "players/forms",
-  music = pieces,
-  ending = require "ending",
+  music = pieces, pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
             { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",

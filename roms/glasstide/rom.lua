@@ -31,6 +31,8 @@ return {
     lights  = { file = "art/lights.png",  bank = 0 },
     sherds  = { file = "art/sherds.png",  bank = 10 },
     logo    = { file = "art/logo.png",    bank = 15 },
+    logo_light = { file = "art/logo_light.png", bank = 15 },
+    marker  = { file = "art/marker.png",  bank = 1 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
@@ -267,6 +269,10 @@ return {
     foam     = { sheet = "finds", x = 48, y = 0, w = 8,  h = 8 },
     ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
+    logo_light = { sheet = "logo_light", x = 0, y = 0, w = 208, h = 112, frames = 8, every = 3 },
+    -- stands at the lower edge below a boss
+    boss_marker = { sheet = "marker", x = 0, y = 0, w = 24, h = 10, frames = 2, every = 10,
+                    origin = { 12, 10 } },
   },
   maps = {
     -- stage one

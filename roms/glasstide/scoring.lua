@@ -17,9 +17,10 @@ local MOST_CHAIN <const> = 200  -- beyond this a chain is worth no more
 -- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second part are for the tally.
 function scoring.registers()
   return {
-    gauge = { max = scoring.FULL, show = "bar" },
-    shards = { start = 100, min = 100, max = 999, show = "number" }, -- the multiplier, in hundredths
-    chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number" },
+    gauge = { max = scoring.FULL, show = "bar", at = "low", label = "", mark = scoring.NEED },
+    shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
+               mark = 500 }, -- the multiplier, in hundredths
+    chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
     worn = { drain = 1, every = 30, hold = 120 },
     prisms = 0, longest = 0, captures = 0, misses = 0, used = 0 }
 end
@@ -112,6 +113,20 @@ end
 
 local seen = { {}, {} } -- of each player: score, a frame ago; x and y, where it made its last kill since
 
+-- So many in a chain are heard, once each until it is broken.
+local HEARD <const> = { { 25, "chain_one" }, { 60, "chain_two" }, { 120, "chain_three" } }
+
+local function hear(p, s)
+  local chain, tier = p.chain or 0, s.tier or 0
+  local higher = HEARD[tier + 1]
+  if chain == 0 then
+    s.tier = 0
+  elseif higher and chain >= higher[1] then
+    s.tier = tier + 1
+    sound.play(higher[2], { from = p })
+  end
+end
+
 on.kill(function(e, p)
   if p then seen[p.index].x, seen[p.index].y = e.x, e.y end
   if boss.now() then spoil(e, p) end
@@ -123,6 +138,7 @@ function scoring.watch(p)
   local n = p.score - (s.score or p.score)
   if s.x and n >= LARGE then float(s.x, s.y, ("%d"):format(n), 3) end
   s.score, s.x, s.y = p.score, nil, nil
+  hear(p, s)
 end
 
 -- ---- what ends it ----

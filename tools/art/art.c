@@ -31,6 +31,8 @@ static const struct picture GAME[] = {
     { "fires", art_fires, ART_MAIN },
     { "lights", art_lights, ART_MAIN },
     { "sherds", art_sherds, ART_MAIN },
+    { "logo_light", art_logo_light, ART_MAIN },
+    { "marker", art_marker, ART_MAIN },
     { "font", art_font, ART_MAIN },
     { "kana", art_kana, ART_MAIN },
     { "logo", art_logo, ART_MAIN },
