@@ -17,8 +17,8 @@ local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
 
 -- The functions of a phase in which each has a bar.
 local function pair(cinder, quench)
-  return { cinder = function(e) duel.cinder = e cinder(e) end,
-           quench = function(e) duel.quench = e quench(e) end }
+  return { cinder = function(e) duel.cinder = e sound.play("cinder_cry", { from = e }) cinder(e) end,
+           quench = function(e) duel.quench = e sound.play("quench_cry", { from = e }) quench(e) end }
 end
 
 -- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
@@ -177,6 +177,7 @@ local function throw(from, to, k, back)
                             delay = 3 * i }
   end
   wait(FLIGHT + 3)
+  sound.play("reflect", { from = to })
   for i, b in ipairs(list) do
     if b.alive then
       b.bank, b.dir, b.speed = back and 6 or 5, out + 34 * (i - (n + 1) / 2), back and 1.3 or 1.5
