@@ -13,11 +13,13 @@ local function angry(e)
   return o and (not o.alive or o.hp == 0)
 end
 
+local CRIES <const> = { cinder = "cinder_cry", quench = "quench_cry" }
+
 -- Who is left alone cries out, and glows.
 local function mourn(e)
   wait(2)
   wait_until(function() return angry(e) end)
-  sound.play(e == duel.cinder and "cinder_cry" or "quench_cry", { from = e })
+  sound.play(CRIES[e == duel.cinder and "cinder" or "quench"], { from = e })
   screen.shake { size = 2, over = 20 }
   spark.burst { kind = "shock", from = e, speed = 0 }
   while true do
@@ -33,6 +35,7 @@ local function pair(cinder, quench)
   local function alone(name, run)
     return function(e)
       duel[name] = e
+      sound.play(CRIES[name], { from = e })
       task.go(mourn, e)
       run(e)
     end
