@@ -4,7 +4,10 @@ local front = {}
 
 local WIDE <const>, HIGH <const> = rom.screen.w, rom.screen.h
 
-local function nobody() return not player.get(1).alive and not player.get(2).alive end
+-- Nor where a story is told: it hides the sea.
+local function nobody()
+  return not player.get(1).alive and not player.get(2).alive and not bg.layer(1).hidden
+end
 
 -- A shadow of a creature, half seen, that crosses slowly. Where it enters follows from how many were.
 local SWIMMERS <const> = { "jelly", "ray", "nautilus", "fish" }
