@@ -53,9 +53,16 @@ bg.def("nothing", function()
   bg.layer(1).map, bg.layer(1).hidden = "water", true
 end)
 
+local telling = false
+
+-- Is something told now?
+function story.telling() return telling end
+
 -- scenes: a list of { picture, palette?, lines }. Returns true when it was seen to its end.
 function story.tell(scenes)
   local told = { left = false }
+  telling = true
+  local over <close> = setmetatable({}, { __close = function() telling = false end })
   bg.show("nothing", { over = 0 })
   wait(1)
   for _, scene in ipairs(scenes) do

@@ -51,7 +51,7 @@ end
 
 local function tick(left)
   while true do
-    if left() <= LATE and left() > 0 and left() % 60 == 0 then sound.play("time") end
+    if left() <= LATE and left() > 0 and left() % 60 == 0 then sound.play("tick") end
     wait(1)
   end
 end
