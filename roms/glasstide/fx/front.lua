@@ -5,14 +5,8 @@ local front = {}
 
 local WIDE <const>, HIGH <const> = rom.screen.w, rom.screen.h
 
-<<<<<<< HEAD
--- Nor where a story is told: it hides the sea.
-local function nobody()
-  return not player.get(1).alive and not player.get(2).alive and not bg.layer(1).hidden
-=======
 local function nobody()
   return not (player.get(1).alive or player.get(2).alive or story.telling())
->>>>>>> glass
 end
 
 -- A shadow of a creature, half seen, that crosses slowly. Where it enters follows from how many were.

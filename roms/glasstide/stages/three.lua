@@ -4,6 +4,7 @@ require "stages/three/creatures"
 require "stages/three/angler"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
+local moon = require "stages/moon"
 local sea = require "sea"
 local fx = require "fx"
 
