@@ -117,6 +117,20 @@ end
 -- Of each player: score, a frame ago; x and y, where it made its last kill since.
 local seen = { {}, {} }
 
+-- So many in a chain are heard, once each until it is broken.
+local HEARD <const> = { { 25, "chain_one" }, { 60, "chain_two" }, { 120, "chain_three" } }
+
+local function hear(p, s)
+  local chain, tier = p.chain or 0, s.tier or 0
+  local higher = HEARD[tier + 1]
+  if chain == 0 then
+    s.tier = 0
+  elseif higher and chain >= higher[1] then
+    s.tier = tier + 1
+    sound.play(higher[2], { from = p })
+  end
+end
+
 on.kill(function(e, p)
   if p then seen[p.index].x, seen[p.index].y = e.x, e.y end
   if boss.now() then spoil(e, p) end
@@ -128,6 +142,7 @@ function scoring.watch(p)
   local n = p.score - (s.score or p.score)
   if s.x and n >= LARGE then float(s.x, s.y, ("%d"):format(n), 3) end
   s.score, s.x, s.y = p.score, nil, nil
+  hear(p, s)
 end
 
 -- ---- what ends it ----
