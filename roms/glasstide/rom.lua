@@ -409,7 +409,7 @@ return {
     -- bosses
     lantern = { file = "music/lantern.mml", volume = 0.68 },
     claws   = { file = "music/claws.mml", volume = 0.84 },
-    furnace = { file = "music/furnace.mml", volume = 0.56 },
+    furnace = { file = "music/furnace.mml", volume = 0.57 },
     queen   = { file = "music/queen.mml", volume = 0.70 },
     moon    = { file = "music/moon.mml", volume = 0.63 },
     -- and afterwards
