@@ -29,8 +29,11 @@ local function breath(e)
                   n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 5 },
                   motion = by_difficulty(bubbles) }
     wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 30, abyss = 34 }))
-    pattern.stack { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, speed = 1.7,
-                    speed_to = 2.7, n = by_difficulty { easy = 1, normal = 3, hard = 5 } }
+    pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44, speed = 1.7,
+                  n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 5 }, 2.7
+      pattern.stack(a)
+    end }
     wander(e, 50)
     wait(rank.sooner(by_difficulty { easy = 76, normal = 52, hard = 40, abyss = 40 }))
   end
