@@ -18,8 +18,9 @@ local function bar(row)
   return sprite.plate { x = rom.field.x - 8, y = row * 8 + 4, w = rom.field.w + 16, h = 8, bank = hud.banks.alarm, stay = true }
 end
 
--- Of its height so much is open.
+-- Of its height so much is open. Where there was no room for it, there is none.
 local function open_bar(plate, row, share)
+  if not plate.alive then return end
   plate.h = math.max(8, math.floor((BAR * 8 - 4) * share))
   plate.y = row * 8 + (BAR * 8 - plate.h) // 2
 end

@@ -259,6 +259,16 @@ function page.list(a)
   return answer
 end
 
+-- How many rows the longest of these texts takes below a list; some may be missing.
+function page.notes(texts, n)
+  local most = 0
+  for i = 1, n do
+    local lines = texts[i] and #hud.wrap(text.lang(texts[i]), page.cols - 2) or 0
+    most = math.max(most, page.low and lines or 2 * lines)
+  end
+  return most
+end
+
 -- A plate behind n rows from `row` on, a row off them; it goes with page.done.
 function page.frame(row, n)
   page.plate = sprite.plate {

@@ -215,7 +215,7 @@ static void through_all(int w, int h, int field_w, int players)
     soon("500", 30);
     assert_true(players == 1 || (at("AAAA") >= 0 && at(" 70") >= 0));
     assert_int_equal(r.b->player.in[0], 0);
-    assert_int_equal(r.b->sprites.s.live, 0);
+    assert_true(r.b->sprites.s.live <= 1); /* the plate behind the table */
     frames(30);
     press(PAD_FIRE, 0);
     soon("PRESS START", 400);
