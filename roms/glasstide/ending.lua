@@ -23,19 +23,14 @@ local TRUE <const> = {
                                 "Two lamps come home by it." } },
 }
 
-local function told(scenes, song)
-  return function(_)
-    if song then music.play(song, { fade = 30 }) end
-    story.tell(scenes)
-  end
-end
+local function told(scenes) return function(_) story.tell(scenes) end end
 
--- The dive alone has endings; the other modes have had theirs.
+-- The dive alone has endings, and who made it; the other modes have had theirs.
 local function dived(run) return run.mode == nil or run.mode == "dive" end
 
 return {
-  { when = function(run) return not dived(run) end, show = function() wait(1) end },
-  { when = function(_) return moon.outlived() end, show = told(TRUE, "true_ending") },
+  { when = function(run) return not dived(run) end, show = function() return false end },
+  { when = function(_) return moon.outlived() end, show = told(TRUE), music = "true_ending" },
   { when = function(run) return run.difficulty == "easy" or run.continues > 0 end, show = told(BUT) },
   { show = told(TURNED) },
 }

@@ -42,6 +42,14 @@ on.stage(function(_, state)
 end)
 on.game_over(function() sea.speed(0.4) end)
 
+-- The pieces of the screens, and the list of the music room.
+local pieces = require "pieces"
+for screen, name in pairs { title = "title", opening = "opening", results = "clear",
+                            clear = "clear", over = "over", ending = "ending", staff = "staff",
+                            name = "scores", scores = "scores" } do
+  pieces[screen] = name
+end
+
 task.go(sea.run)
 task.go(front.run)
 boot.run { modes = {
@@ -54,9 +62,7 @@ boot.run { modes = {
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
   ships = require "players/forms",
-  music = { title = "title", results = "clear", clear = "clear", over = "over", opening = "opening", ending = "ending",
-            staff = "staff", name = "scores", scores = "scores", room = true },
-  pages = { score_page }, grades = grades, ending = require "ending",
+  music = pieces, pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
             { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",

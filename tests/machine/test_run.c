@@ -69,7 +69,7 @@ static void test_whole_run(void **state)
     unsigned phases = 0, stages = 0;
 
     (void)state;
-    assert_true(demo_load(&d, "roms/glasstide/demos/run.demo", err, sizeof err));
+    assert_true(demo_load(&d, "tests/demos/glasstide/clear-normal.demo", err, sizeof err));
     assert_true(d.complete);
     assert_string_equal(d.start.practice.section, "");
     power(&g, &d.start);

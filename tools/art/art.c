@@ -78,6 +78,12 @@ static const struct picture GAME[] = {
     { "trench", art_trench, ART_THREE },
     { "abyss_tiles", art_abyss_tiles, ART_THREE },
     /* the moon */
+    { "heron_gilt", art_heron_gilt, ART_MAIN },
+    { "petrel_gilt", art_petrel_gilt, ART_MAIN },
+    { "tern_gilt", art_tern_gilt, ART_MAIN },
+    { "heron_ember", art_heron_ember, ART_MAIN },
+    { "petrel_ember", art_petrel_ember, ART_MAIN },
+    { "tern_ember", art_tern_ember, ART_MAIN },
     { "last", art_last, ART_MOON },
     { "last_face", art_last_face, ART_MOON },
     { "water", art_water, ART_MOON },

@@ -83,7 +83,7 @@ struct sheet art_trench(void)
     splinters(p, 100, -108, &seed);
     paint_done(p, &s, 0, 0, 1, 0);
     for (int i = 0; i < GROUND * GROUND; i++) /* the fog knows slate alone */
-        s.px[i] = s.px[i] == 13 ? 10 : s.px[i] > 12 ? 12 : s.px[i];
+        s.px[i] = s.px[i] > 12 ? 2 * s.px[i] - 18 : s.px[i];
     return s;
 }
 

@@ -40,7 +40,7 @@ bool menus_enter(struct run *r, const struct menus_wish *wish);
 struct pilot {
     struct run *r;
     int deaths;                            /* so often it lets itself be hit, before it begins to dodge */
-    bool lose;                             /* after a minute it dodges no more, and never goes on */
+    int lose;                              /* after so many seconds it dodges no more, and never goes on; 0: it does */
     bool finish;                           /* it stops two seconds after a score was entered */
     unsigned bombs, specials, hits, backs; /* what it came to */
 };

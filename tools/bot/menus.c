@@ -159,11 +159,25 @@ static bool search(struct menus *m)
     return false;
 }
 
+/* Is it a kind of player? All are declared before the title. */
+static bool is_declared(const struct board *b, const char *name)
+{
+    const char *is;
+
+    for (int i = 0; i < (int)b->names[N_PLAYER].n; i++)
+        if ((is = api_names_at(b, N_PLAYER, i)) && !strcmp(is, name))
+            return true;
+    return false;
+}
+
 bool menus_enter(struct run *r, const struct menus_wish *wish)
 {
     struct menus m = { .r = r, .wish = wish };
     struct trial_mark start = { 0 };
 
+    for (int p = 0; p < wish->players; p++)
+        if (wish->ship[p] && !is_declared(r->t.b, wish->ship[p]))
+            return false;
     m.from = calloc(PLACES, sizeof *m.from);
     m.to = calloc(PLACES, sizeof *m.to);
     if (!m.from || !m.to || !trial_save(&r->t, &start) || !trial_save(&r->t, &m.from[0].mark))

@@ -342,7 +342,7 @@ bool pilot_play(struct pilot *p)
         bot_fail("out of memory");
     w->p = p;
     w->t = &p->r->t;
-    const uint32_t lose = p->lose ? board_frame(w->t->b) + 1800 : UINT32_MAX;
+    const uint32_t lose = p->lose ? board_frame(w->t->b) + 60 * (uint32_t)p->lose : UINT32_MAX;
     while (board_frame(w->t->b) < p->r->limit) {
         const struct board *b = w->t->b;
         const uint32_t now = board_frame(b);

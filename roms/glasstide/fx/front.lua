@@ -1,10 +1,13 @@
 -- fx/front.lua - what moves behind the title and its pages while nobody plays: bubbles, and now and
 -- then something large that swims far below.
+local story = require "story"
 local front = {}
 
 local WIDE <const>, HIGH <const> = rom.screen.w, rom.screen.h
 
-local function nobody() return not player.get(1).alive and not player.get(2).alive end
+local function nobody()
+  return not (player.get(1).alive or player.get(2).alive or story.telling())
+end
 
 -- A shadow of a creature, half seen, that crosses slowly. Where it enters follows from how many were.
 local SWIMMERS <const> = { "jelly", "ray", "nautilus", "fish" }

@@ -3,6 +3,7 @@
 local scoring = require "scoring"
 require "players/bombs"
 local items = require "items"
+local lamps = require "lamps"
 
 local craft = { MOST = items.BOMBS, GREEN = 4 } -- bombs that can be kept; the bank of all that a craft fires
 
@@ -80,6 +81,7 @@ function craft.def(name, def, arms)
     while_firing(o, o.by, arms.bead)
   end })
   def.sprite, def.lives, def.bomb = ship, 3, arms.bomb
+  def.pictures = lamps.pictures(ship)
   def.registers = scoring.registers()
   def.registers.bombs = { start = BOMBS, max = craft.MOST }
   def.options = arms.options
@@ -87,6 +89,7 @@ function craft.def(name, def, arms)
   def.magnet, def.collect_line = 30, 96
   def.run = function(p)
     local set <close> = wardrobe()
+    lamps.wear(p)
     if arms.fire then task.own(p, while_firing, p, arms.fire) end
     if arms.ray then task.own(p, arms.ray, p) end
     while true do

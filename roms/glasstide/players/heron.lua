@@ -7,9 +7,9 @@ shot.def("dart",   { sprite = "dart",   bank = craft.GREEN, hit = { box = { 8, 1
 shot.def("sliver", { sprite = "sliver", bank = craft.GREEN, hit = { box = { 6, 10 } },
                     damage = 1, turns = true })
 laser.def("lens", { strip = "lens_ray", width = 12, hit = { share = 0.8 }, damage = 2, every = 3,
-                    bank = craft.GREEN, clearable = false })
+                    bank = craft.GREEN, clearable = false, blend = "glow" })
 laser.def("thread", { strip = "lens_ray", width = 6, hit = { share = 0.8 }, damage = 1, every = 6,
-                      bank = craft.GREEN, clearable = false })
+                      bank = craft.GREEN, clearable = false, blend = "glow" })
 
 local function darts(p, beat)
   if beat % 4 ~= 0 then return end

@@ -35,7 +35,7 @@ local function fight(who)
 end
 
 stage.def("rush", function()
-  local frames, split = 0, nil -- those of fights alone count
+  local frames = 0 -- those of fights alone count
   local fighting = false
   task.go(function()
     while true do
@@ -45,12 +45,13 @@ stage.def("rush", function()
   end)
   local shown <close> = clock.show(function() return frames end)
   for i, who in ipairs(ORDER) do
-    split, fighting = frames, true
+    local before = frames
+    fighting = true
     fight(who)
     fighting = false
     wait(90)
     if not stage.skipping() then
-      hud.banner({ ("%d/%d"):format(i, #ORDER), clock.text(frames - split) }, 120)
+      hud.banner({ ("%d/%d"):format(i, #ORDER), clock.text(frames - before) }, 120)
       provide()
     end
     wait(120)

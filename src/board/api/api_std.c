@@ -219,7 +219,7 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show }",
+                                             { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show, music }",
                                                NULL },
                                              { "opening", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },

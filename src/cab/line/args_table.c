@@ -95,7 +95,7 @@ const struct option_row args_options[OPTIONS] = {
                       "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },
     [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_START, SETTINGS(dips, n_dips),
                      "set a DIP switch of the game; may be given several times" },
-    [OPTION_STAGE] = { "--stage", "S", FOR_START, TEXT(stage), "start at NAME, NAME:MARK or BOSS/PHASE" },
+    [OPTION_STAGE] = { "--stage", "S", FOR_START, TEXT(stage), "start at NAME, NAME:MARK or BOSS/PHASE; @SHIP behind it: with that ship" },
     [OPTION_LIVES] = { "--lives", "N", FOR_RUN, NUMBER(lives, 1, ARGS_MAX_LIVES),
                        "with --stage: so many lives in all, 1 to 99" },
     [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN | FOR_SURVIVE, SETTINGS(registers, n_registers),

@@ -41,6 +41,7 @@ struct work {
     uint16_t *now; /* the pads of the present run */
     uint16_t guess[AHEAD];
     uint32_t guessed;
+    bool astray; /* a whole way through all that was foreseen was hit: bullets went elsewhere */
 };
 
 /* ---- frames ---- */
@@ -217,6 +218,7 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
         const enum trial_end end = fly(w, &p, s->begin, &lived);
         const bool kept = decided;
         note(w, s->begin + lived);
+        w->astray = end == TRIAL_HIT && p.frames == w->forecast.frames;
         decided = kept || ((end != TRIAL_ON || s->begin + lived >= s->limit) && end != TRIAL_HIT && over(s, end));
     } else if (good) { /* as far as it goes */
         const uint32_t last = s->last;
@@ -242,7 +244,11 @@ static bool all_at_once(struct work *w, const struct trial_mark *start)
         s->verdict = SEEK_FAULT;
         return true;
     }
-    return try_all(w, start, FX_ONE) || (!s->reacts && try_all(w, start, FX_ONE / 2));
+    /* the largest cells are the cheapest; smaller ones are no use where a way led through and was hit all the same */
+    for (fx cell = 2 * FX_ONE; cell >= FX_ONE / 2 && !s->reacts && !w->astray; cell /= 2)
+        if (try_all(w, start, cell))
+            return true;
+    return false;
 }
 
 /* ---- in pieces ---- */

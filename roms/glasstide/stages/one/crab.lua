@@ -1,6 +1,7 @@
 -- stages/one/crab.lua - where the shallows end: the Chandelier Crab, five phases. Its claws are
 -- parts of it, and break off; what they did, the shell then does in another way.
 local meeting = require "stages/one/meeting"
+local rank = require "rank"
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 
@@ -27,7 +28,7 @@ local function sweep(e, side)
     local claw = claws(e)[side < 0 and 1 or 2]
     if claw and claw.alive then
       pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
-                    spread = 20, dir = dir, speed = 1.9,
+                    spread = 20, dir = dir, speed = rank.faster(1.9),
                     n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
     elseif k % 8 == 0 then
       pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
@@ -49,7 +50,7 @@ local function pincers(e)
       sound.play("snap", { from = e })
       pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, width = 40,
                      dir = 90, speed = 2.2, delay = 24, motion = snap,
-                     n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 7 } }
+                     n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 6 } }
     end)
     if by_difficulty { easy = false, abyss = true } then
       pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 26 }
@@ -93,7 +94,8 @@ local function lamplight(e)
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
-                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36, abyss = 0.4 } }
+                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36,
+                                                abyss = 0.4 } }
     end
     sound.play("charge", { from = e })
     wait(56)
@@ -111,12 +113,13 @@ local function lamplight(e)
   end
 end
 
--- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides; shot
--- down, it clears a space.
+-- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides;
+-- shot down, it clears a space.
 local hang = motion.def {
   { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
 local function falling(every, n)
-  local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA, speed = 0.8 }
+  local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA,
+                 speed = 0.8 }
   return motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
     { speed = 2.3, over = 30 }, { loop = forever, { wait = every }, { emit = shed } } }
 end
@@ -165,8 +168,8 @@ local function wax(e)
     wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 80 })
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
-                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0, lock = true,
-                      delay = 12 }
+                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0,
+                      lock = true, delay = 12 }
     end
   end
 end
@@ -188,7 +191,7 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
 boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
-                   warning = 120, phases = {
+                   portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,

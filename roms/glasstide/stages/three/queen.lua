@@ -2,10 +2,12 @@
 -- one she comes back with.
 local sea = require "sea"
 local by = require "stages/three/by"
+local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
 local figures = require "stages/three/queen_figures"
 local meeting = require "stages/three/meeting"
 local fx = require "fx"
+local fast, soon = pace.fast, pace.soon
 
 local function wander(e, over)
   e:move { x = rng.int(80, 160), y = rng.int(74, 98), over = over, ease = "both" }
@@ -24,8 +26,8 @@ local function moon(e, dir)
     wait(50)
     while true do
       bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b),
-                    speed = by(1.3, 1.4, 1.5, 0.9) }
-      wait(by(22, 16, 13, 12))
+                    speed = fast(1.3, 1.4, 1.5, 0.9) }
+      wait(soon(22, 16, 13, 12))
     end
   end)
 end
@@ -40,7 +42,7 @@ local function wheels(e)
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
-                  speed = by(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
+                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
     wander(e, 90)
   end
@@ -215,21 +217,21 @@ end
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
-  { id = "wheels", hp = 1150, time = 45 * 60, run = wheels, clear = FOAM,
+  { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
-  { id = "held", spell = "Glass Sign: Held Breath", hp = 1300, time = 50 * 60, bonus = 30000,
+  { id = "held", spell = "Glass Sign: Held Breath", hp = 1050, time = 50 * 60, bonus = 30000,
     run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1350, time = 50 * 60, bonus = 30000,
+  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1100, time = 50 * 60, bonus = 30000,
     run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
-  { id = "window", spell = "Pane Sign: Rose Window", hp = 1400, time = 50 * 60, bonus = 40000,
+  { id = "window", spell = "Pane Sign: Rose Window", hp = 1150, time = 50 * 60, bonus = 40000,
     run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1700, time = 60 * 60, bonus = 60000,
-    run = function(e) flower(e, 1700) end, clear = FOAM } } })
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60, bonus = 60000,
+    run = function(e) flower(e, 1350) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen",
-  phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
+  phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
                run = again } } })
 
 local broken -- she was, as she came back

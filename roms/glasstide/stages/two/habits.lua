@@ -110,8 +110,7 @@ function habits.vent(e)
     local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
     for side = 0, 180, 180 do
       pattern.stack { from = e, dy = 6, kind = "steam", bank = 0, dir = side, speed = 1,
-                      speed_to = 3,
-                      n = n, motion = sink }
+                      speed_to = 2.3, n = n, motion = sink }
     end
     wait(by_difficulty { easy = 110, normal = 84, hard = 66, abyss = 56 })
   end
