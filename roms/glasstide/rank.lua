@@ -1,5 +1,6 @@
--- rank.lua - how hard the sea presses: 0 to 100, a register of the run. It rises while all goes well, and falls with a
--- craft or a bomb. Only the waves of stages and what bosses do before their signs ask for it.
+-- rank.lua - how hard the sea presses: 0 to 100, a register of the run. It rises while all goes
+-- well, and falls with a craft or a bomb. Only the waves of stages and what bosses do before their
+-- signs ask for it.
 local rank = {}
 
 local START <const>, MOST <const> = 20, 100

@@ -402,7 +402,7 @@ return {
     title   = { file = "music/title.mml", volume = 0.74 },
     opening = { file = "music/opening.mml", volume = 0.71 },
     -- stages
-    tide    = { file = "music/tide.mml", volume = 0.71 },
+    tide    = { file = "music/tide.mml", volume = 0.68 },
     works   = { file = "music/works.mml", volume = 0.69 },
     abyss   = { file = "music/abyss.mml", volume = 0.68 },
     caravan = { file = "music/caravan.mml", volume = 0.65 },
@@ -410,7 +410,7 @@ return {
     lantern = { file = "music/lantern.mml", volume = 0.68 },
     claws   = { file = "music/claws.mml", volume = 0.84 },
     furnace = { file = "music/furnace.mml", volume = 0.56 },
-    queen   = { file = "music/queen.mml", volume = 0.75 },
+    queen   = { file = "music/queen.mml", volume = 0.70 },
     moon    = { file = "music/moon.mml", volume = 0.63 },
     -- and afterwards
     clear   = { file = "music/clear.mml", volume = 0.64 },

@@ -517,6 +517,39 @@ static void test_endings(void **state)
     close_game();
 }
 
+/* An opening comes before the title, and again where nobody came; an ending's condition may be a function, and one
+ * that returns false is followed by no staff. */
+static void test_opening(void **state)
+{
+    static const struct rig_script scripts[] = {
+        { "main",
+          "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+          "stage.def('s', function() wait(5) end)\n"
+          "local round = 0\n"
+          "local function title() round = round + 1 print('title') wait(1) if round == 2 then return 'start' end end\n"
+          "boot.run { stages = { 's' }, players = { 'ship' }, staff = { { 'X' } },\n"
+          "  opening = function() print('opening') wait(10) end,\n"
+          "  screens = { title = title, results = function() end, staff = function() print('staff') end,\n"
+          "              scores = function() end },\n"
+          "  ending = { { when = function(run) return run.ship == 'none' end, show = print },\n"
+          "             { when = function(run) return run.clear end,\n"
+          "               show = function(run) print('end', run.ship) return false end } } }\n" },
+    };
+    static char got[1024];
+
+    (void)state;
+    rig_scripts(&g, NULL, scripts, 1);
+    rig_power(&r, &g, NULL);
+    got[0] = 0;
+    for (int i = 0; i < 280; i++) {
+        rig_run(&r, 1);
+        const struct board_out *o = board_last(r.b);
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)o->log_size, o->log);
+    }
+    assert_memory_equal(got, "opening\ntitle\nopening\ntitle\nend\tship\ntitle\n", 43);
+    close_game();
+}
+
 /* ---- what is refused ---- */
 
 static void says(const char *call, const char *want)
@@ -552,6 +585,8 @@ static void test_mistakes(void **state)
     says("ending = 5", "boot.run: ending: expected a function or a list, got number");
     says("ending = { { when = { shpi = 'heron' }, show = print } }",
          "boot.run: unknown condition of an ending: \"shpi\" (did you mean \"ship\"?)");
+    says("ending = { { when = 5, show = print } }", "boot.run: ending 1: when: expected a table, got number");
+    says("opening = 5", "opening: expected a function");
     says("staff = { 'me' }", "boot.run: staff 1: expected a list of texts, as { \"Art\", \"A. Name\" }, got string");
     says("demos = { 5 }", "boot.run: demos: 1: expected a string, got number");
     says("screen = {}", "boot.run: unknown argument \"screen\" (did you mean \"screens\"?)");
@@ -622,8 +657,8 @@ int main(void)
                                         cmocka_unit_test(test_leaving),  cmocka_unit_test(test_asks),
                                         cmocka_unit_test(test_continue), cmocka_unit_test(test_puts_back),
                                         cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
-                                        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_answers),
-                                        cmocka_unit_test(test_snapshots) };
+                                        cmocka_unit_test(test_opening),  cmocka_unit_test(test_mistakes),
+                                        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,6 @@ require "stages/three/angler"
 local moon = require "stages/moon"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
-local moon = require "stages/moon"
 local sea = require "sea"
 local fx = require "fx"
 

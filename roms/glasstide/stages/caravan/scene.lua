@@ -1,4 +1,5 @@
--- stages/caravan/scene.lua - the sea road at dusk: sand that rushes by below, light on it, reefs at both sides.
+-- stages/caravan/scene.lua - the sea road at dusk: sand that rushes by below, light on it, reefs
+-- at both sides.
 local FIRST <const>, LAST <const> = 0x140c1c, 0x4c3c58 -- of the ramp of scenery
 
 local function mixed(i)

@@ -28,7 +28,7 @@ end
 
 -- 2. Half: above the line is air, below it water. What flies in is bent towards the ground, takes
 -- another colour and goes slowly, so that it lies close down there.
-local LINE <const> = 176 -- y of the water
+local LINE <const> = 190 -- y of the water
 local CLASSES <const> = 9
 local SLOW <const> = { easy = 0.9, normal = 1, hard = 1.1, abyss = 0.8 }
 
@@ -123,7 +123,9 @@ local function at_night(run)
   end
 end
 
-boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "moon", portrait = "moon_cross",
+boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
+  epithet = "What Pulls the Water", entrance = "bubbles",
+  music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
       drops = { pearl = 8 } },

@@ -29,8 +29,11 @@ local function breath(e)
                   n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 5 },
                   motion = by_difficulty(bubbles) }
     wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 30, abyss = 34 }))
-    pattern.stack { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, speed = 1.7,
-                    speed_to = 2.7, n = by_difficulty { easy = 1, normal = 3, hard = 5 } }
+    pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44, speed = 1.7,
+                  n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 5 }, 2.7
+      pattern.stack(a)
+    end }
     wander(e, 50)
     wait(rank.sooner(by_difficulty { easy = 76, normal = 52, hard = 40, abyss = 40 }))
   end
@@ -126,6 +129,7 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
 boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
+                      entrance = "bubbles",
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,
