@@ -191,12 +191,8 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-<<<<<<< HEAD
 boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, music = "claws",
-=======
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
                    epithet = "Keeper of the Shallows", entrance = "bubbles",
->>>>>>> show
                    portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
