@@ -88,10 +88,10 @@ local function held(e)
   local breath = bullet.group("breath")
   for k = 1, forever do
     local n = by(14, 20, 27, 40)
-    for i = 1, by(5, 6, 6, 10) do
+    for i = 1, by(5, 6, 7, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
-      wait(10)
+      wait(by(10, 10, 10, 7))
     end
     wait(18)
     do
@@ -99,7 +99,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 9, 16))
+      gather(by(4, 7, 8, 18))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -150,10 +150,10 @@ local function ebb(e)
     wait(by(60, 50, 46, 60))
     wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
-                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
+                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
     wait(by(50, 40, 36, 60))
     pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
-                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 14),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 8),
                    motion = "sway", sway = tide() }
     wander(e, 80)
   end
