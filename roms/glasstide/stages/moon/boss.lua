@@ -124,6 +124,7 @@ local function at_night(run)
 end
 
 boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
+  epithet = "What Pulls the Water", entrance = "bubbles",
   music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,

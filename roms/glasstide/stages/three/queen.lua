@@ -215,6 +215,7 @@ local function again(e)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
+                    epithet = "Who Took Back the Sea", entrance = "bubbles",
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
