@@ -75,7 +75,8 @@ local function entries(words)
       items[1], items[2] = text.lang("1 PLAYER"), text.lang("2 PLAYERS")
     else
       list[#list + 1] = { what, 1 }
-      items[#items + 1] = what == "start" and text.lang("START") or WORDS[what] and text.lang(WORDS[what]) or menu.label(what)
+      local word = what == "start" and "START" or WORDS[what]
+      items[#items + 1] = word and text.lang(word) or menu.label(what)
     end
   end
   return list, items

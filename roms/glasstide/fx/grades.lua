@@ -12,5 +12,6 @@ return function(_, p)
   local was = before[p.index]
   local function since(what) return (p[what] or 0) - (was[what] or 0) end
   local lost = 3 * since("misses") + math.max(0, since("used") - since("captures"))
-  return lost <= 0 and "S" or lost <= 3 and "A" or lost <= 9 and "B" or "C"
+  local place = lost <= 0 and 1 or lost <= 3 and 2 or lost <= 9 and 3 or 4
+  return ("sabc"):sub(place, place):upper()
 end

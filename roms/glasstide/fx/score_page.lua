@@ -12,7 +12,8 @@ end
 
 local function words(row, head, line)
   text.put { col = WORDS, row = row, text = text.lang(head), bank = hud.banks.bright, rim = true }
-  text.line { x = 8 * WORDS, y = 8 * row + 10, text = text.lang(line), width = WIDTH, screen = true }
+  text.line { x = 8 * WORDS, y = 8 * row + 10, text = text.lang(line), width = WIDTH,
+              screen = true }
 end
 
 -- Bullets pass a craft.
@@ -52,7 +53,8 @@ end
 
 local function chain(y)
   local list = {}
-  for i = 1, 3 do list[i] = put(rom.has("krill") and "krill" or "glint", PICTURE + 18 * (i - 2), y) end
+  local name = rom.has("krill") and "krill" or "glint"
+  for i = 1, 3 do list[i] = put(name, PICTURE + 18 * (i - 2), y) end
   local flash = put("fire_a", PICTURE, y)
   return function(age)
     local beat = age % 90
