@@ -41,6 +41,17 @@ on.stage(function(_, state)
 end)
 on.game_over(function() sea.speed(0.4) end)
 
+-- A boss is heard when it comes.
+task.go(function()
+  local was
+  while true do
+    local now = boss.now()
+    if now and not was then sound.play("entrance") end
+    was = now
+    wait(4)
+  end
+end)
+
 -- The pieces of the screens, and the list of the music room.
 local pieces = require "pieces"
 for screen, name in pairs { title = "title", opening = "opening", results = "clear",

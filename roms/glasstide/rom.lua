@@ -365,7 +365,6 @@ return {
 
     -- crafts: what the tern fires, shots that are gathered, bombs; gauge, chain, tasks
     peal     = { mml = "t300 @fm E0,30,0,12 o5 V72 {d>d}32", priority = 0, limit = 1 },
-    charge_shot = { file = "sfx/charge_shot.mml", priority = 3, limit = 1 },
     ray      = { file = "sfx/ray.mml", priority = 3, limit = 1 },
     bell_bomb = { file = "sfx/bell_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
     lamp_bomb = { file = "sfx/lamp_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
@@ -411,7 +410,7 @@ return {
     -- bosses
     lantern = { file = "music/lantern.mml", volume = 0.68 },
     claws   = { file = "music/claws.mml", volume = 0.84 },
-    furnace = { file = "music/furnace.mml", volume = 0.56 },
+    furnace = { file = "music/furnace.mml", volume = 0.57 },
     queen   = { file = "music/queen.mml", volume = 0.70 },
     moon    = { file = "music/moon.mml", volume = 0.63 },
     -- and afterwards

@@ -129,6 +129,9 @@ local function hear(p, s)
     s.tier = tier + 1
     sound.play(higher[2], { from = p })
   end
+  local whole = (p.shards or 0) // 100 -- each whole of the multiplier too
+  if whole > (s.whole or 1) then sound.play("medal", { from = p }) end
+  s.whole = whole
 end
 
 on.kill(function(e, p)

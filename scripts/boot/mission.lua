@@ -98,6 +98,7 @@ local function try(m, run, host)
   if not left then
     host.quieten()
     hud.banner()
+    task.stop(game) -- what the hud has yet to say would be written over the result
     sys.cue(done and "mission" or "failed")
     answer = host.show("mission", result)
   end

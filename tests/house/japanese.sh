@@ -15,9 +15,9 @@ for path in glob.glob("scripts/**/*.lua", recursive=True):
             shown[text] = 30
 for path in glob.glob("roms/glasstide/**/*.lua", recursive=True):
     code = re.sub("--.*", "", open(path).read())
-    for text in re.findall(r'"([A-Z][^"]*)"', code if not path.endswith("rom.lua") else ""):
+    for text in re.findall(r'"([A-Z][^"]+)"', code if not path.endswith("rom.lua") else ""):
         shown[text] = 80  # sentences and names: they are broken into rows
-for path in glob.glob("roms/glasstide/stages/*.lua"):
+for path in glob.glob("roms/glasstide/stages/**/*.lua", recursive=True):
     for text in re.findall(r'(?:title|spell) = "([^"]*)"', open(path).read()):
         shown[text] = 28
     for text in re.findall(r'(?:talk\.def\("\w+", \{ name =|say\([\w"]+,) "([^"]*)"', open(path).read()):

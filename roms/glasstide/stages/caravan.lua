@@ -92,6 +92,8 @@ stage.def("caravan", function()
   sound.play("phase")
   pay()
   wait(180)
+  text.clear { col = 0, row = 6, w = hud.cols, h = 1 }
+  text.clear { col = 8, row = hud.rows - 2, w = hud.cols - 16, h = 1 }
 end, { music = "caravan" })
 
 return caravan

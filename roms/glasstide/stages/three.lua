@@ -2,9 +2,9 @@
 -- Anglerlamp in water without light, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
-local moon = require "stages/moon"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
+local moon = require "stages/moon"
 local sea = require "sea"
 local fx = require "fx"
 

@@ -16,7 +16,7 @@ local function either(e, f)
 end
 
 local function wander(e, over)
-  e:move { x = rng.int(86, 154), y = rng.int(74, 92), over = over, ease = "both" }
+  e:move { x = rng.int(86, 154), y = rng.int(84, 100), over = over, ease = "both" }
 end
 
 -- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
@@ -178,7 +178,7 @@ end
 local function harbour(e)
   local ways = by_difficulty(ebbing)
   task.go(wax, e)
-  e:move { x = 120, y = 82, over = 60, ease = "both" }
+  e:move { x = 120, y = 90, over = 60, ease = "both" }
   wait(40)
   for k = 1, forever do
     local left = k % 2 == 0
@@ -191,7 +191,7 @@ end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, music = "claws",
                    epithet = "Keeper of the Shallows", entrance = "bubbles",
                    portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },

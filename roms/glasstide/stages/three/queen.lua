@@ -120,7 +120,7 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 1), by(1, 1, 1, 2)
+  local every, many = by(6, 4, 3, 2), by(1, 1, 1, 3)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
@@ -134,7 +134,7 @@ local function rain_over(e)
 end
 
 local function wall(first)
-  local wide = by(7, 5, 4, 5)
+  local wide = by(7, 5, 4, 6)
   for row = 0, 2 do
     pattern.line { x = 120 + 6 * (row % 2), y = -10, kind = "rice", bank = 1, n = 28, width = 324,
                    dir = 90, speed = by(1.2, 1.3, 1.4, 0.9), motion = "sway", sway = tide(),
@@ -153,7 +153,7 @@ local function ebb(e)
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
     wait(by(50, 40, 36, 60))
     pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
-                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 22),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 18),
                    motion = "sway", sway = tide() }
     wander(e, 80)
   end
@@ -175,7 +175,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 18), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 17), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -189,15 +189,15 @@ local function flower(e, full)
     wait(12)
     petals(e, turn + 12, right, 5)
     if k % 3 == 0 then
-      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 7), aim = true,
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 5), aim = true,
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
-    wait(by(80, 62, 46, 44))
+    wait(by(80, 62, 46, 48))
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 40) }
+                     n = by(10, 20, 30, 30) }
     end
   end
 end

@@ -50,16 +50,16 @@ local function inhale()
   for i = 1, rows do
     for side = 0, 1 do
       bullet.fire { kind = "drop", bank = 5, x = side == 0 and 6 or 234, y = 18 + 14 * i,
-                    dir = 180 * side, speed = 0.4, delay = 24 + 3 * i, motion = drawn }
+                    dir = 180 * side, speed = 0.4, delay = 24 + 2 * i, motion = drawn }
     end
   end
-  wait(80 + 3 * rows)
+  wait(74 + 2 * rows)
 end
 
 local function exhale(first)
   local n = by_difficulty { easy = 24, normal = 40, hard = 54, abyss = 66 }
   local wide = by_difficulty { easy = 6, normal = 5, hard = 4 }
-  local swing = by_difficulty { easy = 9, normal = 14, hard = 18, abyss = 15 }
+  local swing = by_difficulty { easy = 9, normal = 14, hard = 20, abyss = 16 }
   local waves = by_difficulty { easy = 6, normal = 9, hard = 11, abyss = 26 }
   for i = 1, waves do
     local odd = i % 2 == 1

@@ -13,12 +13,34 @@ local function angry(e)
   return o and (not o.alive or o.hp == 0)
 end
 
+local CRIES <const> = { cinder = "cinder_cry", quench = "quench_cry" }
+
+-- Who is left alone cries out, and glows.
+local function mourn(e)
+  wait(2)
+  wait_until(function() return angry(e) end)
+  sound.play(CRIES[e == duel.cinder and "cinder" or "quench"], { from = e })
+  screen.shake { size = 2, over = 20 }
+  spark.burst { kind = "shock", from = e, speed = 0 }
+  while true do
+    spark.burst { kind = "ember", from = e, n = 3, dir = 270, spread = 150, speed = 1.4 }
+    wait(5)
+  end
+end
+
 local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
 
 -- The functions of a phase in which each has a bar.
 local function pair(cinder, quench)
-  return { cinder = function(e) duel.cinder = e sound.play("cinder_cry", { from = e }) cinder(e) end,
-           quench = function(e) duel.quench = e sound.play("quench_cry", { from = e }) quench(e) end }
+  local function alone(name, run)
+    return function(e)
+      duel[name] = e
+      sound.play(CRIES[name], { from = e })
+      task.go(mourn, e)
+      run(e)
+    end
+  end
+  return { cinder = alone("cinder", cinder), quench = alone("quench", quench) }
 end
 
 -- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
