@@ -9,7 +9,7 @@ local FASTER <const> = 0.15    -- of a speed, at most
 local SOONER <const> = 0.2     -- of a pause, at most
 
 game.def { registers = { rank = { start = START, max = MOST, drain = -1, every = EVERY },
-                         minions = 0 } } -- those killed in the boss's phase that goes on
+                         minions = { show = "none" } } } -- those killed in the boss's phase that goes on
 
 local function rise(by) game.rank = math.max(0, game.rank + by) end
 

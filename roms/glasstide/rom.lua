@@ -342,7 +342,6 @@ return {
     claw     = { file = "sfx/claw.mml", priority = 6, limit = 1 },
     hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
     bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
-    the_crab = { mml = "t300 @pulse E0,18,0,8 o4 V104 f64c64", priority = 5, limit = 1 },
     snap     = { mml = "t300 @pulse E0,20,0,10 o4 V112 {g>c}32", priority = 4, limit = 1 },
 
     -- stage two: the works, and the voices of the two eels

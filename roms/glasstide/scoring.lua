@@ -14,6 +14,8 @@ local LARGE <const> = 3000      -- points that are seen where they were won
 local DEAD <const> = 2          -- at a death what is over x1.00 is divided by this
 local MOST_CHAIN <const> = 200  -- beyond this a chain is worth no more
 
+local COUNT <const> = { show = "none" } -- nobody practises with more of it
+
 -- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second
 -- part are for the tally.
 function scoring.registers()
@@ -22,8 +24,8 @@ function scoring.registers()
     shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
                mark = 500 }, -- in hundredths
     chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
-    worn = { drain = 1, every = 30, hold = 120 },
-    prisms = 0, longest = 0, captures = 0, misses = 0, used = 0 }
+    worn = { drain = 1, every = 30, hold = 120, show = "none" },
+    prisms = COUNT, longest = COUNT, captures = COUNT, misses = COUNT, used = COUNT }
 end
 
 -- A number that rises where it was won.
