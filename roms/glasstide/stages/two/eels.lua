@@ -235,9 +235,9 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 10, normal = 18, hard = 24,
-                              abyss = 46 } + (angry(e) and 4 or 0)
+    local n = by_difficulty { easy = 10, normal = 18, hard = 24, abyss = 46 }
     local thick = k % 3 == 0 -- steam: fewer, and wider
+    if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
