@@ -77,6 +77,18 @@ function fx.huge(at)
   board.stop(4)
 end
 
+-- A craft is lost.
+function fx.lost(p)
+  throw("flare", p, 1, 0)
+  throw("fire_e", p, 1, 0)
+  throw("breaker", p, 1, 0)
+  throw("glint", p, 24, 4)
+  throw("sherd_m", p, 10, 3.5)
+  screen.shake { size = 5, over = 30 }
+  screen.flash { over = 16, share = 0.4 }
+  board.stop(6)
+end
+
 -- A bomb, or whatever sweeps: rings that run out one after the other.
 function fx.wave(at)
   local x, y = at.x, at.y

@@ -14,6 +14,7 @@ require "unlocks"
 require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
+local fx = require "fx"
 local front = require "fx/front"
 local grades = require "fx/grades"
 local score_page = require "fx/score_page"
@@ -24,9 +25,7 @@ hud.low = 3 -- the bombs stand below
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.
 on.death(function(p)
-  spark.burst { kind = "blaze", from = p, speed = 0 }
-  spark.burst { kind = "shock", from = p, speed = 0 }
-  spark.burst { kind = "crumb", from = p, n = 32, speed = 4 }
+  fx.lost(p)
   bullet.sweep { x = p.x, y = p.y, radius_to = 400, over = 30 }
   craft.refill(p)
 end)

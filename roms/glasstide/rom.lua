@@ -33,6 +33,7 @@ return {
     logo    = { file = "art/logo.png",    bank = 15 },
     logo_light = { file = "art/logo_light.png", bank = 15 },
     marker  = { file = "art/marker.png",  bank = 1 },
+    gems    = { file = "art/gems.png",    bank = 0 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
@@ -263,9 +264,10 @@ return {
     sherd_l = { sheet = "sherds", x = 0, y = 20,  w = 18,  h = 18,  frames = 8, every = 5 },
     bubbles = { sheet = "sherds", x = 0, y = 38,  w = 12,  h = 12,  frames = 4, every = 14 },
 
-    nacre    = { sheet = "finds", x = 0,  y = 0, w = 14, h = 14 },
-    conch    = { sheet = "finds", x = 16, y = 0, w = 16, h = 16 },
-    heart    = { sheet = "finds", x = 32, y = 0, w = 16, h = 16 },
+    nacre    = { sheet = "gems", x = 0, y = 0,  w = 16, h = 16, frames = 10, every = 5,
+                 origin = { 7, 7 } },
+    conch    = { sheet = "gems", x = 0, y = 16, w = 16, h = 16, frames = 10, every = 5 },
+    heart    = { sheet = "gems", x = 0, y = 32, w = 16, h = 16, frames = 10, every = 5 },
     foam     = { sheet = "finds", x = 48, y = 0, w = 8,  h = 8 },
     ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },

@@ -33,6 +33,7 @@ static const struct picture GAME[] = {
     { "sherds", art_sherds, ART_MAIN },
     { "logo_light", art_logo_light, ART_MAIN },
     { "marker", art_marker, ART_MAIN },
+    { "gems", art_gems, ART_MAIN },
     { "font", art_font, ART_MAIN },
     { "kana", art_kana, ART_MAIN },
     { "logo", art_logo, ART_MAIN },

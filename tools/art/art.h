@@ -105,6 +105,7 @@ struct sheet art_lights(void);
 struct sheet art_sherds(void);
 struct sheet art_logo_light(void);
 struct sheet art_marker(void);
+struct sheet art_gems(void);
 struct sheet art_floor(void);
 struct sheet art_reef(void);
 struct sheet art_logo(void);

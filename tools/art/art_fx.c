@@ -226,6 +226,24 @@ struct sheet art_logo_light(void)
     return s;
 }
 
+/* What is found, a row each: pearl, conch and heart, over which a light runs in the first half of their frames. */
+struct sheet art_gems(void)
+{
+    enum { GEM = 16, GEMS = 3, GEM_FRAMES = 10 };
+    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * GEMS, 0);
+
+    for (int k = 0; k < GEM_FRAMES * GEMS; k++)
+        for (int i = 0; i < GEM * GEM; i++) {
+            int frame = k % GEM_FRAMES, x = i % GEM, y = i / GEM;
+            int shade = sheet_get(&finds, k / GEM_FRAMES * GEM + x, y);
+            double off = fabs(x + y * 0.7 - (frame * 7 - 4));
+            bool lit = shade > 2 && frame < 5 && off < 2.6;
+            sheet_set(&s, frame * GEM + x, k / GEM_FRAMES * GEM + y, lit ? off < 1.4 ? 15 : 13 : shade);
+        }
+    sheet_free(&finds);
+    return s;
+}
+
 /* Where a boss is, at the lower edge: an arrow that points up at it. */
 struct sheet art_marker(void)
 {
