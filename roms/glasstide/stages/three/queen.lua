@@ -56,14 +56,15 @@ motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
 motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
 
 local function gather(n)
+  local apart = by(4, 4, 4, 2) -- frames
   for i = 1, n do
     player.each(function(p)
       if not p.alive then return end
       local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
       bullet.fire { kind = "lance", bank = 3, from = p, aim = true, speed = 3,
-                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = 4 * (n - i) + 30 }
+                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = apart * (n - i) + 30 }
     end)
-    wait(4)
+    wait(apart)
   end
   wait(30)
 end
@@ -91,7 +92,7 @@ local function held(e)
     for i = 1, by(5, 6, 7, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
-      wait(by(10, 10, 10, 7))
+      wait(by(10, 10, 12, 6))
     end
     wait(18)
     do
@@ -99,7 +100,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 8, 18))
+      gather(by(4, 7, 8, 16))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
