@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive
+         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive patterns
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -304,6 +304,10 @@ $(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
+$(OUT)/lively: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
 # Against libfixmath. The script builds the program, for it links several builds of that library.
 BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
             $(patsubst %,$(OUT)/tools/bench_fx/%.o,bench_fx bench_fx_inputs)
@@ -322,6 +326,11 @@ demos: deps-play
 cookbook: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/cookbook
 	@OUT=$(OUT) tools/cookbook/cookbook.sh
+
+# The patterns of Glass Tide with their pictures, docs/patterns.md; of the demos that make demos records.
+patterns: deps-play
+	@$(MAKE) --no-print-directory build/curtain-null $(OUT)/lively
+	@OUT=$(OUT) python3 tools/patterns.py
 
 # README and docs/ as one file; make install takes it along, if it was made.
 docs: deps-docs

@@ -5,6 +5,8 @@
  *     --ship NAME     with that kind of player; a second one is player 2's,
  *     --players 2     in two
  *     --form WORD     the ship is NAME_WORD
+ *     --first STAGE   which begins with that stage
+ *     --wait N        frames until the title is there (150), before anything is pressed
  *     --stage S       practice start instead of the title
  *     --frames N      stop after N frames (default 20000)
  *     --finish        stop two seconds after a score was entered into a table
@@ -34,7 +36,7 @@ struct wanted {
     struct menus_wish wish;
     struct pilot pilot;
     const char *stage, *difficulty, *form, *after;
-    uint32_t frames;
+    uint32_t frames, wait;
     uint64_t seed;
     int prints, ships;
     bool quiet;
@@ -79,6 +81,10 @@ static int take(struct wanted *w, char **argv, const char *more)
         w->frames = (uint32_t)atoi(more);
     else if (!strcmp(word, "--stage"))
         w->stage = more;
+    else if (!strcmp(word, "--first"))
+        w->wish.first = more;
+    else if (!strcmp(word, "--wait"))
+        w->wait = (uint32_t)atoi(more);
     else if (!strcmp(word, "--seed"))
         w->seed = (uint64_t)atoll(more);
     else if (!strcmp(word, "--lose"))
@@ -177,7 +183,7 @@ static void play(struct run *r, struct wanted *w)
 
     w->pilot.r = r;
     if (wished && !w->stage) {
-        for (int f = 0; f < 150; f++) /* the title comes */
+        for (uint32_t f = 0; f < w->wait; f++)
             run_tick(r, (const uint16_t[PADS]){ 0 });
         if (!menus_enter(r, &w->wish))
             bot_fail("no way through the menus was found to such a game");
@@ -187,7 +193,7 @@ static void play(struct run *r, struct wanted *w)
 
 int main(int argc, char **argv)
 {
-    struct wanted w = { .frames = 20000, .seed = 1, .wish.players = 1 };
+    struct wanted w = { .frames = 20000, .wait = 150, .seed = 1, .wish.players = 1 };
     struct run r = { .quiet = false };
     struct tally t = { 0 };
     struct rom_image image;

@@ -29,6 +29,7 @@ struct menus_wish {
     const char *ship[PADS]; /* kinds of players; NULL: any */
     int difficulty;         /* an index; -1: any */
     int players;
+    const char *first; /* stage; NULL: any */
 };
 
 /* Looks for what to press from where the run is until a game begins as it is wished, and presses it. False: no way was

@@ -53,7 +53,7 @@ end
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
 motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
-motion.def { name = "creep", { speed = 0 }, { speed = 1.2, over = 40 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
 
 local function gather(n)
   for i = 1, n do
@@ -88,10 +88,10 @@ local function held(e)
   local breath = bullet.group("breath")
   for k = 1, forever do
     local n = by(14, 20, 27, 40)
-    for i = 1, by(5, 6, 6, 10) do
+    for i = 1, by(5, 6, 7, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
-      wait(10)
+      wait(by(10, 10, 10, 7))
     end
     wait(18)
     do
@@ -99,7 +99,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 11, 14))
+      gather(by(4, 7, 8, 18))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -120,11 +120,11 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 2), by(1, 1, 1, 3)
+  local every, many = by(6, 4, 3, 2), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
-      drop.speed = by(1.2, 1.4, 1.5, 0.8) + 0.1 * (k % 3)
+      drop.speed = by(1.2, 1.4, 1.5, 0.85) + by(0.1, 0.1, 0.1, 0) * (k % 3)
       drop.sway = tide()
       bullet.fire(drop)
     end
@@ -135,7 +135,7 @@ end
 
 local function wall(first)
   local wide = by(7, 5, 4, 6)
-  for row = 0, 2 do
+  for row = 0, by(2, 2, 2, 5) do
     pattern.line { x = 120 + 6 * (row % 2), y = -10, kind = "rice", bank = 1, n = 28, width = 324,
                    dir = 90, speed = by(1.2, 1.3, 1.4, 0.9), motion = "sway", sway = tide(),
                    skip = { first + row, first + row + wide } }
@@ -150,10 +150,10 @@ local function ebb(e)
     wait(by(60, 50, 46, 60))
     wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
-                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
+                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
     wait(by(50, 40, 36, 60))
     pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
-                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 18),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 8),
                    motion = "sway", sway = tide() }
     wander(e, 80)
   end

@@ -99,12 +99,12 @@ teeth("teeth left", 1.3)
 teeth("teeth right", -1.3)
 
 local function wheel(x, y, left, speed)
-  local teeth = by_difficulty { easy = 5, normal = 6, hard = 8, abyss = 10 }
+  local count = by_difficulty { easy = 5, normal = 6, hard = 8, abyss = 10 }
   local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = 90, speed = speed,
                             delay = 20 }
-  for i = 1, teeth do
+  for i = 1, count do
     bullet.fire { kind = "ingot", bank = left and 6 or 7, x = x, y = y, speed = 0, around = hub,
-                  dir = 360 * (i + (left and 0 or 0.5)) / teeth, delay = 20,
+                  dir = 360 * (i + (left and 0 or 0.5)) / count, delay = 20,
                   motion = left and "teeth left" or "teeth right" }
   end
 end

@@ -2,46 +2,8 @@
 -- each has a bar of its own, the one that is left is angry.
 local rank = require "rank"
 local meeting = require "stages/two/meeting"
-
-local duel = {} -- the two of them, by name, while a phase runs
-
-local function other(e) return e == duel.cinder and duel.quench or duel.cinder end
-
--- Is the other one down? Then by so much less is waited.
-local function angry(e)
-  local o = other(e)
-  return o and (not o.alive or o.hp == 0)
-end
-
-local CRIES <const> = { cinder = "cinder_cry", quench = "quench_cry" }
-
--- Who is left alone cries out, and glows.
-local function mourn(e)
-  wait(2)
-  wait_until(function() return angry(e) end)
-  sound.play(CRIES[e == duel.cinder and "cinder" or "quench"], { from = e })
-  screen.shake { size = 2, over = 20 }
-  spark.burst { kind = "shock", from = e, speed = 0 }
-  while true do
-    spark.burst { kind = "ember", from = e, n = 3, dir = 270, spread = 150, speed = 1.4 }
-    wait(5)
-  end
-end
-
-local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
-
--- The functions of a phase in which each has a bar.
-local function pair(cinder, quench)
-  local function alone(name, run)
-    return function(e)
-      duel[name] = e
-      sound.play(CRIES[name], { from = e })
-      task.go(mourn, e)
-      run(e)
-    end
-  end
-  return { cinder = alone("cinder", cinder), quench = alone("quench", quench) }
-end
+local duel = require "stages/two/duel"
+local angry, rest, pair = duel.angry, duel.rest, duel.pair
 
 -- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
 local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 0 } } }
@@ -296,7 +258,7 @@ boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120
            { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90 } },
   phases = {
     { talk = meeting },
-    { id = "both", hp = { cinder = 380, quench = 380 }, time = 30 * 60, run = pair(sparks, bars),
+    { id = "both", hp = { cinder = 380, quench = 380 }, time = 34 * 60, run = pair(sparks, bars),
       clear = FOAM, drops = { pearl = 6 } },
     { id = "furnace", spell = "Furnace Sign: Poured Glass", hp = { cinder = 760 }, time = 34 * 60,
       bonus = 20000, run = furnace, clear = FOAM, drops = { pearl = 8 } },
