@@ -143,7 +143,7 @@ end
 -- The registers of player i; those of the run are of both, so they have a row by themselves.
 local function stack_registers(rows, i, of_run)
   for _, r in ipairs(registers[i]) do
-    if not r.run == not of_run then
+    if r.run == of_run then
       local s, bank = register(i, r)
       if s == "" then rows[#rows + 1] = { "" } else add(rows, s, "", "", bank) end
     end

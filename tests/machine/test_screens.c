@@ -621,6 +621,71 @@ static void test_answers(void **state)
     }
 }
 
+/* ---- pages of the game's own, and grades ---- */
+
+static const char with_pages[] =
+    "boot.run { stages = { 'one', 'two' }, players = { 'heron' },\n"
+    "  pages = { { name = 'how_to', show = function(row, rows)\n"
+    "    sprite.put { sprite = 'dot', x = 9, y = 9 } text.put { col = 3, row = row, text = 'INSIDE ' .. rows }\n"
+    "    while true do wait(1) end end } },\n"
+    "  grades = function(stage, p) return p.lives and stage == 'one' and 'S' or 'B' end }\n";
+
+/* The list has the page by its name; what it puts goes with it. A grade stands large below the values. */
+static void test_pages(void **state)
+{
+    (void)state;
+    open_sized(with_pages, 240, 320, 240, 1);
+    soon("PRESS START", 5);
+    press(PAD_START, 0);
+    soon("HOW TO", 20);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("INSIDE 2", 20);
+    assert_int_equal(at("INSIDE 2") % 1000, 3);
+    soon("FIRE: BACK", 40);
+    assert_int_equal(r.b->sprites.s.live, 2); /* its frame, and the dot */
+    press(PAD_BOMB, 0);
+    soon("HOW TO", 20);
+    gone("INSIDE");
+    press(PAD_UP, 0);
+    press(PAD_FIRE, 0);
+    soon("DIFFICULTY", 20);
+    press(PAD_FIRE, 0);
+    soon("STAGE ONE CLEAR", 200);
+    gone("GRADE");
+    soon("GRADE", 120);
+    soon("SS", 5); /* a letter of two cells by two */
+    press(PAD_FIRE, 0);
+    soon("STAGE TWO CLEAR", 200);
+    soon("BB", 200);
+    close_game();
+}
+
+static void test_page_mistakes(void **state)
+{
+    static const struct {
+        const char *args, *want;
+    } wrong[] = {
+        { "pages = { 3 }", "page 1: expected a table" },
+        { "pages = { { show = print } }", "page 1: name: expected a string" },
+        { "pages = { { name = 'music', show = print } }", "\"music\" is there already" },
+        { "pages = { { name = 'a' } }", "page \"a\": show: expected a function, got nil" },
+        { "pages = { { name = 'a', shows = print } }", "shows" },
+        { "grades = 3", "grades" },
+    };
+    char text[300];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        snprintf(text, sizeof text, "boot.run { stages = { 'one' }, players = { 'heron' }, %s }", wrong[i].args);
+        open_game(text);
+        if (!rig_fault(&r) || !strstr(rig_fault(&r)->message, wrong[i].want))
+            fail_msg("\"%s\" does not say \"%s\"", rig_fault(&r) ? rig_fault(&r)->message : "", wrong[i].want);
+        rig_free(&r);
+        rig_game_free(&g);
+    }
+}
+
 /* ---- any frame of any screen can be taken back ---- */
 
 static void test_snapshots(void **state)
@@ -658,6 +723,7 @@ int main(void)
                                         cmocka_unit_test(test_continue), cmocka_unit_test(test_puts_back),
                                         cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
                                         cmocka_unit_test(test_opening),  cmocka_unit_test(test_mistakes),
+                                        cmocka_unit_test(test_pages),    cmocka_unit_test(test_page_mistakes),
                                         cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
