@@ -85,7 +85,8 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make pacing   measure docs/pacing.md anew"
-	@echo "make survive  what can be survived, of every phase and page: docs/survive.md"
+	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/survive.md, docs/game.md"
+	@echo "make patterns what Glass Tide fires, in words and pictures: docs/patterns.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
@@ -336,7 +337,7 @@ patterns: deps-play
 docs: deps-docs
 	@tools/docs/docs.sh -o build/curtain.html
 
-# What can be survived, of Glass Tide and the cookbook; docs/survive.md.
+# What can be survived, of Glass Tide and the cookbook, and how hard it is; docs/survive.md, docs/game.md.
 survive: deps-play
 	@$(MAKE) --no-print-directory build/curtain-null
 	@tools/survive.sh

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # clears.sh - Glass Tide can be played to its end: the demos of tests/demos/glasstide hold, without help and from
-# power-on. All difficulties are cleared, each craft is flown, one game is lost, one is played in two. make demos records
-# them (tools/demos.sh).
+# power-on. All difficulties are cleared, each craft is flown, one game is lost, one is played in two. make demos
+# records them (tools/demos.sh).
 . "$(dirname "$0")/../tap.sh"
 program=$OUT/curtain-null
 game=roms/glasstide at=tests/demos/glasstide
