@@ -18,6 +18,7 @@ struct draw_target {
     uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
     unsigned layers;        /* of sprites, a bit each: there is nothing in the others */
     const uint8_t *shade;   /* the entry that each of 256 is shown as in backgrounds; NULL: they are not dimmed */
+    bool soft;              /* whoever is hurt blinks softly */
 };
 
 /* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */
