@@ -132,8 +132,8 @@ static void ring(struct sheet *s, int x, int y, int size, double t)
 
 /* -- sherds: the creatures' bank, of every stage; 2..9 glass, 15 the light on it -- */
 
-/* A flat piece of glass that turns about an axis of its own while it spins; its face flashes where it meets the
- * light. */
+/* A flat piece of glass that turns about an axis of its own while it spins; it is dark, so that it is no bullet, and
+ * glows a little where it meets the light. */
 static void sherd(struct sheet *s, int x, int y, int size, double turn, int n, const double *xy)
 {
     double flat = art_cos(turn), c = art_cos(turn * 1.0 + 0.1), q = art_sin(turn * 1.0 + 0.1), points[12];
@@ -145,12 +145,12 @@ static void sherd(struct sheet *s, int x, int y, int size, double turn, int n, c
         points[2 * i] = px * c - py * q;
         points[2 * i + 1] = px * q + py * c;
     }
-    int hi = lit > 0.9 ? 9 : 4 + (int)(5 * lit), lo = hi - 3;
+    int hi = lit > 0.9 ? 6 : 4 + (int)(2 * lit), lo = hi - 2;
     paint_poly(p, (struct mat){ GLASS, lo, hi, 0.1 }, n, points, size * 0.16);
     paint_done(p, s, x, y, 0, 0);
     for (int i = 0; lit > 0.9 && i < size * size; i++) {
         if (sheet_get(s, x + i % size, y + i / size) >= hi - (flat > 0))
-            sheet_set(s, x + i % size, y + i / size, 15);
+            sheet_set(s, x + i % size, y + i / size, 7);
     }
 }
 
