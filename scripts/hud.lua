@@ -54,7 +54,7 @@ local players = 0 -- how many play
 local seen = {}   -- each player's last score: that of one who is out cannot be read
 local shown = {}  -- the text of each row on the screen; a row is written only when it changes
 local below = {}  -- and of those at the lower edge, by player and row
-local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
+local banner      -- lines; row, h, the rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
 local registers, low = { {}, {} }, { {}, {} } -- that each player's ship shows: name, label, show, max, mark, run
 local covered = 0 -- how many stand over the field's lower edge
@@ -257,27 +257,28 @@ local function draw()
     draw_low()
     fresh = false
   end
-  boss.draw(TOP + #shown + 1, again)
+  boss.draw(TOP + #shown + (PANEL and 1 or 0), again)
   again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
 
--- Shows lines in the middle of the field for so many frames; without lines, ends that.
-function hud.banner(lines, over)
+-- Shows lines in the middle of the field, or from a row on, for so many frames; without lines, ends that.
+function hud.banner(lines, over, first)
   if lines and type(lines) ~= "table" then sys.fail("hud.banner", 'lines: expected a list of texts, as { "GO" }') end
   if lines and not math.tointeger(over) then sys.fail("hud.banner", "frames: expected how long it is shown") end
-  if banner then text.clear { col = field_col, row = BANNER_ROW, w = field_cols, h = banner.h } end
+  if banner then text.clear { col = field_col, row = banner.row, w = field_cols, h = banner.h } end
   banner = nil
   if not lines then return end
-  local row = BANNER_ROW
+  first = first or BANNER_ROW
+  local row = first
   for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright, field_col, field_cols) + 1 end
-  banner = { h = row - BANNER_ROW, ends = sys.clock() + over, lines = lines }
+  banner = { row = first, h = row - first, ends = sys.clock() + over, lines = lines }
 end
 
 -- Writes all again after something else was written over it.
 function hud.refresh()
   shown, below, fresh, again = {}, { {}, {} }, true, true
-  if banner then hud.banner(banner.lines, banner.ends - sys.clock()) end
+  if banner then hud.banner(banner.lines, banner.ends - sys.clock(), banner.row) end
 end
 
 -- Draws every frame for n players, until the owner ends.
