@@ -57,6 +57,7 @@ local below = {}  -- and of those at the lower edge, by player and row
 local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
 local registers, low = { {}, {} }, { {}, {} } -- that each player's ship shows: name, label, show, max, mark, run
+local covered = 0 -- how many stand over the field's lower edge
 local values = {} -- what the rows tell of
 local fresh       -- one of them is another than in the frame before
 local again       -- all is to be written
@@ -142,15 +143,30 @@ end
 -- The registers of player i; those of the run are of both, so they have a row by themselves.
 local function stack_registers(rows, i, of_run)
   for _, r in ipairs(registers[i]) do
-    if not r.run == not of_run then
+    if r.run == of_run then
       local s, bank = register(i, r)
       if s == "" then rows[#rows + 1] = { "" } else add(rows, s, "", "", bank) end
     end
   end
 end
 
--- What stands at the field's lower edge, from below: player one's to the left, two's to the right.
+-- What covers the field's lower edge, a talk, takes these rows away, and brings them back.
+function sys.low(shown_again)
+  covered = covered + (shown_again and -1 or 1)
+  for i = 1, covered == 1 and not shown_again and players or 0 do
+    for k, old in pairs(below[i]) do
+      local n = cells(old[1])
+      hud.put(i == 1 and left or left + width - n, BOTTOM - hud.low - k + 1, (" "):rep(n))
+    end
+  end
+  below, fresh = { {}, {} }, true
+end
+
+local PLACES <const> = { bar = 1, icons = 2, times = 3, number = 4 } -- from below
+
+-- What stands at the field's lower edge: player one's to the left, two's to the right.
 local function draw_low()
+  if covered > 0 then return end
   for i = 1, players do
     for k, r in ipairs(low[i]) do
       local s, bank = register(i, r)
@@ -268,7 +284,7 @@ end
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  values, below, fresh, again, wide = {}, { {}, {} }, true, true, false
+  values, below, covered, fresh, again, wide = {}, { {}, {} }, 0, true, true, false
   for i = 1, 2 do
     local kind = i <= n and player.get(i).kind
     registers[i], low[i] = {}, {}
@@ -278,6 +294,10 @@ function hud.start(owner, n)
       local list = r.at == "low" and not PANEL and low[i] or registers[i]
       if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
     end
+    table.sort(low[i], function(r, s)
+      local a, b = PLACES[r.show], PLACES[s.show]
+      return a < b or a == b and r.name < s.name
+    end)
   end
   task.own(owner, function()
     while true do

@@ -77,6 +77,18 @@ function fx.huge(at)
   board.stop(4)
 end
 
+-- A craft is lost.
+function fx.lost(p)
+  throw("flare", p, 1, 0)
+  throw("fire_e", p, 1, 0)
+  throw("breaker", p, 1, 0)
+  throw("glint", p, 24, 4)
+  throw("sherd_m", p, 10, 3.5)
+  screen.shake { size = 5, over = 30 }
+  screen.flash { over = 16, share = 0.4 }
+  board.stop(6)
+end
+
 -- A bomb, or whatever sweeps: rings that run out one after the other.
 function fx.wave(at)
   local x, y = at.x, at.y
@@ -90,9 +102,16 @@ function fx.wave(at)
   throw("glint", at, 24, 5, 10)
 end
 
+-- What is left of it: its picture, which trembles. Kinds of creatures have their sprites' names.
+local function remains(e)
+  if not (e.kind and rom.has(e.kind)) then return nil end
+  return sprite.put { sprite = e.kind, x = e.x, y = e.y, bank = e.bank or 0, layer = "back" }
+end
+
 -- It cracks: fires run over it, ever closer together, and pieces fall off.
-local function crack(x, y)
+local function crack(x, y, body)
   for i = 1, 16 do
+    if body and body.alive then body.x, body.y = x + (i % 3 - 1) * 2, y + i // 2 end
     local at = { x = x + 38 * angle.cos(137 * i), y = y + 28 * angle.sin(137 * i) }
     throw(i % 4 == 0 and either("fire_c", "fire_d") or either("fire_a", "fire_b"), at, 1, 0)
     throw("sherd_m", at, 2, 1.8)
@@ -109,7 +128,7 @@ end
 -- It bursts: light, three rings, and glass that sinks for a long time.
 local function break_up(x, y)
   local at = { x = x, y = y }
-  screen.flash { over = 40, share = 0.8 }
+  screen.flash { over = 40, share = 0.7 }
   screen.shake { size = 8, over = 60 }
   throw("flare", at, 1, 0)
   throw("fire_e", at, 1, 0)
@@ -123,9 +142,10 @@ local function break_up(x, y)
     throw("bubbles", at, 12, 2.2, 10 * i)
     wait(7)
   end
-  for _ = 1, 8 do
-    throw("sherd_l", at, 3, 1.6, 36)
-    throw("bubbles", at, 3, 0.8, 30)
+  for k = 1, 8 do
+    local near = { x = x + 46 * angle.cos(77 * k), y = y + 36 * angle.sin(131 * k) }
+    throw("sherd_l", near, 3, 1.8)
+    throw("bubbles", near, 3, 1.4)
     wait(6)
   end
 end
@@ -137,12 +157,14 @@ function fx.collapse(e)
   sound.play("collapse", from(e))
   throw("star", e, 1, 0)
   throw("ripple", e, 1, 0)
+  local body = remains(e)
   screen.shake { size = 4, over = 90 }
   board.stop(8)
   task.go(function()
-    crack(x, y)
+    crack(x, y, body)
     wait(10)
     board.stop(4)
+    if body then body:remove() end
     sound.play("shatter")
     break_up(x, y)
   end)

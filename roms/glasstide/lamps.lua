@@ -1,4 +1,5 @@
--- lamps.lua - in what colours the craft fly: the switch `lamps` of the settings says it, once they were earned.
+-- lamps.lua - in what colours the craft fly: the switch `lamps` of the settings says it, once
+-- they were earned.
 local lamps = {}
 
 -- The pictures of a craft besides its own.

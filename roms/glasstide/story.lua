@@ -1,5 +1,5 @@
--- story.lua - pictures with words under them, which come out of the dark and go into it again. The opening and the
--- endings are told so. FIRE goes on to the next, START leaves.
+-- story.lua - pictures with words under them, which come out of the dark and go into it again.
+-- The opening and the endings are told so. FIRE goes on to the next, START leaves.
 local story = {}
 
 local FADE <const> = 36   -- frames from black, and to it
@@ -29,7 +29,8 @@ local function dark(over)
   palette.fade { to = 0x04060e, over = over, first = FIRST, last = LAST }
 end
 
--- The words, a letter after the other; each line stands in a row. A line in a hurry is there at once.
+-- The words, a letter after the other; each line stands in a row. A line in a hurry is there at
+-- once.
 local function write(lines, told)
   for i, line in ipairs(lines) do
     local words, hurried = text.lang(line), false
@@ -37,7 +38,8 @@ local function write(lines, told)
     for n = 1, utf8.len(words) do
       if not hurried and n % 2 == 0 then
         hurried = rest(LETTER, told)
-        text.put { col = 1, row = row, text = words:sub(1, utf8.offset(words, n + 1) - 1), bank = WORDS }
+        local there = words:sub(1, utf8.offset(words, n + 1) - 1)
+        text.put { col = 1, row = row, text = there, bank = WORDS }
       end
     end
     if told.left then return end
@@ -51,9 +53,16 @@ bg.def("nothing", function()
   bg.layer(1).map, bg.layer(1).hidden = "water", true
 end)
 
+local telling = false
+
+-- Is something told now?
+function story.telling() return telling end
+
 -- scenes: a list of { picture, palette?, lines }. Returns true when it was seen to its end.
 function story.tell(scenes)
   local told = { left = false }
+  telling = true
+  local over <close> = setmetatable({}, { __close = function() telling = false end })
   bg.show("nothing", { over = 0 })
   wait(1)
   for _, scene in ipairs(scenes) do
@@ -61,8 +70,8 @@ function story.tell(scenes)
     palette.load(scene.palette or "story")
     dark(0)
     text.clear()
-    local picture = sprite.put { sprite = scene.picture, x = rom.screen.w // 2, y = MIDDLE, screen = true,
-                                 layer = "over" }
+    local picture = sprite.put { sprite = scene.picture, x = rom.screen.w // 2, y = MIDDLE,
+                                 screen = true, layer = "over" }
     palette.fade { to = scene.palette or "story", over = FADE }
     rest(FADE, told)
     if not told.left then write(scene.lines, told) end

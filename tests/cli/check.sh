@@ -782,10 +782,10 @@ same 'a fault in a stage' 1 $?
 check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
-sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
+sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/three/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
-check '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
+check '... is found by playing each' grep -q '^stages/three/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
     <<<"$got"
 
 # ---- what is no game ----

@@ -15,13 +15,16 @@ for path in glob.glob("scripts/**/*.lua", recursive=True):
             shown[text] = 30
 for path in glob.glob("roms/glasstide/**/*.lua", recursive=True):
     code = re.sub("--.*", "", open(path).read())
-    for text in re.findall(r'"([A-Z][^"]*)"', code if not path.endswith("rom.lua") else ""):
+    for text in re.findall(r'"([A-Z][^"]+)"', code if not path.endswith("rom.lua") else ""):
         shown[text] = 80  # sentences and names: they are broken into rows
-for path in glob.glob("roms/glasstide/stages/*.lua"):
+for path in glob.glob("roms/glasstide/stages/**/*.lua", recursive=True):
     for text in re.findall(r'(?:title|spell) = "([^"]*)"', open(path).read()):
         shown[text] = 28
     for text in re.findall(r'(?:talk\.def\("\w+", \{ name =|say\([\w"]+,) "([^"]*)"', open(path).read()):
         shown[text] = 3 * 26  # a page of a talk
+for path in glob.glob("roms/glasstide/fx/*.lua"):
+    for name in re.findall(r'\{ name = "(\w+)", show', open(path).read()):
+        shown[name.upper().replace("_", " ")] = 26  # a page of the title's list
 rom = open("roms/glasstide/rom.lua", encoding="utf-8").read()
 for name in re.findall(r'"(\w+)"', re.search(r"difficulties = {([^}]*)}", rom)[1]):
     shown[name.upper()] = 26

@@ -210,6 +210,55 @@ struct sheet art_lights(void)
     return s;
 }
 
+/* Light that runs over the logo: what a slanting band covers of it, white in its middle. */
+struct sheet art_logo_light(void)
+{
+    struct sheet logo = art_logo(), s = sheet_new(logo.w * RINGS, logo.h, 15);
+
+    for (int k = 0; k < RINGS; k++)
+        for (int i = 0; i < logo.w * logo.h; i++) {
+            int x = i % logo.w, y = i / logo.w, shade = sheet_get(&logo, x, y);
+            double at = (k + 0.5) / RINGS * (logo.w + 80) - 20, off = fabs(x + y * 0.5 - at) / 15;
+            if (shade > 1 && off + 0.6 * threshold(x, y) < 1)
+                sheet_set(&s, logo.w * k + x, y, off < 0.4 ? 15 : shade < 10 ? 9 : 14);
+        }
+    sheet_free(&logo);
+    return s;
+}
+
+/* What is found, a row each: pearl, conch and heart, over which a light runs in the first half of their frames. */
+struct sheet art_gems(void)
+{
+    enum { GEM = 16, GEMS = 3, GEM_FRAMES = 10 };
+    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * GEMS, 0);
+
+    for (int k = 0; k < GEM_FRAMES * GEMS; k++)
+        for (int i = 0; i < GEM * GEM; i++) {
+            int frame = k % GEM_FRAMES, x = i % GEM, y = i / GEM;
+            int shade = sheet_get(&finds, k / GEM_FRAMES * GEM + x, y);
+            double off = fabs(x + y * 0.7 - (frame * 7 - 4));
+            bool lit = shade > 2 && frame < 5 && off < 2.6;
+            sheet_set(&s, frame * GEM + x, k / GEM_FRAMES * GEM + y, lit ? off < 1.4 ? 15 : 13 : shade);
+        }
+    sheet_free(&finds);
+    return s;
+}
+
+/* Where a boss is, at the lower edge: an arrow that points up at it. */
+struct sheet art_marker(void)
+{
+    struct sheet s = sheet_new(2 * 24, 10, 1);
+
+    for (int k = 0; k < 2; k++)
+        for (int y = 0; y < 10; y++)
+            for (int x = 0; x < 24; x++) {
+                double d = fabs(x - 11.5), rim = d - y * 1.2;
+                if (rim < 0.8)
+                    sheet_set(&s, 24 * k + x, y, rim > -0.6 ? 1 : y > 7 ? 4 : (k ? 13 : 9) - (int)(d / 4));
+            }
+    return s;
+}
+
 enum { TINY = 8, MIDDLE = 12, LONG = 18, TURNS = 8, BUBBLES = 4 };
 
 struct sheet art_sherds(void)

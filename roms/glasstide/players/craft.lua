@@ -1,11 +1,13 @@
--- players/craft.lua - what all craft share: the dot and halo of focus, beads that fly along, a gauge that is let go,
--- and the registers that are scored. Each craft has two forms, a kind of player each.
+-- players/craft.lua - what all craft share: the dot and halo of focus, beads that fly along, a
+-- gauge that is let go, and the registers that are scored. Each craft has two forms, a kind of
+-- player each.
 local scoring = require "scoring"
 require "players/bombs"
 local items = require "items"
 local lamps = require "lamps"
 
-local craft = { MOST = items.BOMBS, GREEN = 4 } -- bombs that can be kept; the bank of all that a craft fires
+-- Bombs that can be kept; the bank of all that a craft fires.
+local craft = { MOST = items.BOMBS, GREEN = 4 }
 
 local BOMBS <const> = 3 -- in each life
 local HELD <const> = 4  -- frames that a press of special stays good
@@ -38,7 +40,9 @@ end
 
 local function show_focus(set, p)
   local slow = pad.down("focus", p)
-  keep(set, "halo", { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" }).hidden = not slow
+  local halo = keep(set, "halo",
+                    { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" })
+  halo.hidden = not slow
   keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
 end
 
@@ -71,9 +75,10 @@ function craft.ray(thing, p, spec)
   end
 end
 
--- Declares a form of a craft: def as of player.def. arms: ship, whose pictures it has; fire(p, beat) and bead(o, beat);
--- or ray(p) and bead_ray(o), which are tasks; bomb; options, as of player.def but for its kind. What is near comes by
--- itself, and all of it if one dares to fly up high.
+-- Declares a form of a craft: def as of player.def. arms: ship, whose pictures it has; fire(p,
+-- beat) and bead(o, beat); or ray(p) and bead_ray(o), which are tasks; bomb; options, as of
+-- player.def but for its kind. What is near comes by itself, and all of it if one dares to fly up
+-- high.
 function craft.def(name, def, arms)
   local bead, ship = name .. "_bead", arms.ship or name
   option.def(bead, { sprite = ship .. "_bead", run = function(o)
@@ -96,7 +101,8 @@ function craft.def(name, def, arms)
       show_focus(set, p)
       show_bombs(set, p, ship .. "_bead")
       scoring.watch(p)
-      if p.gauge >= scoring.NEED and p.state == "fly" and pad.take("special", HELD, p) then scoring.release(p) end
+      local lets_go = p.gauge >= scoring.NEED and p.state == "fly"
+      if lets_go and pad.take("special", HELD, p) then scoring.release(p) end
       wait(1)
     end
   end

@@ -1,5 +1,5 @@
--- players/heron.lua - Iri's: fast and narrow. Two darts abreast with beads that aim ahead; or a lens, a ray that goes
--- through all that it meets, with threads of light from the beads.
+-- players/heron.lua - Iri's: fast and narrow. Two darts abreast with beads that aim ahead; or a
+-- lens, a ray that goes through all that it meets, with threads of light from the beads.
 local craft = require "players/craft"
 
 shot.def("dart",   { sprite = "dart",   bank = craft.GREEN, hit = { box = { 8, 14 } },
@@ -53,5 +53,6 @@ craft.def("heron", { hit = { circle = 2 }, graze = 14, speed = 4, focus = 1.8 },
   { fire = darts, bead = bead, bomb = "undertow", options = craft.pairs_of(NEAR, FAR) })
 craft.def("heron_lens", { hit = { circle = 2 }, graze = 14, speed = 3.8, focus = 1.6 },
   { ship = "heron", ray = lens, bead_ray = thread, bomb = "undertow",
-    options = craft.pairs_of({ wide = { { -16, 8 }, { 16, 8 } }, close = { { -7, -12 }, { 7, -12 } } },
-                             { wide = { { -27, 14 }, { 27, 14 } }, close = { { -14, -8 }, { 14, -8 } } }) })
+    options = craft.pairs_of(
+      { wide = { { -16, 8 }, { 16, 8 } }, close = { { -7, -12 }, { 7, -12 } } },
+      { wide = { { -27, 14 }, { 27, 14 } }, close = { { -14, -8 }, { 14, -8 } } }) })

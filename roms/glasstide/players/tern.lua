@@ -1,5 +1,5 @@
--- players/tern.lua - Ono's: quick in a straight line, and heavy. Lances that go through, with beads that trail behind;
--- or hooks that fly out and come back, and hit on both ways.
+-- players/tern.lua - Ono's: quick in a straight line, and heavy. Lances that go through, with
+-- beads that trail behind; or hooks that fly out and come back, and hit on both ways.
 local craft = require "players/craft"
 
 shot.def("pike",  { sprite = "pike", bank = craft.GREEN, hit = { box = { 6, 24 } }, damage = 5,
@@ -33,8 +33,8 @@ local function hooks(p, beat)
   sound.play("hook", { from = p })
   local out = p.focus and 5 or 17
   for side = -1, 1 do
-    shot.fire { kind = "hook", from = p, dx = 6 * side, dy = -10, speed = 11, dir = 270 + out * side,
-                motion = back }
+    shot.fire { kind = "hook", from = p, dx = 6 * side, dy = -10, speed = 11,
+                dir = 270 + out * side, motion = back }
   end
 end
 
@@ -48,8 +48,11 @@ end
 
 craft.def("tern", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
   { fire = lances, bead = bead, bomb = "lamp",
-    options = { by = "shards", style = "trail", apart = 9, levels = { { at = 100, n = 2 }, { at = 300, n = 4 } } } })
-craft.def("tern_hooks", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
+    options = { by = "shards", style = "trail", apart = 9,
+                levels = { { at = 100, n = 2 }, { at = 300, n = 4 } } } })
+craft.def("tern_hooks",
+  { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
   { ship = "tern", fire = hooks, bead = flick, bomb = "lamp",
-    options = craft.pairs_of({ wide = { { -18, -4 }, { 18, -4 } }, close = { { -10, 10 }, { 10, 10 } } },
-                             { wide = { { -30, 4 }, { 30, 4 } }, close = { { -18, 16 }, { 18, 16 } } }) })
+    options = craft.pairs_of(
+      { wide = { { -18, -4 }, { 18, -4 } }, close = { { -10, 10 }, { 10, 10 } } },
+      { wide = { { -30, 4 }, { 30, 4 } }, close = { { -18, 16 }, { 18, 16 } } }) })

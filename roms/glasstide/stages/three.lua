@@ -2,7 +2,6 @@
 -- Anglerlamp in water without light, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
-local moon = require "stages/moon"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
 local moon = require "stages/moon"

@@ -1,4 +1,5 @@
--- missions.lua - from the title: the list, a mission that is done, what is kept of it, and one that is failed.
+-- missions.lua - from the title: the list, a mission that is done, what is kept of it, and one
+-- that is failed.
 local function tap(run, button, after)
   run:press(button .. "@" .. run.frame .. ":" .. run.frame + 1)
   run:step(after or 20)
@@ -57,7 +58,7 @@ local function begin(i)
   one:press("fire")
   one:step(240)
   test.equal(one.fault, nil, ("mission %d"):format(i))
-  test.expect(one:wait("boss.now() or game.stage", 300), ("mission %d: there is a boss or a stage"):format(i))
+  test.expect(one:wait("boss.now() or game.stage", 300), ("mission %d: nothing comes"):format(i))
 end
 
 local _, most = run:eval "mission.stars()"

@@ -1,8 +1,9 @@
--- scoring.lua - grazes fill the gauge until they tire, its release turns bullets to shards, shards and chains raise what
--- is won, and a death costs a half of it.
+-- scoring.lua - grazes fill the gauge until they tire, its release turns bullets to shards, shards
+-- and chains raise what is won, and a death costs a half of it.
 local function ring(run, n, radius)
-  run:exec(("for i = 1, %d do bullet.fire { kind = 'orb', from = player.get(1), dx = %d * angle.cos(360 * i / %d), " ..
-            "dy = %d * angle.sin(360 * i / %d), speed = 0 } end"):format(n, radius, n, radius, n))
+  run:exec(("for i = 1, %d do bullet.fire { kind = 'orb', from = player.get(1), " ..
+            "dx = %d * angle.cos(360 * i / %d), dy = %d * angle.sin(360 * i / %d), speed = 0 } end")
+           :format(n, radius, n, radius, n))
 end
 
 local function own(run, name) return run:eval("player.get(1)." .. name) end
@@ -54,9 +55,11 @@ test.equal(tired.score, before, "no points")
 
 -- A death halves what is over x1.00, and rank falls.
 local dies = test.run { stage = "one", frames = 5 }
-dies:exec "local p = player.get(1) p.shards, p.chain, p.gauge, p.safe, game.rank = 300, 50, 800, 0, 60"
+dies:exec "local p = player.get(1) p.shards, p.chain, p.gauge, p.safe = 300, 50, 800, 0"
+dies:exec "game.rank = 60"
 dies:exec "bullet.fire { kind = 'orb', from = player.get(1), speed = 0 }"
 dies:step(2)
 test.expect(dies:moment("death"), "it died")
-test.equal({ own(dies, "shards"), own(dies, "chain"), own(dies, "gauge") }, { 200, 0, 400 }, "what is left")
+local left = { own(dies, "shards"), own(dies, "chain"), own(dies, "gauge") }
+test.equal(left, { 200, 0, 400 }, "what is left")
 test.equal(dies:eval "game.rank", 36, "the rank")

@@ -1,7 +1,9 @@
--- ships.lua - every form of every craft hits what is ahead, has its beads, fires in green alone, and its bomb clears.
+-- ships.lua - every form of every craft hits what is ahead, has its beads, fires in green alone,
+-- and its bomb clears.
 local FORMS <const> = { "heron", "heron_lens", "petrel", "petrel_swarm", "tern", "tern_hooks" }
 local GREEN <const> = 4
-local BANKS <const> = "(function() local t = {} shot.each(nil, function(s) t[s.bank] = true end) " ..
+local BANKS <const> = "(function() local t = {} " ..
+                      "shot.each(nil, function(s) t[s.bank] = true end) " ..
                       "laser.each(nil, function(l) t[l.bank] = true end) local n = {} " ..
                       "for b in pairs(t) do n[#n + 1] = b end return n end)()"
 
@@ -10,7 +12,9 @@ local function target(run)
   run:exec "enemy.spawn { kind = 'float', x = 120, y = 90, hp = 100000, tag = 'foe' }"
 end
 
-local function lost(run) return 100000 - run:eval "query.near { what = 'enemy', x = 120, y = 90, radius = 40 }[1].hp" end
+local function lost(run)
+  return 100000 - run:eval "query.near { what = 'enemy', x = 120, y = 90, radius = 40 }[1].hp"
+end
 
 for _, form in ipairs(FORMS) do
   local run = test.run { stage = "one@" .. form, invincible = true, frames = 5 }
@@ -25,7 +29,8 @@ for _, form in ipairs(FORMS) do
 
   local bombs = run:eval "player.get(1).bombs"
   run:exec [[for i = 1, 40 do
-    bullet.fire { kind = 'orb', x = player.get(1).x, y = player.get(1).y - 20 - i, dir = 9 * i, speed = 0.1 }
+    bullet.fire { kind = 'orb', x = player.get(1).x, y = player.get(1).y - 20 - i,
+                  dir = 9 * i, speed = 0.1 }
   end]]
   local flying = run:live("bullets")
   run:press("bomb@" .. run.frame .. ":" .. run.frame + 2)

@@ -167,6 +167,7 @@ static const struct {
     { "game.continues", "how often players went on, in this game" },
     { "game.frames", "frames since the game began" },
     { "hud.banks", "palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm" },
+    { "hud.low", "rows that stay free below the registers at the field's lower edge, for main.lua to set" },
     { "hud.cols", "cells of the screen in a row, of 8 px each" },
     { "hud.rows", "rows of cells of the screen" },
     { "hud.banner(lines?, frames?)", "shows a list of texts in the middle of the field; without lines, ends that" },

@@ -219,8 +219,8 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show }",
-                                               NULL },
+                                             { "ending", A_ANY, OPT, 0, 0,
+                                               "function, or a list of { when, show, music }", NULL },
                                              { "opening", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -320,9 +320,8 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
-        "it, from the right, or if portrait_left from the left; warning: so long bars of WARNING run before, round a "
-        "card with the epithet and the title; entrance: sparks it leaves on its way in; music: plays during the fight, "
-        "and what was before it goes on after"),
+        "it, from the right or, portrait_left, the left; warning: frames of a WARNING before, round a card with "
+        "epithet and title; entrance: sparks on its way in; music: plays during the fight"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

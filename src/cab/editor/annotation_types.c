@@ -268,6 +268,7 @@ const char *annotation_plain(const char *name)
                  { "game.continues", "integer" },
                  { "game.frames", "integer" },
                  { "hud.banks", "{ plain: integer, bright: integer, faint: integer, alarm: integer }" },
+                 { "hud.low", "integer" },
                  { "hud.cols", "integer" },
                  { "hud.rows", "integer" },
                  { "talk.look", "{ dim: number, bank: integer, font?: font_name }" },

@@ -28,7 +28,7 @@ end
 
 -- 2. Half: above the line is air, below it water. What flies in is bent towards the ground, takes
 -- another colour and goes slowly, so that it lies close down there.
-local LINE <const> = 176 -- y of the water
+local LINE <const> = 190 -- y of the water
 local CLASSES <const> = 9
 local SLOW <const> = { easy = 0.9, normal = 1, hard = 1.1, abyss = 0.8 }
 
@@ -114,26 +114,27 @@ local function crescent(e)
   end
 end
 
--- A phase that is practised has its own night round it too.
-local function at_night(run)
+-- Each phase is rung in.
+local function tolled(run)
   return function(e)
-    if bg.layer(1).map ~= "water" then bg.show("moon", { over = 0 }) end
     sound.play("toll", { from = e })
     run(e)
   end
 end
 
-boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "moon", portrait = "moon_cross",
+boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
+  epithet = "What Pulls the Water", entrance = "bubbles",
+  music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
-    { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
+    { id = "gibbous", hp = 1600, time = 45 * 60, run = tolled(gibbous), clear = FOAM,
       drops = { pearl = 8 } },
     { id = "half", spell = "Half Sign: Two Waters", hp = 2300, time = 50 * 60, bonus = 40000,
-      run = at_night(half), clear = FOAM, drops = { pearl = 8 } },
+      run = tolled(half), clear = FOAM, drops = { pearl = 8 } },
     { id = "crescent", spell = "Crescent Sign: Reaping Tide", hp = 2300, time = 50 * 60,
-      bonus = 40000, run = at_night(crescent), clear = FOAM, drops = { pearl = 8, conch = 1 } },
+      bonus = 40000, run = tolled(crescent), clear = FOAM, drops = { pearl = 8, conch = 1 } },
     { id = "new", spell = "New Sign: A Way Through Rings", hp = 2300, time = 55 * 60,
-      bonus = 50000, run = at_night(late.new), clear = FOAM, drops = { pearl = 8 } },
+      bonus = 50000, run = tolled(late.new), clear = FOAM, drops = { pearl = 8 } },
     { id = "full", spell = "Full Sign: Nearest of Nights", hp = 2600, time = 60 * 60,
-      bonus = 60000, run = at_night(late.full), clear = FOAM, drops = { pearl = 8, heart = 1 } },
+      bonus = 60000, run = tolled(late.full), clear = FOAM, drops = { pearl = 8, heart = 1 } },
     { id = "eclipse", spell = "Last Sign: The Sea Falls In", survive = true, time = 44 * 60,
-      bonus = 100000, run = at_night(late.eclipse), clear = FOAM } } })
+      bonus = 100000, run = tolled(late.eclipse), clear = FOAM } } })

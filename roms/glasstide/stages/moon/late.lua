@@ -5,7 +5,7 @@ local late = {}
 -- from the last than a craft goes meanwhile.
 local GROW <const> = { easy = 0.8, normal = 0.8, hard = 0.85, abyss = 0.7 }
 local SPIN <const> = 0.1
-local DOWN_THERE <const> = 190 -- px from its middle to where the crafts are
+local DOWN_THERE <const> = 176 -- px from its middle to where the crafts are
 
 local turning = {}
 for name, v in pairs(GROW) do
@@ -50,7 +50,7 @@ local GOLDEN <const> = 137.508
 
 function late.full(e)
   e.picture = "full"
-  e:move { x = 120, y = 100, over = 120, ease = "both" }
+  e:move { x = 120, y = 114, over = 120, ease = "both" }
   task.go(function()
     local n = by_difficulty { easy = 2, normal = 2, hard = 3, abyss = 4 }
     local speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 }
@@ -73,9 +73,9 @@ end
 
 -- 6. Dark: it is outlived. The sea falls in in four pieces, and at last in all of them.
 local pulled = {}
-for name, v in pairs { easy = 1.4, normal = 1.7, hard = 1.9, abyss = 2.1 } do
+for name, v in pairs { easy = 2.4, normal = 2.7, hard = 2.9, abyss = 3.1 } do
   pulled[name] = motion.def { { speed = v, over = 1 }, { speed = 0, over = 150 },
-    { bank = 1 }, { wait = 24 }, { go_to = { 120, 84 }, over = 190, ease = "in" }, { die = true } }
+    { bank = 1 }, { wait = 24 }, { go_to = { 120, 100 }, over = 190, ease = "in" }, { die = true } }
 end
 
 -- Walls from above, and the way through them goes to and fro.

@@ -16,7 +16,7 @@ local function either(e, f)
 end
 
 local function wander(e, over)
-  e:move { x = rng.int(86, 154), y = rng.int(74, 92), over = over, ease = "both" }
+  e:move { x = rng.int(86, 154), y = rng.int(84, 100), over = over, ease = "both" }
 end
 
 -- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
@@ -117,15 +117,16 @@ end
 -- shot down, it clears a space.
 local hang = motion.def {
   { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
-local function falling(every, n)
+-- It sheds so often and no more: not where you are.
+local function falling(every, n, times)
   local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA,
-                 speed = 0.8 }
+                 speed = 0.8, delay = 20 }
   return motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
-    { speed = 2.3, over = 30 }, { loop = forever, { wait = every }, { emit = shed } } }
+    { speed = 2.3, over = 30 }, { loop = times, { wait = every }, { emit = shed } } }
 end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
-               normal = falling(34, 2), hard = falling(12, 3), abyss = falling(13, 4) }
+               normal = falling(30, 2, 2), hard = falling(12, 3, 4), abyss = falling(11, 4, 5) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
@@ -165,7 +166,7 @@ local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
 
 local function wax(e)
   while true do
-    wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 80 })
+    wait(by_difficulty { easy = 120, normal = 90, hard = 64, abyss = 80 })
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
                       n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0,
@@ -177,20 +178,21 @@ end
 local function harbour(e)
   local ways = by_difficulty(ebbing)
   task.go(wax, e)
-  e:move { x = 120, y = 82, over = 60, ease = "both" }
+  e:move { x = 120, y = 90, over = 60, ease = "both" }
   wait(40)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
-                   n = by_difficulty { easy = 12, normal = 20, hard = 28, abyss = 40 },
+                   n = by_difficulty { easy = 12, normal = 20, hard = 30, abyss = 40 },
                    dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
-    wait(by_difficulty { easy = 28, normal = 21, hard = 16, abyss = 12 })
+    wait(by_difficulty { easy = 28, normal = 20, hard = 14, abyss = 12 })
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, music = "claws",
+                   epithet = "Keeper of the Shallows", entrance = "bubbles",
                    portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },

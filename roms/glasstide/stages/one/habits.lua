@@ -172,7 +172,8 @@ end
 -- Bubble Chain: bubbles that rise and fall as they drift down, and burst into splinters.
 local function drift(n)
   return motion.def { { wave = 14, every = 70, over = 96 },
-    { emit = { pattern = "ring", n = n, kind = "chip", bank = AMBER, speed = 1.2 } },
+    { emit = { pattern = "ring", n = n, kind = "chip", bank = AMBER, speed = 1.2,
+              delay = 20 } },
     { die = true } }
 end
 local DRIFTS = { easy = drift(5), normal = drift(8), hard = drift(11), abyss = drift(14) }

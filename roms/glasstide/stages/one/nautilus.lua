@@ -44,7 +44,7 @@ local function unwinding(bank, speed)
   return motion.def { { wait = "rest" }, { bank = bank }, { speed = speed, over = 50 } }
 end
 local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
-                 abyss = unwinding(RUBY, 1.3) }
+                 hard = unwinding(RUBY, 1.5), abyss = unwinding(RUBY, 1.3) }
 -- What it lays the other way round looks at you when its turn comes.
 local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true },
                           { speed = 1.5, over = 40 } }
@@ -80,7 +80,7 @@ local function chambers(e)
     sound.play("still", { from = e })
     wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
-      wind(e, by_difficulty { hard = 24, abyss = 40 }, 1, 40 * k + 180, -way, "pellet", moth)
+      wind(e, 40, 1, 40 * k + 180, -way, "pellet", moth)
     end
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
@@ -95,6 +95,7 @@ end
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 86,
+                       entrance = "bubbles",
                        music = "lantern", portrait = "lantern_nautilus", phases = {
   { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,

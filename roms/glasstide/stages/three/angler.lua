@@ -48,7 +48,7 @@ end
 local function lamp_of(e) return e:parts("lamp")[1] end
 
 local function swing(e, over)
-  e:move { x = rng.int(90, 150), y = rng.int(70, 92), over = over, ease = "both" }
+  e:move { x = rng.int(90, 150), y = rng.int(84, 102), over = over, ease = "both" }
 end
 
 -- 1. The bait goes to and fro, and sheds light to both sides that falls in bows, as of a fountain.
@@ -218,14 +218,15 @@ local function teeth(e)
     sound.play("charge", { from = e })
     jaws(k)
     wait(44)
-    e:move { x = 120 + 30 * angle.sin(77 * k), y = 76, over = 80, ease = "both" }
+    e:move { x = 120 + 30 * angle.sin(77 * k), y = 88, over = 80, ease = "both" }
     wait(by(190, 172, 160, 150))
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "lantern",
+boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, music = "lantern",
+  entrance = "bubbles",
   phases = {
   { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,

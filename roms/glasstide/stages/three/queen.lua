@@ -53,17 +53,18 @@ end
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
 motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
-motion.def { name = "creep", { speed = 0 }, { speed = 1.2, over = 40 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
 
 local function gather(n)
+  local apart = by(4, 4, 4, 2) -- frames
   for i = 1, n do
     player.each(function(p)
       if not p.alive then return end
       local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
       bullet.fire { kind = "lance", bank = 3, from = p, aim = true, speed = 3,
-                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = 4 * (n - i) + 30 }
+                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = apart * (n - i) + 30 }
     end)
-    wait(4)
+    wait(apart)
   end
   wait(30)
 end
@@ -88,10 +89,10 @@ local function held(e)
   local breath = bullet.group("breath")
   for k = 1, forever do
     local n = by(14, 20, 27, 40)
-    for i = 1, by(5, 6, 6, 10) do
+    for i = 1, by(5, 6, 7, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
-      wait(10)
+      wait(by(10, 10, 12, 6))
     end
     wait(18)
     do
@@ -99,7 +100,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 11, 14))
+      gather(by(4, 7, 8, 16))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -120,11 +121,11 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 1), by(1, 1, 1, 2)
+  local every, many = by(6, 4, 3, 2), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
-      drop.speed = by(1.2, 1.4, 1.5, 0.8) + 0.1 * (k % 3)
+      drop.speed = by(1.2, 1.4, 1.5, 0.85) + by(0.1, 0.1, 0.1, 0) * (k % 3)
       drop.sway = tide()
       bullet.fire(drop)
     end
@@ -134,8 +135,8 @@ local function rain_over(e)
 end
 
 local function wall(first)
-  local wide = by(7, 5, 4, 5)
-  for row = 0, 2 do
+  local wide = by(7, 5, 4, 6)
+  for row = 0, by(2, 2, 2, 5) do
     pattern.line { x = 120 + 6 * (row % 2), y = -10, kind = "rice", bank = 1, n = 28, width = 324,
                    dir = 90, speed = by(1.2, 1.3, 1.4, 0.9), motion = "sway", sway = tide(),
                    skip = { first + row, first + row + wide } }
@@ -150,10 +151,10 @@ local function ebb(e)
     wait(by(60, 50, 46, 60))
     wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
-                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
+                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
     wait(by(50, 40, 36, 60))
     pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
-                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 22),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 8),
                    motion = "sway", sway = tide() }
     wander(e, 80)
   end
@@ -175,7 +176,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 18), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 17), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -189,15 +190,15 @@ local function flower(e, full)
     wait(12)
     petals(e, turn + 12, right, 5)
     if k % 3 == 0 then
-      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 7), aim = true,
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 5), aim = true,
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
-    wait(by(80, 62, 46, 44))
+    wait(by(80, 62, 46, 48))
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 40) }
+                     n = by(10, 20, 30, 30) }
     end
   end
 end
@@ -215,6 +216,7 @@ local function again(e)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
+                    epithet = "Who Took Back the Sea", entrance = "bubbles",
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,

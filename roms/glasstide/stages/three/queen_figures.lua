@@ -57,7 +57,7 @@ end
 -- The tide returns: arms of kelp hang from her through all of the field and sway. What flows in
 -- them leaves a channel between two, which sways along; now and then an arm has a hole.
 local function kelp(e)
-  local arms = by(12, 15, 19, 26)
+  local arms = by(12, 17, 22, 28)
   local speed = by(1.3, 1.4, 1.5, 0.95)
   local period, lean = by(420, 360, 320, 400), by(8, 12, 15, 14)
   for k = 0, forever do
@@ -79,13 +79,13 @@ function figures.again(e)
   task.go(kelp, e)
   task.go(function()
     while true do -- pearls that roll down the channels
-      wait(by(110, 80, 62, 54))
+      wait(by(110, 70, 52, 46))
       pattern.fan { from = e, dy = 10, kind = "pearl", bank = 3, aim = true, n = by(1, 3, 3, 5),
                     spread = by(0, 40, 36, 60), speed = by(1.4, 1.7, 1.9, 1.4), delay = 20 }
     end
   end)
   for k = 1, forever do
-    wait(by(120, 100, 88, 100))
+    wait(by(120, 92, 74, 84))
     pattern.rose { from = e, dy = -4, kind = "petal", bank = 1, petals = 5, dir = 37 * k,
                    aim = k % 2 == 0, n = by(15, 20, 30, 40),
                    speed = 2.4, speed_to = 1.3, motion = bloom }

@@ -29,8 +29,11 @@ local function breath(e)
                   n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 5 },
                   motion = by_difficulty(bubbles) }
     wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 30, abyss = 34 }))
-    pattern.stack { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, speed = 1.7,
-                    speed_to = 2.7, n = by_difficulty { easy = 1, normal = 3, hard = 5 } }
+    pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44, speed = 1.7,
+                  n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 5 }, 2.7
+      pattern.stack(a)
+    end }
     wander(e, 50)
     wait(rank.sooner(by_difficulty { easy = 76, normal = 52, hard = 40, abyss = 40 }))
   end
@@ -47,16 +50,16 @@ local function inhale()
   for i = 1, rows do
     for side = 0, 1 do
       bullet.fire { kind = "drop", bank = 5, x = side == 0 and 6 or 234, y = 18 + 14 * i,
-                    dir = 180 * side, speed = 0.4, delay = 24 + 3 * i, motion = drawn }
+                    dir = 180 * side, speed = 0.4, delay = 24 + 2 * i, motion = drawn }
     end
   end
-  wait(80 + 3 * rows)
+  wait(74 + 2 * rows)
 end
 
 local function exhale(first)
   local n = by_difficulty { easy = 24, normal = 40, hard = 54, abyss = 66 }
   local wide = by_difficulty { easy = 6, normal = 5, hard = 4 }
-  local swing = by_difficulty { easy = 9, normal = 14, hard = 18, abyss = 15 }
+  local swing = by_difficulty { easy = 9, normal = 14, hard = 20, abyss = 16 }
   local waves = by_difficulty { easy = 6, normal = 9, hard = 11, abyss = 26 }
   for i = 1, waves do
     local odd = i % 2 == 1
@@ -96,12 +99,12 @@ teeth("teeth left", 1.3)
 teeth("teeth right", -1.3)
 
 local function wheel(x, y, left, speed)
-  local teeth = by_difficulty { easy = 5, normal = 6, hard = 8, abyss = 10 }
+  local count = by_difficulty { easy = 5, normal = 6, hard = 8, abyss = 10 }
   local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = 90, speed = speed,
                             delay = 20 }
-  for i = 1, teeth do
+  for i = 1, count do
     bullet.fire { kind = "ingot", bank = left and 6 or 7, x = x, y = y, speed = 0, around = hub,
-                  dir = 360 * (i + (left and 0 or 0.5)) / teeth, delay = 20,
+                  dir = 360 * (i + (left and 0 or 0.5)) / count, delay = 20,
                   motion = left and "teeth left" or "teeth right" }
   end
 end
@@ -126,6 +129,7 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
 boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
+                      entrance = "bubbles",
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,

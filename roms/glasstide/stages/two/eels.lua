@@ -2,24 +2,8 @@
 -- each has a bar of its own, the one that is left is angry.
 local rank = require "rank"
 local meeting = require "stages/two/meeting"
-
-local duel = {} -- the two of them, by name, while a phase runs
-
-local function other(e) return e == duel.cinder and duel.quench or duel.cinder end
-
--- Is the other one down? Then by so much less is waited.
-local function angry(e)
-  local o = other(e)
-  return o and (not o.alive or o.hp == 0)
-end
-
-local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
-
--- The functions of a phase in which each has a bar.
-local function pair(cinder, quench)
-  return { cinder = function(e) duel.cinder = e cinder(e) end,
-           quench = function(e) duel.quench = e quench(e) end }
-end
+local duel = require "stages/two/duel"
+local angry, rest, pair = duel.angry, duel.rest, duel.pair
 
 -- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
 local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 0 } } }
@@ -177,6 +161,7 @@ local function throw(from, to, k, back)
                             delay = 3 * i }
   end
   wait(FLIGHT + 3)
+  sound.play("reflect", { from = to })
   for i, b in ipairs(list) do
     if b.alive then
       b.bank, b.dir, b.speed = back and 6 or 5, out + 34 * (i - (n + 1) / 2), back and 1.3 or 1.5
@@ -250,12 +235,13 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 10, normal = 18, hard = 26, abyss = 52 }
-    pattern.ring { from = e, dy = 8, kind = k % 3 == 0 and "steam" or "orb",
-                   bank = k % 3 == 0 and 0 or 5 + k % 2, dir = 137.5 * k,
-                   n = n + (angry(e) and 4 or 0),
+    local n = by_difficulty { easy = 10, normal = 18, hard = 24, abyss = 46 }
+    local thick = k % 3 == 0 -- steam: fewer, and wider
+    if angry(e) then n = n + 4 end
+    pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
+                   bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
-    rest(e, by_difficulty { easy = 60, normal = 40, hard = 30, abyss = 18 })
+    rest(e, by_difficulty { easy = 60, normal = 40, hard = 32, abyss = 20 })
     if k % 4 == 0 then
       e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
     end
@@ -266,16 +252,18 @@ end
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
+  epithet = "Who Kept the Fire In", entrance = "bubbles",
+  portrait = "cinder_cross",
   cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90 },
            { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90 } },
   phases = {
     { talk = meeting },
-    { id = "both", hp = { cinder = 420, quench = 420 }, time = 30 * 60, run = pair(sparks, bars),
+    { id = "both", hp = { cinder = 380, quench = 380 }, time = 34 * 60, run = pair(sparks, bars),
       clear = FOAM, drops = { pearl = 6 } },
     { id = "furnace", spell = "Furnace Sign: Poured Glass", hp = { cinder = 760 }, time = 34 * 60,
       bonus = 20000, run = furnace, clear = FOAM, drops = { pearl = 8 } },
     { id = "panes", spell = "Temper Sign: Panes in Rows", hp = { quench = 700 }, time = 36 * 60,
-      bonus = 20000, run = panes, clear = FOAM, drops = { conch = 1 } },
+      bonus = 20000, cut_in = false, run = panes, clear = FOAM, drops = { conch = 1 } },
     { id = "crossing", spell = "Alloy Sign: Thrown Back", hp = 800, time = 36 * 60, bonus = 25000,
       run = crossing, clear = FOAM, drops = { pearl = 8 } },
     { id = "press", spell = "Last Sign: The Press", hp = { cinder = 460, quench = 460 },
