@@ -12,7 +12,8 @@ mkdir -p $game/demos roms/testcard/demos $at
 record() {
     local demo=$1 from=$SECONDS said
     shift
-    said=$("$bot" $game "$demo" --quiet --prints seconds --first one --wait 900 "$@" 2>&1) || { echo "$demo: $said" && return 1; }
+    said=$("$bot" $game "$demo" --quiet --prints seconds --first one --wait 900 "$@" 2>&1) ||
+        { echo "$demo: $said" && return 1; }
     printf '%s: %s, %d s, %d bytes\n' "$demo" "$said" $((SECONDS - from)) "$(stat -c %s "$demo")"
 }
 # A whole game, from the title to the score table; what it unlocked is there for the next.
