@@ -222,8 +222,8 @@ which a game meets them, a curve a difficulty.
 second) fly each section until they are hit, and the hits are divided by the time that all of them flew. A bot that
 comes through flew, and was not hit. Of what `survive` measures it is the one that a player feels. The narrowest gap
 says how exact a way must be, but nothing of how often, and is not known beyond 36 px. Bullets a second say nothing of
-where they fly: a phase of nine aimed ones a second hits sooner than a slow curtain of fifty. The seconds that bots last are
-the same as hits a minute in a long section, but end where a short one ends. What the bots cannot say: they neither
+where they fly: a phase of nine aimed ones a second hits sooner than a slow curtain of fifty. The seconds that bots last
+are the same as hits a minute in a long section, but end where a short one ends. What the bots cannot say: they neither
 learn a pattern nor fear it, so what is hard to read is easier for them than for you.
 
 Of stages the first two minutes were looked at. A section counts from where the ship can be steered.
