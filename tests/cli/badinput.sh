@@ -385,7 +385,8 @@ easy 1 3 7 4
 normal 1 3 8 5
 hard 3 3 8 6
 DIFFICULTIES
-says 'more values than difficulties' 2 'main.lua:4: by_difficulty: 4 values for 3 difficulties' hash d --frames 3
+refuse "more values than difficulties" "main.lua:4: by_difficulty: 4 values for 3 difficulties" "$curtain" \
+    hash d --frames 3
 
 bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
 says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register power=4 --register bombs=0 \
