@@ -7,11 +7,12 @@ local LEFT <const>, WIDTH <const> = hud.place.left, hud.place.width
 local CLOCK <const> = 4                -- columns of two large digits
 local NARROW <const> = WIDTH < 20      -- the title stands below the clock, not beside it, and several bars below that
 local SHORT <const> = WIDTH - CLOCK - (NARROW and 1 or 2)
-local PIP <const>, RULE <const> = hud.glyph(138, "*"), hud.glyph(141, "-")
+local PIP <const>, RULE <const> = hud.glyph(152, "*"), hud.glyph(141, "-")
 local FEW <const> = 6                  -- so many pips stand side by side
 local FILLS <const> = 30               -- frames a bar takes to fill
 local DOWN <const> = 4                 -- a bar is of alarm when less than one part in so many is left
 local MARK <const> = "boss_marker"     -- a sprite of this name, if the game has it, stands below the boss
+local MARGIN <const> = 3               -- px below that sprite, so that it is seen whole
 local LATE <const>, LAST <const> = 10, 5 -- seconds from which on the clock is bright, and blinks
 
 -- A spell's name, in frames of its phase: it is written, stands, and slides.
@@ -74,7 +75,7 @@ local function draw_mark(b)
     mark = nil
     return
   end
-  local x, y = math.max(0, math.min(rom.field.w, e.x)), rom.field.h
+  local x, y = math.max(0, math.min(rom.field.w, e.x)), rom.field.h - MARGIN
   if mark and mark.alive then mark.x = x
   else mark = sprite.put { sprite = MARK, x = x, y = y, layer = "front", stay = true } end
 end
@@ -216,7 +217,7 @@ local function draw_bonus(b, age)
   if not new("bonus", n) then return end
   local row, room, worth = spell.rest, COLS, ""
   if phase.bonus > 0 then worth = n and ("%07d"):format(n) or text.lang("FAILED") end
-  if hud.place.panel then row = row + 1 else room = COLS - sys.cells(spell.short) - 1 end
+  if hud.place.panel then row = row + 1 else room = math.max(0, COLS - sys.cells(spell.short) - 1) end
   local word = n and worth ~= "" and text.lang("BONUS") .. " " or ""
   local gap = worth ~= "" and past ~= "" and "  " or ""
   local long = past ~= "" and text.lang("CAPTURED") .. " " .. past or ""

@@ -448,8 +448,8 @@ static const uint8_t *shade_of(const struct board *b, const struct view *view)
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
-    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL,
-                             false };
+    struct draw_target c = { b,    fb,   m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites),
+                             NULL, false };
     int dx, dy;
 
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
