@@ -53,6 +53,8 @@ BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
+LIB_NAMES := $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
+OBJCOPY   ?= objcopy
 GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
 
 UNIT      := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
@@ -181,6 +183,30 @@ $(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/
 $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
+
+# ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
+
+LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) src/cab/demo/demo.c src/cab/demo/demo_read.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
+LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
+
+$(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (library)"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -c $< -o $@
+$(OUT)/lib/%.o: %.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (library)"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -MMD -MP -c $< -o $@
+
+$(OUT)/libcurtain.so: $(LIB_OBJ)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-soname,libcurtain.so.1 -Wl,--gc-sections -Wl,-z,defs $^ \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+$(OUT)/libcurtain.a: $(LIB_OBJ)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) -r -nostdlib -Wl,--gc-sections $(patsubst %,-Wl$(comma)-u$(comma)%,$(LIB_NAMES)) $^ -o $(OUT)/lib/curtain.o
+	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
+	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
