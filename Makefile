@@ -202,6 +202,7 @@ $(OUT)/libcurtain.so: $(LIB_OBJ)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-soname,libcurtain.so.1 -Wl,--gc-sections -Wl,-z,defs $^ \
 		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+	$(Q)ln -sf $(@F) $@.1
 $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) -r -nostdlib -Wl,--gc-sections $(patsubst %,-Wl$(comma)-u$(comma)%,$(LIB_NAMES)) $^ -o $(OUT)/lib/curtain.o

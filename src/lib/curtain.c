@@ -163,8 +163,8 @@ bool lib_tick(struct curtain *c, const uint16_t pads[PADS])
     const bool counts = c->counts;
     c->counts = true;
     lib_again(c);
-    c->counts = counts;
     const bool good = !board_tick(c->board, pads)->fault;
+    c->counts = counts;
     if (good)
         board_count(c->board, counts);
     return good;

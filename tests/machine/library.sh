@@ -56,7 +56,7 @@ many=10000
 [ -z "${CURTAIN_LONG:-}" ] || many=100000
 check "$many spoilt states are refused, or are a run" ./spoil tiny.rom $many
 cp .said said && sed 's/^/# /' said
-refuse 'planted: none of them is a run' '' grep -q ' 0 runs' said
+check 'some of them are a run' sh -c '! grep -q " 0 runs" said'
 command -v valgrind >/dev/null || not_ok 'valgrind is there'
 check 'no memory is lost or wrong when a board is opened 100 times' valgrind -q --error-exitcode=1 --leak-check=full \
     ./boards tiny.rom testcard.rom often
@@ -91,7 +91,7 @@ int main(int argc, char **argv)
     how.seed = 9;
     std::vector<char> memory(curtain_memory(&how, err, sizeof err));
     curtain *c = curtain_open(&how, memory.data(), memory.size(), err, sizeof err);
-    const std::uint16_t pads[CURTAIN_PADS] = { CURTAIN_FIRE, 0 };
+    const uint16_t pads[CURTAIN_PADS] = { CURTAIN_FIRE, 0 };
     for (int i = 0; i < 60; i++)
         curtain_frame(c, pads);
     std::printf("60 %016llx\n", (unsigned long long)curtain_hash(c));
@@ -175,7 +175,7 @@ switches|pace=9|switches: pace cannot be "9"
 switches|pace=|switches: pace cannot be ""
 switches|pace=-|switches: pace cannot be "-"
 switches|pace=2x|switches: pace cannot be "2x"
-size|40|ROM
+size|40|40 bytes long, but its header says
 snapshots|5000|snapshots: 5000, expected at most 4096
 demo|nonsense|demo
 WHAT
@@ -191,5 +191,5 @@ same 'it plays a demo' "600 frames, $("$curtain" hash testcard.rom --demo "$demo
 for frame in 000120 000480; do
     check "its picture $frame is render's" python3 "$repo/tests/golden/png.py" want/$frame.png $frame.png difference.png
 done
-same 'that many pictures' 5 "$(ls 000*.png | wc -l)"
+same 'that many pictures' 4 "$(ls 000*.png | wc -l)"
 finish

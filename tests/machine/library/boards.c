@@ -1,6 +1,6 @@
 /*
- * boards.c - boards ROM ROM: two games in one process, a frame of each in turn, come to the hashes they come to alone;
- * opened and closed many times, no memory is lost or wrong (run under valgrind).
+ * boards.c - boards ROM ROM: two games in one process, a frame of each in turn, come to the hashes they come to alone.
+ * boards ROM ROM often: opens and closes them a hundred times, for valgrind.
  */
 #include "common.h"
 
@@ -70,13 +70,12 @@ int main(int argc, char **argv)
         return 1;
     for (int i = 0; i < 2; i++)
         how[i].rom = read_file(argv[1 + i], &how[i].rom_size);
-    if (argc > 3)
-        return check("opened and closed a hundred times", often(how));
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2 && argc == 3; i++)
         want[i] = alone(&how[i]);
-    failed |= check("two games in lockstep are what they are alone", together(how, want));
-    failed |= check("opened and closed a hundred times", often(how));
-    printf("# %016llx %016llx\n", (unsigned long long)want[0], (unsigned long long)want[1]);
+    if (argc == 3)
+        failed |= check("two games in lockstep are what they are alone", together(how, want));
+    else
+        failed |= check("opened and closed a hundred times", often(how));
     free((void *)how[0].rom);
     free((void *)how[1].rom);
     return failed;
