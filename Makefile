@@ -209,6 +209,11 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
+$(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
 $(OUT)/short/%.o: src/%.c

@@ -324,6 +324,41 @@ int curtain_players(const struct curtain *c)
     return c->cart.m.players;
 }
 
+const char *curtain_difficulty(const struct curtain *c, int i)
+{
+    const struct manifest *m = &c->cart.m;
+
+    return m->n_difficulties == 0 || i >= m->n_difficulties ? NULL : m->difficulties[i < 0 ? m->difficulty : i];
+}
+
+/* The k-th word that a switch can be; false: there is none. */
+static bool word_of(const struct dip *dip, int32_t k, char *out, size_t size)
+{
+    if (k < 0 || (dip->number ? k > dip->hi - dip->lo : k >= dip->values))
+        return false;
+    if (dip->number)
+        snprintf(out, size, "%d", (int)(dip->lo + k));
+    else
+        snprintf(out, size, "%s", dip->value_name[k]);
+    return true;
+}
+
+bool curtain_switches(const struct curtain *c, int i, struct curtain_switch *out)
+{
+    const struct manifest *m = &c->cart.m;
+
+    if (i < 0 || i >= m->n_dips)
+        return false;
+    const struct dip *dip = &m->dips[i];
+    memcpy(out->name, dip->name, sizeof out->name);
+    return word_of(dip, c->begin.start.dip[i] - (dip->number ? dip->lo : 0), out->value, sizeof out->value);
+}
+
+bool curtain_switch_value(const struct curtain *c, int i, int k, char *value, size_t size)
+{
+    return i >= 0 && i < c->cart.m.n_dips && word_of(&c->cart.m.dips[i], k, value, size);
+}
+
 uint32_t curtain_demo_frames(const struct curtain *c)
 {
     return c->demo.frames;
@@ -344,4 +379,9 @@ const void *curtain_nvram(const struct curtain *c, size_t *size)
     uint32_t writes;
 
     return board_nvram(c->board, size, &writes);
+}
+
+size_t curtain_nvram_room(const struct curtain *c)
+{
+    return c->begin.room;
 }

@@ -70,7 +70,7 @@ struct curtain_config {
     size_t nvram_size;
     const void *demo; /* a recorded run: it begins as that did, and a frame without pads has its pads; NULL: none */
     size_t demo_size;
-    size_t state_room;  /* bytes for the pads of a run in a state, 5 for each change of them; 0: 256 KiB */
+    size_t state_room;  /* bytes for the pads of a run in a state, 5 for each change of them; 0: 128 KiB */
     uint32_t snapshots; /* states that this process comes back to without playing them again; 0: 16 */
     bool alarm;         /* the host calls curtain_interrupt when a frame takes long; else instructions are counted,
                            for endless loops to be found, which takes up to 2.3 times as long in tight ones */
@@ -139,6 +139,15 @@ CURTAIN_API const char *curtain_title(const struct curtain *c);
 CURTAIN_API const char *curtain_id(const struct curtain *c);
 CURTAIN_API int curtain_players(const struct curtain *c); /* 1 or 2 */
 
+/* What there is to choose in a configuration: the i-th difficulty, easiest first, -1: the game's own choice; NULL: there
+ * is none. The i-th DIP switch, what it is now, and the k-th word it can be; false: there is none. */
+struct curtain_switch {
+    char name[16], value[16];
+};
+CURTAIN_API const char *curtain_difficulty(const struct curtain *c, int i);
+CURTAIN_API bool curtain_switches(const struct curtain *c, int i, struct curtain_switch *out);
+CURTAIN_API bool curtain_switch_value(const struct curtain *c, int i, int k, char *value, size_t size);
+
 /* Frames played, and the hash of all that outlives a frame. */
 CURTAIN_API uint32_t curtain_demo_frames(const struct curtain *c); /* 0: there is no demo */
 CURTAIN_API uint32_t curtain_frames(const struct curtain *c);
@@ -146,6 +155,7 @@ CURTAIN_API uint64_t curtain_hash(const struct curtain *c);
 
 /* Score tables and saves, to be kept between runs. The bytes are the same on every machine. */
 CURTAIN_API const void *curtain_nvram(const struct curtain *c, size_t *size);
+CURTAIN_API size_t curtain_nvram_room(const struct curtain *c); /* bytes it has at most */
 
 /* ---- states ----
  *

@@ -13,7 +13,7 @@
 
 enum {
     LIB_ALIGN = 64,
-    LIB_STATE_ROOM = 256 << 10, /* what config.state_room and config.snapshots are when they are 0 */
+    LIB_STATE_ROOM = 128 << 10, /* what config.state_room and config.snapshots are when they are 0 */
     LIB_SNAPSHOTS = 16,
     LIB_MOST_SNAPSHOTS = 4096,
     LIB_KEY = 600 /* frames between snapshots that are taken on the way */
