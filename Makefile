@@ -330,7 +330,9 @@ $(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
-$(OUT)/bot: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+BOT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bot/*.c))
+
+$(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 

@@ -122,7 +122,9 @@ local function play(a, run)
   local game = enter(ships, false, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
   records().begin(run)
+  run.grades = a.grades
   play_stages(game, run)
+  run.grades = nil
   run.clear = not stopped()
   sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
   local new = left and {} or records().over(run)
@@ -134,19 +136,31 @@ local function play(a, run)
   if not left then sys.read("boot/after")(a, show, run) end
 end
 
+-- What a mission's task needs of this file.
+local host = {
+  enter = enter, leave = leave, show = show, quieten = quieten, stopped = stopped,
+  left = function() return left end,
+}
+
 local function go_round(a)
-  local first = board.difficulty()
+  local first, from = board.difficulty(), nil
   while true do
-    local run = sys.read("boot/front")(a, show)
-    repeat play(a, run) until left ~= "START OVER"
+    local run = sys.read("boot/front")(a, show, from)
+    if run.mission then
+      sys.mode = nil
+      sys.read("boot/mission")(run, host)
+    else
+      repeat play(a, run) until left ~= "START OVER"
+    end
+    from = run.mission
     board.difficulty(first)
   end
 end
 
--- A practice start: no title, first ship, the same piece again and again.
-local function practise(a, start)
+-- A practice start: no title, one ship, the same piece again and again.
+local function practise(a, start, kind)
   while true do
-    local game = enter({ a.players[1] }, true)
+    local game = enter({ kind }, true)
     finished(start(game))
     leave(game, 1)
   end
@@ -157,8 +171,8 @@ function boot.run(args)
   screens = a.screens or screens
   if practice == "" then return task.go(go_round, a) end
   a.with = with
-  local start = sys.read("boot/practice")(a, practice)
-  if start then return task.go(practise, a, start) end
+  local start, kind = sys.read("boot/practice")(a, practice)
+  if start then return task.go(practise, a, start, kind) end
   task.go(sys.read("boot/list"), a, enter, leave) -- the cabinet asks what there is
 end
 

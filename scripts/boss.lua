@@ -36,6 +36,9 @@ local function find(api, name)
   return bosses[name]
 end
 
+-- Fails unless the boss is declared.
+function boss.expect(api, name) find(api, name) end
+
 function boss.fight(name, args)
   local a = sys.check("boss.fight", name, args)
   local b = find("boss.fight", a.name)
@@ -45,6 +48,12 @@ function boss.fight(name, args)
     return true
   end
   return sys.read("boss/fight")(now, b, b.phases, a)
+end
+
+function boss.now()
+  local status = boss.status()
+  if not (status and status.phase) then return nil end
+  return status.boss.name, status.phase.id, sys.clock() - status.began
 end
 
 function boss.history(name, id, args) return sys.read("boss/history")(find, name, id, args) end

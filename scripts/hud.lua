@@ -6,6 +6,7 @@ local hud = {}
 hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
 -- A game with coloured text sets these in main.lua. alarm: a boss's last seconds, and its warning.
 hud.banks = { plain = 0, bright = 0, faint = 0, alarm = 0 }
+hud.low = 1 -- rows free below the registers that stand at the field's lower edge: what a game shows there itself
 
 -- The font's own picture for a code from 128 on, or else a plain character.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
@@ -45,15 +46,17 @@ local WIDE = width >= 23 -- lives, the best score and lives stand in one row
 hud.place = { left = left, width = width, panel = PANEL, col = field_col, cols = field_cols }
 
 local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
+local BOTTOM <const> = (rom.field.y + rom.field.h) // 8 - 1 -- the field's last row
 local BANNER_ROW = hud.rows // 3
 local FEW <const> = 6 -- so many icons stand side by side; of more, their number
 
 local players = 0 -- how many play
 local seen = {}   -- each player's last score: that of one who is out cannot be read
 local shown = {}  -- the text of each row on the screen; a row is written only when it changes
+local below = {}  -- and of those at the lower edge, by player and row
 local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
-local registers = { {}, {} } -- that each player's ship shows: name, label, show, max
+local registers, low = { {}, {} }, { {}, {} } -- that each player's ship shows: name, label, show, max, mark, run
 local values = {} -- what the rows tell of
 local fresh       -- one of them is another than in the frame before
 local again       -- all is to be written
@@ -80,17 +83,23 @@ local function cells(s) return wide and sys.cells(s) or #s end
 
 local function fill(s, n) return s .. (" "):rep(n - cells(s)) end
 
--- One row with a left, a middle and a right part; where that is too long, a row for each.
-local function add(rows, first, middle, last)
+-- One row with a left, a middle and a right part; where that is too long, a row for each. A row is { text, parts in
+-- other banks: { column, text, bank } each }.
+local function add(rows, first, middle, last, bank, other)
   local n = cells(first) + cells(middle) + cells(last)
   if n + 2 <= width then
     local line = fill(first, (width - cells(middle)) // 2) .. middle
-    rows[#rows + 1] = fill(line, width - cells(last)) .. last
+    local row = { fill(line, width - cells(last)) .. last }
+    if bank then row[2] = { 0, first, bank } end
+    if other then row[#row + 1] = { width - cells(last), last, other } end
+    rows[#rows + 1] = row
     return
   end
-  for _, s in ipairs { first, middle, last } do
+  for k, s in ipairs { first, middle, last } do
     for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do
-      rows[#rows + 1] = WIDE and s == last and fill("", width - cells(line)) .. line or line
+      if WIDE and s == last then line = fill("", width - cells(line)) .. line end
+      local own = k == 1 and bank or k == 3 and other
+      rows[#rows + 1] = { line, own and { 0, line, own } or nil }
     end
   end
 end
@@ -109,22 +118,52 @@ function hud.bar(value, full, length)
   return s .. string.char(128):rep(length - #s)
 end
 
--- The k-th register that player i shows, as its ship says. A bar leaves room for the other player's.
-local function register(i, k)
-  local r = registers[i][k]
+local BEAT <const> = 8 -- frames that a full bar keeps its colour
+
+-- The bank of a register's text where it is not the usual one: from its mark on, and of a bar that is full.
+local function bank_of(r, n)
+  if r.show == "bar" and n >= r.max and n > 0 then
+    return sys.clock() // BEAT % 2 == 0 and hud.banks.bright or hud.banks.plain
+  end
+  return r.mark and n >= r.mark and hud.banks.bright or nil
+end
+
+-- The register r that player i shows, as its ship says, and its bank. A bar leaves room for the other player's.
+local function register(i, r)
   local n = r and sys.value(i, r.name, r.run)
   if not n then return "" end
-  if r.show == "icons" then return r.label .. icons(GRAZE, n) end
+  if r.show == "icons" then return r.label .. icons(GRAZE, n), bank_of(r, n) end
+  if r.show == "times" then return r.label .. ("x%d.%02d"):format(n // 100, n % 100), bank_of(r, n) end
+  if r.show ~= "bar" then return r.label .. n, bank_of(r, n) end
   local most = (WIDE and players > 1 and (width - 2) // 2 or width) - cells(r.label)
-  if r.show == "bar" then return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, most))) end
-  return r.label .. n
+  return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, most))), bank_of(r, n)
 end
 
 -- The registers of player i; those of the run are of both, so they have a row by themselves.
 local function stack_registers(rows, i, of_run)
-  for k, r in ipairs(registers[i]) do
-    local s = not r.run == not of_run and register(i, k)
-    if s == "" then rows[#rows + 1] = "" elseif s then add(rows, s, "", "") end
+  for _, r in ipairs(registers[i]) do
+    if not r.run == not of_run then
+      local s, bank = register(i, r)
+      if s == "" then rows[#rows + 1] = { "" } else add(rows, s, "", "", bank) end
+    end
+  end
+end
+
+-- What stands at the field's lower edge, from below: player one's to the left, two's to the right.
+local function draw_low()
+  for i = 1, players do
+    for k, r in ipairs(low[i]) do
+      local s, bank = register(i, r)
+      if r.show ~= "bar" and sys.value(i, r.name, r.run) == r.value and r.value == 0 then s = "" end
+      local key = s .. "|" .. (bank or "")
+      local old = below[i][k] or { "", "" }
+      if old[2] ~= key then
+        local n = math.max(cells(s), cells(old[1]))
+        local line = i == 1 and fill(s, n) or (" "):rep(n - cells(s)) .. s
+        hud.put(i == 1 and left or left + width - n, BOTTOM - hud.low - k + 1, line, bank)
+        below[i][k] = { s, key }
+      end
+    end
   end
 end
 
@@ -132,12 +171,12 @@ end
 local function stacked_rows(rows, best)
   add(rows, "HI " .. best, "", "")
   for i = 1, 2 do
-    rows[#rows + 1] = ""
+    rows[#rows + 1] = { "" }
     add(rows, i .. "P", "", icons(LIFE, player.get(i).lives or 0))
-    rows[#rows + 1] = points(hud.score(i))
+    rows[#rows + 1] = { points(hud.score(i)) }
     stack_registers(rows, i, false)
   end
-  rows[#rows + 1] = ""
+  rows[#rows + 1] = { "" }
   stack_registers(rows, 1, true)
 end
 
@@ -151,11 +190,37 @@ local function play_rows(rows)
     add(rows, points(hud.score(1)), "", "HI " .. best)
     add(rows, icons(LIFE, player.get(1).lives or 0), "", GRAZE .. (player.get(1).grazes or 0))
   end
-  for k = 1, math.max(#registers[1], #registers[2]) do add(rows, register(1, k), "", register(2, k)) end
+  for k = 1, math.max(#registers[1], #registers[2]) do
+    local s, bank = register(1, registers[1][k])
+    local t, other = register(2, registers[2][k])
+    add(rows, s, "", t, bank, other)
+  end
 end
 
 local function note(what, value)
   if values[what] ~= value then values[what], fresh = value, true end
+end
+
+local function note_registers(i, list, from)
+  for k, r in ipairs(list) do
+    local n = sys.value(i, r.name, r.run)
+    note(2 * k + i + from, n)
+    if n and r.show == "bar" and n >= r.max then note(2 * k + i + from + 80, bank_of(r, n)) end
+  end
+end
+
+local function write(rows)
+  for i = 1, math.max(#rows, #shown) do
+    local row = rows[i] or { "" }
+    local s = fill(row[1], width)
+    local key = s
+    for k = 2, #row do key = key .. "|" .. row[k][1] .. "=" .. row[k][3] end
+    if key ~= (shown[i] or (" "):rep(width)) then
+      hud.put(left, TOP + i - 1, s)
+      for k = 2, #row do hud.put(left + row[k][1], TOP + i - 1, row[k][2], row[k][3]) end
+    end
+    shown[i] = key
+  end
 end
 
 -- Most frames are as the one before: then no text is made.
@@ -166,20 +231,17 @@ local function draw()
     note(i, seen[i])
     note(i + 2, p.lives)
     note(i + 4, p.grazes)
-    for k, r in ipairs(registers[i]) do note(2 * k + i + 4, sys.value(i, r.name, r.run)) end
+    note_registers(i, registers[i], 4)
+    note_registers(i, low[i], 44)
   end
   if fresh then
     local rows = {}
     play_rows(rows)
-    for i = 1, math.max(#rows, #shown) do
-      local s = rows[i] or ""
-      s = fill(s, width)
-      if s ~= (shown[i] or (" "):rep(width)) then hud.put(left, TOP + i - 1, s) end
-      shown[i] = s
-    end
+    write(rows)
+    draw_low()
     fresh = false
   end
-  boss.draw(TOP + #shown + (PANEL and 1 or 0), again)
+  boss.draw(TOP + #shown + 1, again)
   again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
@@ -198,7 +260,7 @@ end
 
 -- Writes all again after something else was written over it.
 function hud.refresh()
-  shown, fresh, again = {}, true, true
+  shown, below, fresh, again = {}, { {}, {} }, true, true
   if banner then hud.banner(banner.lines, banner.ends - sys.clock()) end
 end
 
@@ -206,15 +268,16 @@ end
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  values, fresh, again, wide = {}, true, true, false
+  values, below, fresh, again, wide = {}, { {}, {} }, true, true, false
   for i = 1, 2 do
-    local list, kind = {}, i <= n and player.get(i).kind
+    local kind = i <= n and player.get(i).kind
+    registers[i], low[i] = {}, {}
     for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
-      r.label = text.lang((r.name:gsub("_", " "):upper())) .. " "
+      r.label = r.label == "" and "" or text.lang(r.label or (r.name:gsub("_", " "):upper())) .. " "
       wide = wide or #r.label ~= sys.cells(r.label)
+      local list = r.at == "low" and not PANEL and low[i] or registers[i]
       if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
     end
-    registers[i] = list
   end
   task.own(owner, function()
     while true do

@@ -11,7 +11,7 @@ local names = {}  -- in the order they were declared
 
 -- The stage being played, or the last one: name; scope, which owns its tasks; base, the board's clock where the stage's
 -- own is 0; fights, how many boss fights stop its clock, and stopped, the board's clock when the first of them began;
--- skip, the mark it skips to, or nil; marks, those it came to, in order, and met, the same by name; waves, the tasks
+-- skip, the mark it skips to, or nil; ends, the mark at which it is over, or nil; marks, those it came to, in order, and met, the same by name; waves, the tasks
 -- that send enemies.
 local now
 
@@ -106,6 +106,7 @@ function stage.mark(name)
     s.marks[#s.marks + 1] = a.name
   end
   if s.skip and s.skip ~= a.name then return sys.pass() end
+  if s.ends == a.name and not s.skip then return task.stop(s.scope) end
   sys.mark("point", a.name, s.name) -- tells the cabinet of a moment of the run; changes nothing in the game
   if not s.skip then return end
   s.skip = nil
@@ -144,15 +145,16 @@ local function begin(name, owner, skip)
   return now
 end
 
--- Starts a stage, from a mark if one is given. Returns its scope, which ends when the stage does.
-function stage.play(name, owner, mark)
+-- Starts a stage, from a mark and up to another, if these are given. Returns its scope, which ends when the stage does.
+function stage.play(name, owner, mark, to)
   local s = begin(name, owner, mark)
+  s.ends = to
   sys.emit("stage", name, "start")
   sys.mark("stage", name)
   task.own(s.scope, function()
     sys.skip(mark ~= nil) -- true: no wait of this task takes time
     stages[name]()
-    if s.skip then sys.unknown("stage " .. name, "mark", s.skip, s.marks) end
+    for _, missed in ipairs { s.skip or s.ends } do sys.unknown("stage " .. name, "mark", missed, s.marks) end
     sys.mark("clear", name)
     sys.emit("stage", name, "clear")
     task.stop(s.scope)

@@ -1,15 +1,41 @@
--- ending.lua - what is seen when the queen is broken: three lines, one after the other.
-local LINES = { "She rings once, and breaks.", "The tide turns, and is ours.",
-  "The harbour bells answer." }
-local APART, STAYS = 100, 240 -- frames
+-- ending.lua - what is told when the tide has turned: as it is, as it is for those who had it easy, and as it is when
+-- nobody holds its other end any more.
+local story = require "story"
+local moon = require "stages/moon"
 
-local function pressed() return pad.take("fire", 0, 1) or pad.take("fire", 0, 2) end
+local TURNED <const> = {
+  { picture = "wave", lines = { "She rings once, and breaks.", "The tide falls to pieces", "and is water again." } },
+  { picture = "flood", lines = { "At dawn it lifts the boats.", "The harbour bells answer,",
+                                 "one after the other." } },
+  { picture = "brink", lines = { "Only far out, at the brink,", "the water still leans.",
+                                 "Something holds on to it." } },
+}
+local BUT <const> = {
+  { picture = "wave", lines = { "She rings once, and breaks." } },
+  { picture = "flood", lines = { "The tide turns, but slowly,", "and does not look at you." } },
+  { picture = "dry", lines = { "By evening it is gone again.", "Next time, without help,",
+                               "it might stay." } },
+}
+local TRUE <const> = {
+  { picture = "dive", lines = { "The eye closes.", "For the first time in a year", "nothing pulls." } },
+  { picture = "flood", lines = { "The sea comes up the steps", "like someone who lives here." } },
+  { picture = "home", lines = { "And the moon is in the sky,", "where it only looks.",
+                                "Two lamps come home by it." } },
+}
 
-return function(_)
-  local row = hud.rows // 3
-  for _, line in ipairs(LINES) do
-    row = hud.centre(row, line, hud.banks.bright) + 2
-    wait_until(pressed, APART)
+local function told(scenes, song)
+  return function(_)
+    if song then music.play(song, { fade = 30 }) end
+    story.tell(scenes)
   end
-  wait_until(pressed, STAYS)
 end
+
+-- The dive alone has endings; the other modes have had theirs.
+local function dived(run) return run.mode == nil or run.mode == "dive" end
+
+return {
+  { when = function(run) return not dived(run) end, show = function() wait(1) end },
+  { when = function(_) return moon.outlived() end, show = told(TRUE, "true_ending") },
+  { when = function(run) return run.difficulty == "easy" or run.continues > 0 end, show = told(BUT) },
+  { show = told(TURNED) },
+}

@@ -1,5 +1,6 @@
--- kinds.lua - sparks, bullets, and the creatures of the tide with what they leave behind.
-local craft = require "players/craft"
+-- kinds.lua - sparks, bullets, and what creatures have in common. Stages declare their own with what this returns.
+require "items"
+local fx = require "fx"
 
 -- A spark that plays its frames once lives frames * every.
 local GOLD, BLUE = 3, 5
@@ -51,16 +52,6 @@ glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 
     bullet.sweep { x = b.x, y = b.y, radius = 8, radius_to = 64, over = 14 }
   end })
 
--- What sinks out of the broken: pearls are worth more the deeper one dares to take them, a conch
--- is an undertow more, a heart a life; and bullets that were swept away are foam.
-item.def("pearl", { sprite = "nacre", bank = 4, radius = 9, gives = { score = { 100, 1000 } } })
-item.def("conch", { sprite = "conch", bank = 3, radius = 10, gives = { score = 500, bombs = 1 },
-                    full = "bombs", gravity = 0.02, top = 1,
-                    on_take = function(p) sound.play(p.bombs < craft.MOST and "conch" or "power") end })
-item.def("heart", { sprite = "heart", bank = 7, radius = 10, gives = { lives = 1 },
-                    gravity = 0.02, top = 1 })
-item.def("foam",  { sprite = "foam", bank = 4, radius = 9, gives = { score = 20 }, top = 1.4 })
-
 -- A ray of the crab's lamps; its core is what burns.
 laser.def("ray", { strip = "ray_of_light", width = 12, hit = { share = 0.5 }, graze = 12,
                    vanish = "glint" })
@@ -71,43 +62,18 @@ local function chip(e, _, _)
   spark.burst { kind = "splint", from = e, dy = 6, n = 1, dir = 90, spread = 140, speed = 2.5 }
 end
 
-local function small(e, _)
-  spark.burst { kind = "blast", from = e, speed = 0 }
-  spark.burst { kind = "fizz", from = e, n = 5, speed = 1 }
-end
-
-local function large(e, _)
-  sound.play("crash", { from = e })
-  spark.burst { kind = "blaze", from = e, speed = 0 }
-  spark.burst { kind = "shock", from = e, speed = 0 }
-  spark.burst { kind = "fizz", from = e, n = 12, speed = 1.6 }
-end
+-- What breaks, by its size.
+local function small(e, _) fx.small(e) end
+local function large(e, _) fx.large(e) end
+local function huge(e, _) fx.huge(e) end
+local function collapse(e, _) fx.collapse(e) end
 
 -- A tough shell throws its splinters at whoever broke it; they tumble.
-local function burst(e, p)
-  large(e, p)
+local function burst(e, _)
+  fx.large(e)
   sound.play("shatter", { from = e })
   pattern.ring { from = e, kind = "chip", bank = 7, aim = true, speed = 1.8,
                  n = by_difficulty { easy = 6, normal = 10, hard = 16 } }
-end
-
--- A boss goes down in a chain of fire. Its handle is dead by then: the place is kept.
-local function collapse(e, _)
-  local x, y = e.x, e.y
-  screen.shake { size = 5, over = 80 }
-  sound.play("collapse", { from = e })
-  task.go(function()
-    for i = 1, 14 do
-      local dx, dy = 34 * angle.cos(137 * i), 26 * angle.sin(137 * i)
-      spark.burst { kind = i % 3 == 0 and "blaze" or "blast", x = x + dx, y = y + dy, speed = 0.4 }
-      spark.burst { kind = "crumb", x = x + dx, y = y + dy, n = 8, speed = 3 }
-      wait(5)
-    end
-    spark.burst { kind = "blaze", x = x, y = y, n = 7, speed = 2 }
-    spark.burst { kind = "shock", x = x, y = y, speed = 0 }
-    spark.burst { kind = "glint", x = x, y = y, n = 48, speed = 5 }
-    screen.flash { over = 30, share = 0.6 }
-  end)
 end
 
 local COLD, WARM = 0, 1 -- the two colours of glass
@@ -116,20 +82,9 @@ local BLINK = 8 -- frames that a creature blinks when it is hurt: a quarter of t
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
-                    spark = "crumb", blink = BLINK, on_hit = chip, on_death = on_death,
+                    spark = "crumb", blink = BLINK, blink_soft = on_death == collapse, on_hit = chip, on_death = on_death,
                     drops = drops })
 end
 
-creature("krill",    COLD, 16, 16, 4,   120,   small, {})
-creature("fish",     COLD, 20, 26, 16,  360,   small, { pearl = 1 })
-creature("jelly",    WARM, 28, 26, 70,  1500,  large, { pearl = 3 })
-creature("ray",      COLD, 40, 26, 60,  1600,  large, { pearl = 3 })
-creature("urchin",   COLD, 28, 28, 90,  2400,  burst, { pearl = 4 })
-creature("nautilus", WARM, 32, 32, 150, 5000,  large, { pearl = 6, conch = 1 })
-creature("crab",     COLD, 56, 34, 100, 30000, collapse, { pearl = 9 })
-creature("queen",    COLD, 52, 56, 100, 90000, collapse, { pearl = 15 })
-
--- A float harms nobody: bullets end at it, so it is a shelter for as long as it holds.
-enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 160, score = 800,
-                     spark = "crumb", blink = BLINK, on_hit = chip, on_death = large,
-                     drops = { pearl = 2 }, touch = false, blocks = true })
+return { glass = glass, creature = creature, chip = chip, small = small, large = large,
+         huge = huge, burst = burst, collapse = collapse, COLD = COLD, WARM = WARM, BLINK = BLINK }

@@ -1,19 +1,21 @@
--- main.lua - Glass Tide: two small craft dive through a tide of glass creatures.
+-- main.lua - Glass Tide: three small craft dive through a tide of glass creatures.
 require "kinds"
 require "players/heron"
 require "players/petrel"
+require "players/tern"
+require "players/pilots"
 require "stages/one"
+require "stages/two"
+require "stages/three"
+require "stages/moon"
+require "stages/rush"
+require "stages/caravan"
+require "unlocks"
+require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
 
-local GRAZE = 40 -- points
-
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
-
-on.graze(function(p, _)
-  score.add(GRAZE, p)
-  spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 }
-end)
 
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.
@@ -37,13 +39,20 @@ end)
 on.game_over(function() sea.speed(0.4) end)
 
 task.go(sea.run)
-boot.run { stages = { "one" }, players = { "heron", "petrel" }, demo = "attract",
+boot.run { modes = {
+    { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the floor of the sea." },
+    { name = "caravan", stages = { "caravan" }, text = "Two minutes, and all that swims by." },
+    { name = "rush", stages = { "rush" }, needs = "rush", text = "All who guard something, against the clock." } },
+  opening = require "opening",
+  players = { "heron", "petrel", "tern" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
-                   hard = "Every wave is higher." },
-  ships = { heron = { text = "Quick, with darts ahead." },
-            petrel = { text = "Slow, with a fan of fangs." } },
-  music = { title = "title", results = "clear", clear = "clear", over = "over", ending = "scores",
-            staff = "scores", name = "scores", scores = "scores", room = true },
+                   hard = "Every wave is higher.",
+                   abyss = "Nobody came back." },
+  ships = require "players/forms",
+  music = { title = "title", results = "clear", clear = "clear", over = "over", opening = "opening", ending = "ending",
+            staff = "staff", name = "scores", scores = "scores", room = true },
   ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
-            { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" } } }
+            { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
+            { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",
+              "that is held out to them,", "and bring up shards threefold:", "look down once more." } } }

@@ -1,6 +1,5 @@
--- sea.lua - the sea behind all: the shallows, a floor of sand with light on it between two reefs,
--- and the abyss, plates of stone that lead to where no light comes from. It flows as fast as a
--- stage asks for, and lives as long as the board does, under the title too.
+-- sea.lua - how the sea behind all flows: as fast as a stage asks for, and for as long as the board
+-- lives, under the title too. What it looks like is said by each stage's scene.
 local sea = {}
 
 local now, wanted = 0.6, 0.6 -- px a frame that the floor moves
@@ -9,22 +8,9 @@ local parts = {}             -- of what flows: { layer or plane, its part of tha
 
 palette.cycle { first = 13 * 16 + 13, last = 13 * 16 + 15, every = 14 } -- what glimmers in bank 13
 
-bg.def("shallows", function()
-  bg.layer(1).map = "floor"
-  bg.layer(2).map = "caustics"
-  bg.layer(3).map, bg.layer(3).x = "reef", -14
-  bg.lines(2, { wave = 6, every = 160, speed = 0.4 })
-  parts = { { bg.layer(1), 1 }, { bg.layer(2), 1.2 }, { bg.layer(3), 1.75 } }
-end)
 
-bg.def("abyss", function()
-  local glow, floor = bg.layer(1), bg.plane()
-  glow.map, glow.blend = "caustics", "ghost"
-  floor.map, floor.horizon, floor.height, floor.dir = "seabed", 70, 60, 270
-  floor.fog = { to = 0x060a14, far = 700 }
-  bg.lines(1, { wave = 9, every = 50, speed = 0.3 })
-  parts = { { glow, 0.3 }, { floor, -2 } }
-end)
+-- What flows from now on, as a background's task says it: a list of { layer or plane, its part }.
+function sea.flow(list) parts = list end
 
 -- The flow reaches this speed gently.
 function sea.speed(v) wanted = v end
@@ -37,7 +23,7 @@ end
 
 function sea.run()
   while true do
-    if not bg.layer(1).map then bg.show("shallows", { over = 0 }) end -- the field was emptied
+    if not (bg.layer(1).map or bg.plane().map) then bg.show("shallows", { over = 0 }) end -- all was emptied
     now = now + (wanted - now) * 0.02
     for _, f in ipairs(parts) do f[1].vy = still and 0 or now * f[2] end
     wait(1)

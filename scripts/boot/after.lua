@@ -4,6 +4,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local SCORES = 6 * 60 -- frames it stands
 
 local function holds(when, run)
+  if type(when) == "function" then return when(run) == true end
   for key, value in pairs(when or {}) do
     if run[key] ~= value then return false end
   end
@@ -29,7 +30,7 @@ end
 -- Everybody whose score is among the best enters a name, then all see the table: of their ship, or if these are two, of
 -- all.
 local function enter_names(a, show, run)
-  local entries = sys.read("boot/records").best(run, #a.players > 1)
+  local entries = sys.read("boot/records").best(run, #a.kinds > 1)
   if #entries == 0 then return end
   local names, ship, mark = show("name", entries), entries[1].row.ship, nil
   if type(names) == "string" then names = { names } end

@@ -20,10 +20,23 @@ local function check_stages(list)
   for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
 end
 
--- Does the game name anything of rules, tallies or unlocks?
-local function keeps_records(a)
-  if rawget(sys, "scoring") or rawget(sys, "unlock") or rawget(sys, "stage_needs") or a.modes then return true end
+-- All kinds that can be played: the ships, or in place of one that has forms those.
+local function all_kinds(a)
+  local list = {}
   for _, kind in ipairs(a.players) do
+    local forms = a.ships and a.ships[kind] and a.ships[kind].forms or { { kind = kind } }
+    for _, f in ipairs(forms) do list[#list + 1] = f.kind end
+  end
+  return list
+end
+
+-- Does the game name anything of rules, tallies, unlocks or missions?
+local function keeps_records(a)
+  for _, name in ipairs { "scoring", "unlock", "stage_needs", "missions" } do
+    if rawget(sys, name) then return true end
+  end
+  if a.modes then return true end
+  for _, kind in ipairs(a.kinds) do
     if sys.ship(kind).needs then return true end
   end
   for _, m in ipairs(a.music or {}) do
@@ -42,6 +55,7 @@ return function(args)
       break
     end
   end
+  a.kinds = all_kinds(a)
   if keeps_records(a) then sys.read("boot/records").expect(a) end
   a.stages = a.stages or a.modes[1].stages
   return a

@@ -3,7 +3,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 local SCREENS = {
   "title", "mode", "difficulty", "ship", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",
-  "music", "unlocks",
+  "music", "unlocks", "missions", "mission", "page",
 }
 
 local function fail(what, expected, got)
@@ -62,13 +62,37 @@ local function check_difficulties(texts)
   for name, words in pairs(texts) do expect_text("difficulty " .. name, words) end
 end
 
-local function check_figures(kind, figures)
+local function check_figures(what, figures)
   for _, f in ipairs(figures) do
     local good = type(f) == "table" and type(f[1]) == "string" and math.type(f[2]) == "integer"
     if not good or f[2] < 0 or f[2] > 5 then
       local got = type(f) == "table" and "another" or type(f)
-      fail(("ship %s: figures"):format(kind), 'a list of { "Range", 0 to 5 }', got)
+      fail(what .. ": figures", 'a list of { "Range", 0 to 5 }', got)
     end
+  end
+end
+
+-- What a ship and a form of one have alike.
+local function check_told(what, told)
+  expect_text(what .. ": title", told.title)
+  expect_text(what .. ": text", told.text)
+  expect_type(what .. ": figures", told.figures, "table")
+  check_figures(what, told.figures or {})
+end
+
+-- The forms of a ship, each of a kind of player: a list of { kind, title?, text?, figures? }.
+local function check_forms(ship, forms)
+  expect_type(ship .. ": forms", forms, "table")
+  if #forms == 0 then fail(ship .. ": forms", "a list of at least one", "none") end
+  local kinds, known = sys.kinds("player"), {}
+  for _, kind in ipairs(kinds) do known[kind] = true end
+  for i, form in ipairs(forms) do
+    local what = ("%s: form %d"):format(ship, i)
+    if type(form) ~= "table" then fail(what, "a table", type(form)) end
+    expect_names(("argument of %s:"):format(what), form, { "kind", "title", "text", "figures" })
+    expect_text(what .. ": kind", form.kind, true)
+    if not known[form.kind] then sys.unknown("boot.run", what .. ": player", form.kind, kinds) end
+    check_told(what, form)
   end
 end
 
@@ -76,11 +100,9 @@ local function check_ships(ships, players)
   expect_names("ship", ships, players)
   for kind, ship in pairs(ships) do
     expect_type("ship " .. kind, ship, "table")
-    expect_names(("argument of ship %s:"):format(kind), ship, { "title", "text", "figures" })
-    expect_text(("ship %s: title"):format(kind), ship.title)
-    expect_text(("ship %s: text"):format(kind), ship.text)
-    expect_type(("ship %s: figures"):format(kind), ship.figures, "table")
-    check_figures(kind, ship.figures or {})
+    expect_names(("argument of ship %s:"):format(kind), ship, { "title", "text", "figures", "forms" })
+    check_told("ship " .. kind, ship)
+    if ship.forms ~= nil then check_forms("ship " .. kind, ship.forms) end
   end
 end
 
@@ -94,8 +116,10 @@ local function check_endings(ending)
     if type(e) ~= "table" then fail(("ending %d"):format(i), "a table", type(e)) end
     expect_names("argument of an ending:", e, { "when", "show" })
     if type(e.show) ~= "function" then fail(("ending %d: show"):format(i), "a function", type(e.show)) end
-    expect_type(("ending %d: when"):format(i), e.when, "table")
-    expect_names("condition of an ending:", e.when or {}, RUN)
+    if type(e.when) ~= "function" then
+      expect_type(("ending %d: when"):format(i), e.when, "table")
+      expect_names("condition of an ending:", e.when or {}, RUN)
+    end
   end
 end
 
@@ -104,6 +128,21 @@ local function check_staff(parts)
     local what = ("staff %d"):format(i)
     if type(part) ~= "table" then fail(what, 'a list of texts, as { "Art", "A. Name" }', type(part)) end
     for k, s in ipairs(part) do expect_text(("%s: text %d"):format(what, k), s, true) end
+  end
+end
+
+-- pages: a list of { name, show }. A page is a place of the title, whose own names are the screens'.
+local function check_pages(pages)
+  local known = { start = true, replays = true, settings = true }
+  for _, name in ipairs(SCREENS) do known[name] = true end
+  for i, p in ipairs(pages) do
+    local what = ("page %d"):format(i)
+    if type(p) ~= "table" then fail(what, 'a table, as { name = "how to score", show = f }', type(p)) end
+    expect_names("argument of a page:", p, { "name", "show" })
+    expect_text(what .. ": name", p.name, true)
+    if known[p.name] then sys.fail("boot.run", ('%s: "%s" is there already'):format(what, p.name)) end
+    if type(p.show) ~= "function" then fail(('page "%s": show'):format(p.name), "a function", type(p.show)) end
+    known[p.name] = true
   end
 end
 
@@ -119,5 +158,6 @@ return function(a)
   if a.ending then check_endings(a.ending) end
   if a.staff then check_staff(a.staff) end
   if a.demos then check_demos(a.demos) end
+  if a.pages then check_pages(a.pages) end
   if a.music then sys.read("boot/music")(a) end
 end

@@ -26,11 +26,14 @@ end
 -- Where one can go from the title: what the game has, and what has something in it.
 local function places(a)
   local list = { "start" }
-  if any_score() then list[2] = "scores" end
+  local missions = rawget(sys, "missions")
+  if missions and missions.any() then list[2] = "missions" end
+  if any_score() then list[#list + 1] = "scores" end
   if any_spell() then list[#list + 1] = "history" end
   if a.music then list[#list + 1] = "music" end
   local unlocks = rawget(sys, "unlock")
   if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
+  for _, p in ipairs(a.pages or {}) do list[#list + 1] = p.name end
   list[#list + 1], list[#list + 2] = "replays", "settings"
   return list
 end
@@ -53,18 +56,63 @@ local function attract(a, show)
     wait(1)
   end
   show("scores", board.difficulty(), SCORES)
+  a.told = false
 end
 
--- The title, and back to it, until somebody starts. Returns how many play.
-local function wait_for_players(a, show)
-  local what, players
+-- What is told before the title: once the power is on, and each time nobody came.
+local function tell(a)
+  if not a.opening then return end
+  text.clear()
+  a.opening()
+  sys.wipe()
+end
+
+-- The mission that is to be played, and with which ship; nil: back to the title. last: the one that was played before.
+local function choose_mission(a, show, last, choices)
+  while true do
+    local name = show("missions", last)
+    if name == nil then return nil end
+    local m = sys.missions.get(name)
+    if not m then sys.fail("boot.run", ('screen missions: expected a mission, or nil, got "%s"'):format(tostring(name))) end
+    if m.difficulty then board.difficulty(m.difficulty) end
+    while m.difficulty or choices.difficulty(a, show) do
+      local ships = m.ship and { m.ship } or choices.ships(a, show, 1)
+      if ships then return { mission = name, stages = {}, ships = { ships[1] } } end
+      if m.difficulty or #sys.difficulties() < 2 then break end
+    end
+    last = name
+  end
+end
+
+-- The game's own page of that name, or nil.
+local function page_of(a, name)
+  for _, p in ipairs(a.pages or {}) do
+    if p.name == name then return p end
+  end
+end
+
+-- The title, and back to it, until somebody starts. Returns how many play, or a run of a mission. last: the mission that
+-- was played before; its list comes first then.
+local function wait_for_players(a, show, last, choices)
+  local what, players = last and "missions", nil
   while what ~= "start" do
+    if not a.told then tell(a) end
+    a.told = true
     local list = places(a)
-    what, players = show("title", ATTRACT, list, what)
-    if what == nil then
+    if last then last = nil else what, players = show("title", ATTRACT, list, what) end
+    if what == "missions" then
+      expect_place(what, list)
+      local run = choose_mission(a, show, a.mission, choices)
+      if run then
+        a.mission = run.mission
+        return nil, run
+      end
+    elseif what == nil then
       attract(a, show)
     elseif what == "replays" or what == "settings" then
       board.ask(what)
+    elseif what ~= "start" and page_of(a, what) then
+      show("page", page_of(a, what))
     elseif what ~= "start" then
       expect_place(what, list)
       show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)
@@ -98,12 +146,12 @@ end
 
 -- Each player's ship; nil: back.
 local function choose_ships(a, show, players)
-  if #a.players > 1 then
+  if #a.kinds > 1 then
     local ships = show("ship", a.players, players, a.ships or {})
     return type(ships) == "string" and { ships } or ships
   end
   local ships = {}
-  for p = 1, players do ships[p] = a.players[1] end
+  for p = 1, players do ships[p] = a.kinds[1] end
   return ships
 end
 
@@ -122,10 +170,14 @@ local function choose(a, show, players)
   end
 end
 
--- Until a game is to begin. Returns what is to be played: mode (a name, or nil), stages, ships.
-return function(a, show)
+-- Until a game is to begin. Returns what is to be played: mode (a name, or nil), stages, ships; or a mission and ships.
+-- last: the mission that was played before, or nil.
+return function(a, show, last)
+  local choices = { difficulty = choose_difficulty, ships = choose_ships }
   while true do
-    local players = wait_for_players(a, show)
+    local players, run = wait_for_players(a, show, last, choices)
+    if run then return run end
+    last = nil
     local mode, ships = choose(a, show, players)
     if mode then return { mode = mode.name, stages = mode.stages, ships = ships } end
   end

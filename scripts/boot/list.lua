@@ -38,7 +38,7 @@ end
 
 -- Stages run through as they would be played, so in a game with its ship.
 local function tell_marks(tell, a, name, enter, leave)
-  local scope = enter({ a.players[1] }, true)
+  local scope = enter({ a.kinds[1] }, true)
   local marks, whole = stage.run_through(name, scope)
   leave(scope, 1)
   for _, mark in ipairs(marks) do
@@ -50,7 +50,7 @@ end
 -- First what is known without running anything: a stage that runs through may fault, and then the list ends there.
 return function(a, enter, leave)
   local tell, stages = teller(), {}
-  tell_ship(tell, a.players[1])
+  tell_ship(tell, a.kinds[1])
   for _, name in ipairs(stage.names(a.stages)) do
     if startable(name, "[:/]") then
       tell("stage", name)

@@ -2,10 +2,10 @@
 -- shown, the title's until a game begins. And the list of the music room.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
--- "clear" and "over" are the last words of a game, which are no screen.
+-- "clear" and "over" are the last words of a game, which are no screen, and the opening is a function of the game's.
 local SCREENS <const> = {
-  "title", "mode", "difficulty", "ship", "results", "name", "ending", "staff", "scores", "history", "unlocks", "clear",
-  "over", "room",
+  "title", "mode", "difficulty", "ship", "results", "name", "ending", "staff", "scores", "history", "unlocks", "missions",
+  "mission", "clear", "over", "room", "opening",
 }
 
 local FADE <const> = 30 -- frames
@@ -51,7 +51,7 @@ return function(a)
   local list, own = a.music, a.screens or {}
   local screens = setmetatable({}, { __index = own })
   check(list)
-  for i = 2, #SCREENS - 3 do
+  for i = 2, #SCREENS - 4 do
     local name = SCREENS[i]
     if list[name] then
       screens[name] = with(list[name], function(...) return (own[name] or sys.read("screens/" .. name))(...) end)
@@ -64,6 +64,7 @@ return function(a)
     music.play(list.title, { fade = FADE })
     return (own.title or sys.read("screens/title"))(...)
   end
+  if list.opening and a.opening then a.opening = with(list.opening, a.opening) end
   if list.ending and type(a.ending) == "function" then
     a.ending = with(list.ending, a.ending)
   elseif list.ending then

@@ -2,27 +2,13 @@
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
 -- practice is "boss/phase", "stage" or "stage:mark". Returns a function that starts that part in a scope owned by
--- `owner`, and returns the scope. Names are checked at once, while the game loads.
+-- `owner`, and returns the scope.
 local function part(practice)
+  local piece = sys.read("boot/piece")
   local name, phase = practice:match("^([^/]*)/(.*)$")
-  if name then
-    local fight = boss.practice("boot.run", name, phase)
-    return function(owner)
-      local scope = task.scope(owner)
-      task.own(scope, function()
-        fight()
-        task.stop(scope)
-      end)
-      return scope
-    end
-  end
+  if name then return piece("boot.run", { boss = name, phase = phase }) end
   local stage_name, mark = practice:match("^([^:]*):(.*)$")
-  stage_name = stage_name or practice
-  stage.expect("boot.run", stage_name)
-  return function(owner)
-    if not mark then sys.mark("start", "") end -- with a mark, stage.mark says so when the stage is there
-    return stage.play(stage_name, owner, mark)
-  end
+  return piece("boot.run", { stage = stage_name or practice, mark = mark })
 end
 
 local function expect_registers(kind, with)
@@ -35,8 +21,19 @@ local function expect_registers(kind, with)
   end
 end
 
--- The function that starts that part in a game, or nil: the cabinet asks for the list.
+-- What is practised, and with which ship: "crab/pincers@petrel"; without, it is the first.
+local function split(a, practice)
+  local what, kind = practice:match("^(.*)@([^@]*)$")
+  if not what then return practice, a.kinds[1] end
+  for _, known in ipairs(a.kinds) do
+    if known == kind then return what, kind end
+  end
+  sys.unknown("boot.run", "ship", kind, a.kinds)
+end
+
+-- The function that starts that part in a game, or nil: the cabinet asks for the list; and the ship.
 return function(a, practice)
-  expect_registers(a.players[1], a.with)
-  if practice ~= "?" then return part(practice) end
+  local what, kind = split(a, practice)
+  expect_registers(kind, a.with)
+  return what ~= "?" and part(what) or nil, kind
 end

@@ -11,11 +11,14 @@ local scoring, unlocks = rawget(sys, "scoring"), rawget(sys, "unlock") -- nil wh
 -- Fails unless all is declared that rules, tally, unlocks and `needs` name. a: boot.run's arguments.
 function records.expect(a)
   if scoring then scoring.expect() end
+  if rawget(sys, "missions") then sys.missions.expect(a) end
   if unlocks then return unlocks.expect(a) end
   local function refuse(api, needs)
     if needs then sys.unknown(api, "unlock", needs, {}) end
   end
-  for _, kind in ipairs(a.players) do refuse("player.def", sys.ship(kind).needs) end
+  for _, list in ipairs { a.players, a.kinds } do
+    for _, kind in ipairs(list) do refuse("player.def", sys.ship(kind).needs) end
+  end
   for _, needs in pairs(rawget(sys, "stage_needs") or {}) do refuse("stage.def", needs) end
   for _, mode in ipairs(a.modes or {}) do refuse("boot.run", mode.needs) end
   for _, m in ipairs(a.music or {}) do refuse("boot.run", m.needs) end
@@ -61,14 +64,27 @@ local function tallies(n, last)
   return rows
 end
 
--- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, and the titles of what it
--- unlocked, which may be the next stage.
+-- What the game says of each player in that stage: a letter or a few; nil: it says nothing.
+local function grades(run, name)
+  if not run.grades then return nil end
+  local list = {}
+  for p = 1, run.players do
+    list[p] = run.grades(name, player.get(p))
+    if type(list[p]) ~= "string" then
+      sys.fail("boot.run", 'grades: expected a text, as "S", got ' .. type(list[p]))
+    end
+  end
+  return list
+end
+
+-- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, the titles of what it
+-- unlocked, which may be the next stage, and a grade for each player, or nil.
 function records.stage(run, i)
   run.stage = run.stages[i]
   run.reached, run.cleared[run.stage] = run.reached + 1, true
   local new = earn(run)
   run.stage = nil
-  return tallies(run.players, not records.next(run, i)), new
+  return tallies(run.players, not records.next(run, i)), new, grades(run, run.stages[i])
 end
 
 -- The run is over. Returns the titles of what it unlocked.

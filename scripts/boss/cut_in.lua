@@ -1,22 +1,40 @@
--- boss/cut_in.lua - the boss's portrait crosses the field while a spell is declared: quickly in, slowly on, quickly out.
--- It is the phase's, so it goes with that; nothing waits for it.
-local IN <const>, DRIFT <const> = 18, 48 -- frames
-local FAR <const>, NEAR <const> = 0.66, 0.5 -- of the field's width: where the drift begins and ends
+-- boss/cut_in.lua - the boss's portrait crosses the field while a spell is declared: quickly in, slowly on, quickly out,
+-- with a light as it comes and images of itself behind it while it is quick. It is the phase's, so it goes with that;
+-- nothing waits for it, and all of it is behind what can be hit.
+local IN <const>, DRIFT <const> = 18, 60 -- frames
+local FAR <const>, NEAR <const> = 0.70, 0.54 -- of the field's width: where the drift begins and ends
 local BESIDE <const> = 96 -- px from the field's edge to where it comes from and goes to
+local IMAGES <const>, LATER <const> = 3, 3 -- how many come behind it, each so many frames later
+local SHARE <const> = 0.25 -- of the light
+
+-- Where it is t frames after it came, from the right; from the left that is mirrored.
+local function place(t, left)
+  local w, h = rom.field.w, rom.field.h
+  t = math.max(0, t)
+  local k = 1 - math.min(t, IN) / IN
+  local out = math.max(t - IN - DRIFT, 0) / IN
+  local on = math.min(math.max(t - IN, 0), DRIFT) / DRIFT
+  local x = w * (FAR + (NEAR - FAR) * on) + (w * (1 - FAR) + BESIDE) * k * k - (w * NEAR + BESIDE) * out * out
+  return left and w - x or x, h * (0.58 - 0.12 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way
+end
 
 return function(b, _, scene)
-  local w, h = rom.field.w, rom.field.h
-  local function at(k) return h * 0.56 - h * 0.12 * k end -- it rises all the way, of which k is done
+  local left = b.portrait_left
   task.own(scene, function()
-    local s = sprite.put { sprite = b.portrait, x = w + BESIDE, y = at(0), layer = "back" }
+    local x, y = place(0, left)
+    local images = {}
+    for i = IMAGES, 0, -1 do -- the last one put is drawn over the others
+      images[i + 1] = sprite.put { sprite = b.portrait, x = x, y = y, layer = "back", flip_x = left }
+    end
+    screen.flash { share = SHARE, over = IN }
     for t = 1, 2 * IN + DRIFT do
-      local k = 1 - math.min(t, IN) / IN
-      local out = math.max(t - IN - DRIFT, 0) / IN
-      local on = math.min(math.max(t - IN, 0), DRIFT) / DRIFT
-      s.x = w * (FAR + (NEAR - FAR) * on) + (w * (1 - FAR) + BESIDE) * k * k - (w * NEAR + BESIDE) * out * out
-      s.y = at(t / (2 * IN + DRIFT))
+      local quick = t <= IN + IMAGES * LATER or t > IN + DRIFT
+      for i, s in ipairs(images) do
+        s.x, s.y = place(t - LATER * (i - 1), left)
+        s.hidden = i > 1 and not (quick and (t + i) % 2 == 0) -- they flicker: half there
+      end
       wait(1)
     end
-    s:remove()
+    for _, s in ipairs(images) do s:remove() end
   end)
 end

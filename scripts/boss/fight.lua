@@ -31,6 +31,20 @@ local function gather(b, team, over, ease, out)
   wait(over)
 end
 
+-- On its way in it leaves sparks behind it, and where it stops a ring of them.
+local function trail(b, team)
+  for age = 1, FLIGHT do
+    for _, e in ipairs(team) do
+      if e.alive and age == FLIGHT then
+        spark.burst { kind = b.entrance, from = e, n = 24, radius = 16, speed = 2.5 }
+      elseif e.alive and age % 2 == 0 then
+        spark.burst { kind = b.entrance, from = e, n = 4, speed = 1.2 }
+      end
+    end
+    wait(1)
+  end
+end
+
 local function leave(b, team, beaten)
   for _, e in ipairs(team) do
     sys.hold(e, false) -- it can die again
@@ -177,6 +191,7 @@ return function(now, b, phases, args)
   if b.warning > 0 and args then sys.read("boss/warning")(b) end
   sys.mark("boss", b.name, "", b.title)
   for i, m in ipairs(b.cast) do team[i] = spawn(m) end
+  if b.entrance then task.own(sys.task(), function() trail(b, team) end) end
   gather(b, team, FLIGHT, "out")
   now.status = { boss = b, team = team }
   now.status.worth = worth_of(now.status)

@@ -1,14 +1,17 @@
 -- boss/rows.lua - what the hud shows of a fight: bars, the clock in large digits, the title with a pip for each phase to
--- come, and a spell's name, which is declared in the middle of the field and slides up to its place, with its bonus.
+-- come, a mark below at the field's edge, and a spell's name, which is declared in the middle of the field and slides up
+-- to its place, with its bonus and how often it was captured.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 
 local LEFT <const>, WIDTH <const> = hud.place.left, hud.place.width
 local CLOCK <const> = 4                -- columns of two large digits
 local NARROW <const> = WIDTH < 20      -- the title stands below the clock, not beside it, and several bars below that
-local SHORT <const> = WIDTH - CLOCK - 1
-local PIP <const> = hud.glyph(138, "*")
+local SHORT <const> = WIDTH - CLOCK - (NARROW and 1 or 2)
+local PIP <const>, RULE <const> = hud.glyph(138, "*"), hud.glyph(141, "-")
 local FEW <const> = 6                  -- so many pips stand side by side
 local FILLS <const> = 30               -- frames a bar takes to fill
+local DOWN <const> = 4                 -- a bar is of alarm when less than one part in so many is left
+local MARK <const> = "boss_marker"     -- a sprite of this name, if the game has it, stands below the boss
 local LATE <const>, LAST <const> = 10, 5 -- seconds from which on the clock is bright, and blinks
 
 -- A spell's name, in frames of its phase: it is written, stands, and slides.
@@ -22,6 +25,8 @@ local bars = {}     -- of the phase: e, full, name and row
 local phase         -- the one that is shown
 local spell         -- lines of its name; col, row, where they stand; rest, their row in the end
 local seen = {}     -- what is on the screen, by what it is
+local past          -- how often the spell was captured, of how many times
+local mark          -- the sprite below
 local told          -- the banner may tell how the phase before ended
 
 local function new(what, value)
@@ -38,13 +43,38 @@ end
 
 local function right(row, s, bank, from, cols) hud.put(from + math.max(0, cols - sys.cells(s)), row, s, bank) end
 
+-- Lines above and below the name while it stands in the middle, growing from there.
+local function draw_rules(age)
+  local n = math.min(COLS - 2, 2 + 2 * age)
+  local line = age <= STANDS and RULE:rep(n) or ""
+  for _, row in ipairs { LOW - 2, LOW + #spell + 1 } do
+    if line == "" then text.clear { col = COL, row = row, w = COLS, h = 1 } end
+    hud.put(COL + (COLS - n) // 2, row, line, hud.banks.faint)
+  end
+end
+
 local function wipe_spell()
   if not (spell and spell.row) then return end
   text.clear { col = COL, row = spell.row, w = COLS, h = #spell + 1 }
+  if not spell.there then draw_rules(STANDS + 1) end
   seen.bonus, spell.row = nil, nil
 end
 
 local function forget() top, phase, spell, seen = nil, nil, nil, {} end
+
+local function draw_mark(b)
+  if not rom.has(MARK) then return end
+  local e
+  for _, one in ipairs(b and b.team or {}) do e = e or one.alive and one end
+  if not e then
+    if mark and mark.alive then mark:remove() end
+    mark = nil
+    return
+  end
+  local x, y = math.max(0, math.min(rom.field.w, e.x)), rom.field.h
+  if mark and mark.alive then mark.x = x
+  else mark = sprite.put { sprite = MARK, x = x, y = y, layer = "front", stay = true } end
+end
 
 local function wipe()
   if not top then return end
@@ -92,6 +122,8 @@ local function lay_out(b, row)
   height = math.max(row - top, 2)
   if phase and phase.spell then
     spell = hud.wrap(text.lang(phase.spell), COLS)
+    local tries, captures = sys.history(b.boss.name, phase.id, 0)
+    past = tries > 0 and ("%d/%d"):format(captures, tries) or ""
     spell.rest = hud.place.panel and HIGH or top + height
   end
 end
@@ -101,8 +133,9 @@ local function draw_bars(age)
     local hp = bar.e.hp or 0
     if age < FILLS then hp = math.min(hp, bar.full * age // FILLS) end
     if new(i, hp) then
-      local s = hud.bar(hp, bar.full, bar.cols)
-      if new(-i, s) then hud.put(bar.col, bar.row, s) end
+      local s, bank = hud.bar(hp, bar.full, bar.cols), hud.banks.bright
+      if age >= FILLS and hp * DOWN < bar.full then bank = hud.banks.alarm end
+      if new(-i, s .. bank) then hud.put(bar.col, bar.row, s, bank) end
     end
   end
 end
@@ -122,6 +155,7 @@ end
 
 local function draw_name(age)
   if spell.there then return end
+  if age <= STANDS + 1 then draw_rules(age) end
   local k = way(age)
   spell.there = k == 0
   if told and age >= STANDS then -- the name slides over where the phase before is told
@@ -141,13 +175,18 @@ local function draw_name(age)
   end
 end
 
+-- Below the name: CAPTURED 1/3, where there is room for the word, and what it is worth.
 local function draw_bonus(b, age)
-  if phase.bonus == 0 or age < STANDS + SLIDES then return end
+  if age < STANDS + SLIDES then return end
   local n = not b.missed and b.worth()
   if not new("bonus", n) then return end
-  text.clear { col = COL, row = spell.rest + #spell, w = COLS, h = 1 }
-  right(spell.rest + #spell, n and ("%s %07d"):format(text.lang("BONUS"), n) or text.lang("FAILED"),
-        n and hud.banks.plain or hud.banks.faint, COL, COLS)
+  local row, s = spell.rest + #spell, ""
+  if phase.bonus > 0 then s = n and ("%s %07d"):format(text.lang("BONUS"), n) or text.lang("FAILED") end
+  text.clear { col = COL, row = row, w = COLS, h = 1 }
+  right(row, s, n and hud.banks.plain or hud.banks.faint, COL, COLS)
+  if past == "" then return end
+  local long, room = text.lang("CAPTURED") .. " " .. past, COLS - sys.cells(s) - (s == "" and 0 or 2)
+  right(row, sys.cells(long) <= room and long or #past <= room and past or "", hud.banks.faint, COL, room)
 end
 
 local function tell(verdict)
@@ -158,6 +197,7 @@ end
 
 return function(b, row, again, verdict)
   if verdict then tell(verdict) end
+  draw_mark(b)
   if not b and again then forget() end -- whatever stands there now is another's
   if not b then return wipe() end
   if row ~= top or again or new("phase", b.phase or b.left or 0) then

@@ -1,35 +1,94 @@
--- boss/warning.lua - the band that announces a boss: its title between two rows of WARNING that run to and fro.
+-- boss/warning.lua - what announces a boss: the picture darkens between two bars in which WARNING runs, a red light
+-- beats, and in the middle stands a card with its epithet and its name.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
-local BAND <const> = 8  -- rows
-local OPENS <const> = 16 -- frames the band takes to open, and to close
-local PACE <const> = 3  -- frames a letter
+local OPENS <const> = 16 -- frames the bars take to open, and to close
+local PACE <const> = 3   -- frames a letter
+local BEAT <const> = 40  -- frames from one light to the next
+local BAR <const> = 3    -- rows of a bar: WARNING in its middle
+local SHARE <const>, DIM <const> = 0.22, 0.45 -- of the light, of the dark behind
 
 local COL <const>, COLS <const> = hud.place.col, hud.place.cols
-local ROW <const> = (rom.field.y + rom.field.h // 2) // 8 - BAND // 2
+local MIDDLE <const> = (rom.field.y + rom.field.h * 2 // 5) // 8
+local LINE <const>, FIRST <const>, LAST <const> = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-")
 
 -- n characters of s from the i-th on.
 local function part(s, i, n) return s:sub(utf8.offset(s, i), (utf8.offset(s, i + n) or #s + 1) - 1) end
+
+local function bar(row)
+  return sprite.plate { x = rom.field.x - 8, y = row * 8 + 4, w = rom.field.w + 16, h = 8, bank = hud.banks.alarm, stay = true }
+end
+
+-- Of its height so much is open.
+local function open_bar(plate, row, share)
+  plate.h = math.max(8, math.floor((BAR * 8 - 4) * share))
+  plate.y = row * 8 + (BAR * 8 - plate.h) // 2
+end
+
+-- A line that has grown so far from the middle.
+local function rule(row, share)
+  local n = math.floor((COLS - 6) * share)
+  if n > 2 then hud.put(COL + (COLS - n) // 2, row, FIRST .. LINE:rep(n - 2) .. LAST, hud.banks.alarm) end
+end
+
+-- The lines of the name in large letters where all its words have room, else in small ones: lines, size.
+local function lines_of(name)
+  local lines = hud.wrap(name, (COLS - 2) // 2)
+  local whole = table.concat(lines, " ") == name and #lines <= 2
+  if whole then return lines, 2 end
+  return hud.wrap(name, COLS - 2), 1
+end
+
+-- What stands between the bars, and how many rows it has.
+local function card_of(b)
+  local lines, size = lines_of(text.lang(b.title))
+  local card = { lines = lines, size = size, epithet = b.epithet and text.lang(b.epithet), rows = 6 + 3 * (#lines - 1) + size }
+  if card.epithet then card.rows = card.rows + 2 end
+  return card
+end
+
+local function draw_card(card, age)
+  rule(card.row + 1, math.min(1, age / OPENS))
+  rule(card.row + card.rows - 2, math.min(1, age / OPENS))
+  if age ~= OPENS then return end
+  local row = card.row + 3
+  if card.epithet then row = hud.centre(row, card.epithet, hud.banks.plain, COL, COLS) + 1 end
+  for _, line in ipairs(card.lines) do
+    hud.put(COL + (COLS - card.size * sys.cells(line)) // 2, row, line, hud.banks.bright, card.size)
+    row = row + card.size + 1
+  end
+end
 
 return function(b)
   local word = text.lang("WARNING")
   local letters = utf8.len(word)
   local row = (word .. "  "):rep(COLS // (letters + 2) + 2)
-  local tidy <close> = setmetatable({}, { __close = function() text.clear { col = COL, row = ROW, w = COLS, h = BAND } end })
-  hud.banner() -- the stage's name would stand across the band
+  local card = card_of(b)
+  local rows = card.rows + 2 * BAR
+  local top = MIDDLE - rows // 2
+  local low = top + BAR + card.rows
+  local bars = { bar(top), bar(low) }
+  card.row = top + BAR
+  local tidy <close> = setmetatable({}, { __close = function()
+    text.clear { col = COL, row = top, w = COLS, h = rows }
+    for _, plate in ipairs(bars) do plate:remove() end
+    screen.dim { share = 0, over = OPENS }
+  end })
+  hud.banner() -- the stage's name would stand across it
   sys.cue("warning")
+  screen.dim { share = DIM, over = OPENS }
   for t = 1, b.warning do
-    local open = math.min(t, b.warning - t + 1, OPENS)
-    local cols, step = COLS * open // OPENS, t // PACE % (letters + 2)
-    local from = COL + (COLS - cols) // 2
-    if open < OPENS then text.clear { col = COL, row = ROW, w = COLS, h = BAND } end
-    if t % PACE == 0 or open < OPENS then
-      hud.put(from, ROW, part(row, 1 + step, cols), hud.banks.alarm)
-      hud.put(from, ROW + BAND - 1, part(row, letters + 3 - step, cols), hud.banks.alarm)
-    end
-    if open == OPENS and t % OPENS == 0 then
-      local bank = t // OPENS % 2 == 0 and hud.banks.plain or hud.banks.alarm
-      hud.put(COL + COLS // 2 - letters, ROW + 2, word, bank, 2)
-      hud.centre(ROW + 5, b.title, hud.banks.bright, COL, COLS)
+    local left = b.warning - t
+    local open = math.min(t, left + 1, OPENS)
+    for i, plate in ipairs(bars) do open_bar(plate, i == 1 and top or low, open / OPENS) end
+    if t % BEAT == 1 and left > OPENS then screen.flash { to = 0xff2040, share = SHARE, over = BEAT - 4 } end
+    if left == OPENS then text.clear { col = COL, row = top, w = COLS, h = rows } end
+    if left > OPENS then
+      local step = t // PACE % (letters + 2)
+      if t % PACE == 0 and open == OPENS then
+        hud.put(COL, top + 1, part(row, 1 + step, COLS), hud.banks.alarm)
+        hud.put(COL, low + 1, part(row, letters + 3 - step, COLS), hud.banks.alarm)
+      end
+      if t <= OPENS + 1 then draw_card(card, t) end
     end
     wait(1)
   end

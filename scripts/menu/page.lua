@@ -12,7 +12,7 @@ local GROWING = 8    -- frames a window grows
 local DIM = 0.45     -- of what is behind a page
 local BANNER = 6     -- rows that the hud's banner takes
 
-local LEFT, RIGHT = hud.glyph(139, "<"), hud.glyph(140, ">")
+local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
 local LINE, FIRST, LAST, JEWEL = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-"), hud.glyph(144, "-")
 
 page.col, page.row = (rom.field.x + 7) // 8, (rom.field.y + 7) // 8
@@ -116,6 +116,8 @@ function page.begin()
 end
 
 function page.done()
+  if page.plate then page.plate:remove() end
+  page.plate = nil
   text.clear()
   screen.dim { share = 0, over = GROWING }
 end
@@ -146,15 +148,44 @@ end
 
 -- ---- lists ----
 
+-- An item in the middle of its list, in the k-th row that is seen: by a line of text, which stands at any pixel, where
+-- the board has room for one; in cells one of another parity than the list stands half a cell off.
+local function put_item(l, k, item, bank)
+  local row = l.row + (k - 1) * l.gap
+  local line = l.lines and l.lines[k]
+  if l.lines and not (line and line.alive) then
+    line = text.line {
+      x = l.col * 8 + l.width * 4, y = row * 8, text = item, align = "center", screen = true, stay = true,
+    }
+    l.lines[k] = line
+  end
+  if not (line and line.alive) then
+    return bank and hud.put(l.col + (l.width - sys.cells(item)) // 2, row, item, bank)
+  end
+  if line.text ~= item then line.text = item end
+  line.hidden = not bank
+  if bank then line.bank = bank end
+end
+
+-- Scrolls until the chosen one is seen, and shows where there are more.
+local function scroll(l, chosen)
+  l.first = math.max(chosen - l.seen + 1, math.min(l.first, chosen))
+  if l.seen == #l.items then return end
+  local col = l.col + l.width + 3
+  hud.put(col, l.row, l.first > 1 and UP or " ", hud.banks.faint)
+  hud.put(col, l.row + (l.seen - 1) * l.gap, l.first + l.seen <= #l.items and DOWN or " ", hud.banks.faint)
+end
+
 local function draw(l, a, chosen, age)
   local blink = age // BLINK % 2 == 0 and hud.banks.bright or hud.banks.plain
-  page.clear(l.row, (#l.items - 1) * l.gap + 1, l.col - 2, l.width + 4)
-  for i, item in ipairs(l.items) do
+  page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + 4)
+  scroll(l, chosen)
+  for k = 1, l.seen do
+    local i = l.first + k - 1
     local word = a.closed and a.closed[i] and "faint" or i == chosen and "bright" or "plain"
-    local bank = page.bank(i, age, hud.banks[word])
-    if bank then hud.put(l.col + (l.width - sys.cells(item)) // 2, l.row + (i - 1) * l.gap, item, bank) end
+    put_item(l, k, l.items[i], page.bank(k, age, hud.banks[word]))
   end
-  local at = l.row + (chosen - 1) * l.gap
+  local at = l.row + (chosen - l.first) * l.gap
   hud.put(l.col - 2, at, RIGHT, blink)
   hud.put(l.col + l.width + 1, at, LEFT, blink)
   if a.note then
@@ -167,11 +198,13 @@ local function lay_out(a)
   local widest = 1
   for _, item in ipairs(a.items) do widest = math.max(widest, sys.cells(item)) end
   local cols, gap = a.cols or page.cols, a.gap or 2
+  widest = math.min(cols, widest + (cols - widest) % 2) -- so that it has as many columns at each side
+  local seen = math.min(#a.items, a.most or #a.items)
   local l = {
     items = a.items, row = a.row, gap = gap, width = widest, col = (a.col or page.col) + (cols - widest) // 2,
-    below = a.row + #a.items * gap + (page.low and 0 or 1),
+    first = 1, seen = seen, below = a.row + seen * gap + (page.low and 0 or 1), lines = sys.on("text.line") and {},
   }
-  local beyond = math.max(0, math.min(3, l.col - page.col)) -- columns of the bar beside the widest item
+  local beyond = math.max(0, math.min(3, l.col - page.col - 1)) -- columns of the bar beside the widest item
   l.bar = sprite.plate {
     x = (l.col - beyond) * 8, y = l.row * 8, w = (widest + 2 * beyond) * 8, h = gap > 1 and 16 or 10, stay = true,
     bank = hud.banks.bright,
@@ -181,14 +214,14 @@ end
 
 -- The bar glides to behind the chosen row: a third of the way in each frame.
 local function glide(l, chosen, age)
-  local to = (l.row + (chosen - 1) * l.gap) * 8 + 4 - l.bar.h // 2
+  local to = (l.row + (chosen - l.first) * l.gap) * 8 + 4 - l.bar.h // 2
   local way = to - l.bar.y
   l.bar.y = (age == 0 or way * way < 1) and to or l.bar.y + way / 3
 end
 
 -- Shows items, texts in the language of the run, from `row` on, until one is chosen. If wanted: chosen, p (whose
 -- switches), limit (frames; else IDLE), back (what bomb answers; false: nothing), gap (rows from one to the next), col
--- and cols (where on the page), closed (of those that cannot be chosen, true), draw(age) for what else is on the page
+-- and cols (where on the page), most (items that are seen at a time; the list scrolls), closed (of those that cannot be chosen, true), draw(age) for what else is on the page
 -- while it opens, keys (true: the cabinet is to tell them), note(chosen, row) for what stands below the list and notes,
 -- its rows. Returns the number, or nil.
 function page.list(a)
@@ -219,17 +252,28 @@ function page.list(a)
     end
   end
   l.bar:remove()
-  page.clear(l.row, (#l.items - 1) * l.gap + 1, l.col - 2, l.width + 4)
+  for _, line in pairs(l.lines or {}) do line:remove() end
+  page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + (l.seen < #l.items and 6 or 4))
   if a.note then page.clear(l.below, a.notes) end
   return answer
+end
+
+-- A plate behind n rows from `row` on, a row off them; it goes with page.done.
+function page.frame(row, n)
+  page.plate = sprite.plate {
+    x = page.col * 8 + 4, y = row * 8 - 8, w = page.cols * 8 - 8, h = n * 8 + 16, bank = hud.banks.plain, stay = true,
+  }
 end
 
 -- A page of its own with a list: head, and what page.list takes but for its row; the texts of items are names.
 function page.ask(head, a)
   page.begin()
-  local top = page.head(head, 0)
-  local room = page.row + page.rows - 5 - top - 2 * #a.items - (a.notes or 0)
-  a.row = top + math.max(0, room // 3)
+  local top, gap = page.head(head, 0), a.gap or 2
+  local room = page.row + page.rows - (page.low and 3 or 7) - top
+  a.most = math.max(1, math.min(#a.items, (room - (a.notes or 0) - 1) // gap))
+  local rows = gap * a.most + (a.notes or 0)
+  a.row = top + math.max(page.low and 0 or 1, (room - rows) // 3)
+  if not page.low then page.frame(a.row - 1, rows + 2) end
   a.keys = true
   a.draw = function(age)
     page.head(head, age)

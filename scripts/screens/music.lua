@@ -28,8 +28,7 @@ return function(list)
   local back <close> = setmetatable({}, { __close = function() stop(30) end })
   repeat
     chosen = page.ask("MUSIC", {
-      items = items, chosen = chosen or 1, notes = notes, gap = #items * 2 + notes + 12 > page.rows and 1 or 2, note = note,
-      closed = closed, limit = playing and LONG or nil,
+      items = items, chosen = chosen or 1, notes = notes, note = note, closed = closed, limit = playing and LONG or nil,
     })
     if chosen then
       stop(0)

@@ -1,9 +1,12 @@
--- screens/results.lua - what a stage brought, over its last picture; values run up to what they are.
+-- screens/results.lua - what a stage brought, over its last picture: values run up to what they are, one after the
+-- other, and then each player's grade is stamped below them, where the game gives grades.
 local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local SHORTEST, LONGEST = 60, 300 -- frames; in the first, fire is not asked: players still press it when a boss bursts
-local RUN = 40                    -- frames that a value runs
+local RUN, NEXT = 36, 10           -- frames that a value runs, and from one to the next
+local STAMP = 8                   -- frames that a grade takes to come, and is bright
+local GRADE = 5                   -- rows of it
 
 -- What stands there when nobody gives rows: { word, value of the first, value of the second } each.
 local function usual(players)
@@ -29,15 +32,16 @@ end
 
 -- One player: words at the left, values at the right. Two: words in the middle, values at both sides.
 local function draw_row(at, i, r, players, age)
-  local bank = page.bank(i, age, hud.banks.plain)
+  age = age - NEXT * (i - 1)
+  local bank = page.bank(1, age, age < RUN and hud.banks.plain or hud.banks.bright)
   if not bank then return end
   local col, cols = page.col + 3, page.cols - 6
   local word = beside(text.lang(r[1]), r, players, cols)
-  local last = value(r[players + 1], age - 2 * i)
+  local last = value(r[players + 1], age)
   page.clear(at, 1)
   hud.put(col + cols - sys.cells(last), at, last, bank)
   if players == 1 then return hud.put(col, at, word, hud.banks.faint) end
-  hud.put(col, at, value(r[2], age - 2 * i), bank)
+  hud.put(col, at, value(r[2], age), bank)
   hud.put(col + (cols - sys.cells(word)) // 2, at, word, hud.banks.faint)
 end
 
@@ -50,10 +54,33 @@ end
 -- What was unlocked, each in a row of its own below the others.
 local function draw_new(row, gap, n, new, age)
   for i, title in ipairs(new) do
-    local bank, words = page.bank(n + i + 4, age, hud.banks.bright), text.lang("UNLOCKED: %s"):format(title)
+    local bank, words = page.bank(1, age - NEXT * (n + i) - RUN, hud.banks.bright), text.lang("UNLOCKED: %s"):format(title)
     if sys.cells(words) > page.cols - 6 then words = title end
     if bank then page.centre(row + (n + i - 1) * gap, words, bank) end
   end
+end
+
+-- When the grades come: behind the last value.
+local function stamped(rows) return NEXT * (#rows - 1) + RUN + 10 end
+
+-- The grades, in letters of two cells by two: one in the middle, or one for each player at their side.
+local function draw_grades(row, grades, age)
+  if age < 0 then return end
+  if age == 0 then
+    sys.cue("bonus")
+    screen.flash { share = 0.3, over = 2 * STAMP }
+  end
+  local bank = age < STAMP and hud.banks.plain or hud.banks.bright
+  page.rule(row, age, page.col + 2, page.cols - 4)
+  local word = text.lang("GRADE")
+  for p, s in ipairs(grades) do
+    local n = sys.cells(s)
+    local col = page.col + page.cols - 3 - 2 * n
+    if p == 1 and #grades > 1 then col = page.col + 3 end
+    hud.put(col, row + 2, s, bank, 2)
+  end
+  if #grades > 1 then return page.centre(row + 2, word, hud.banks.faint) end
+  hud.put(page.col + 3, row + 2, word, hud.banks.faint)
 end
 
 local function draw_page(title, rows, players, new, top, gap, age)
@@ -66,22 +93,25 @@ local function draw_page(title, rows, players, new, top, gap, age)
   end
   for i, r in ipairs(rows) do draw_row(row + (i - 1) * gap, i, r, players, age) end
   draw_new(row, gap, #rows, new, age)
+  return row + (#rows + #new) * gap
 end
 
 -- title: a text; players: how many; stopped(): must it end at once? rows: see `usual`; nil: these. new:
--- titles of what was unlocked.
-return function(title, players, stopped, rows, new)
+-- titles of what was unlocked. grades: a text for each player, or nil.
+return function(title, players, stopped, rows, new, grades)
   rows, new = rows or usual(players), new or {}
   local words = hud.wrap(title, page.cols - 6)
   local n = #rows + #new
   local gap = 2 * n + 12 <= page.rows and 2 or 1
-  local h = n * gap + #words + (players > 1 and 6 or 4)
+  local h = n * gap + #words + (players > 1 and 6 or 4) + (grades and GRADE or 0)
   local top = page.row + math.max(3, (page.rows - h) // 3)
   local window = page.window(page.col + 1, top, page.cols - 2, h)
-  screen.dim { share = 0.3, over = 12 }
-  for age = 0, LONGEST do
+  screen.dim { share = 0.45, over = 12 }
+  local at = stamped(rows)
+  for age = 0, grades and at + LONGEST or LONGEST do
     page.grow(window, age)
-    draw_page(title, rows, players, new, top, gap, age) -- each frame, for a pause takes away what it stands on
+    local row = draw_page(title, rows, players, new, top, gap, age) -- each frame: a pause takes away what it stands on
+    if grades then draw_grades(row, grades, age - at) end
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end

@@ -3,8 +3,10 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local page = sys.read("menu/page")
 
 local WORDS = {
+  missions = "MISSIONS",
   scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", replays = "REPLAYS", settings = "SETTINGS",
 }
+local UNDER = page.low and 5 or 9 -- rows from the middle of the logo to the first of the list, at least
 local DROP = 24 -- px from above that the logo comes
 
 -- The name of a game without a logo, its letters apart where there is room.
@@ -57,7 +59,7 @@ local function entries(words)
       items[1], items[2] = text.lang("1 PLAYER"), text.lang("2 PLAYERS")
     else
       list[#list + 1] = { what, 1 }
-      items[#items + 1] = text.lang(WORDS[what] or "START")
+      items[#items + 1] = what == "start" and text.lang("START") or WORDS[what] and text.lang(WORDS[what]) or menu.label(what)
     end
   end
   return list, items
@@ -70,10 +72,10 @@ local function index_of(list, what)
 end
 
 -- The number of what is chosen from the list; 0: back, nil: nobody answers.
-local function choose(items, row, chosen)
+local function choose(items, row, chosen, least)
   if #items == 1 then return 1 end
   local top, last = row - (page.low and 2 or 0), page.row + page.rows - 2
-  local gap = top + 2 * (#items - 1) <= last and 2 or 1
+  local gap = math.min(top, least) + 2 * (#items - 1) <= last and 2 or 1
   top = math.min(top, last - gap * (#items - 1))
   return page.list { items = items, row = top, chosen = chosen, back = 0, gap = gap, keys = true }
 end
@@ -89,11 +91,11 @@ return function(limit, words, last)
   draw_best()
   if back then
     if logo then logo.y = third * 8 else draw_name(third, page.cols) end
-    here = choose(items, row, back)
+    here = choose(items, row, back, third + UNDER)
   end
   while here == 0 do
     local came = wait_for_start(row, third, logo, limit)
-    here = came and choose(items, row, 1)
+    here = came and choose(items, row, 1, third + UNDER)
   end
   text.clear()
   if logo then logo:remove() end

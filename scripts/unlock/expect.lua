@@ -38,8 +38,17 @@ return function(list, find, a)
   for _, needs in pairs(rawget(sys, "stage_needs") or {}) do find("stage.def", needs) end
   local open = false
   for _, kind in ipairs(a.players) do
-    local needs = sys.ship(kind).needs
+    local forms = a.ships and a.ships[kind] and a.ships[kind].forms or { { kind = kind } }
+    local needs, any = sys.ship(kind).needs, false
     if needs then find("player.def", needs) end
+    for _, f in ipairs(forms) do
+      local of_form = sys.ship(f.kind).needs
+      if of_form then find("player.def", of_form) end
+      any = any or not of_form
+    end
+    if not needs and not any then
+      sys.fail("boot.run", ("ship %s: forms: expected at least one that needs no unlock"):format(kind))
+    end
     open = open or not needs
   end
   if not open then sys.fail("boot.run", "players: expected at least one that needs no unlock") end

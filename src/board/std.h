@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { STD_MODULES = 18 };
+enum { STD_MODULES = 19 };
 
 /* Said of a module's global in a game whose scripts do not name it: in a line typed into the console. */
 #define STD_NOT_HERE "not in this ROM: the library's modules are packed when a script names them"

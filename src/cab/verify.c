@@ -95,7 +95,7 @@ static void say_verdict(const struct verify *v, const char *path, const struct v
 static void say_hashes(const struct verify *v, const struct verdict *w)
 {
     const uint64_t *row = demo_hashes(&v->demo, w->frame);
-    const uint16_t *checksums = demo_checksums(&v->demo, w->frame);
+    uint16_t print = 0;
 
     for (int i = 0; i < v->demo.parts; i++) {
         unsigned long long here = v->replay.hashes[i];
@@ -105,8 +105,8 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
             printf("  %s: this build has no such part\n", v->demo.part[i]);
         else if (row)
             printf("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
-        else
-            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)checksums[i],
+        else if (demo_print(&v->demo, w->frame, i, &print))
+            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)print,
                    (unsigned)(here & 0xffff));
     }
 }
@@ -266,6 +266,7 @@ static enum result judge(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
+    v->replay.prints = (enum demo_prints)v->a->prints;
     bool records = v->a->restamp || v->a->json;
     enum result result =
         replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
@@ -430,6 +431,8 @@ static enum result rerecord(struct verify *v, const char *path)
 {
     struct rerun o;
     char err[512];
+
+    v->replay.prints = (enum demo_prints)v->a->prints;
     enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
     progress_wipe();

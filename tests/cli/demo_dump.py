@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Prints a demo of format 4 byte by byte with what each byte is, as docs/demos.md shows one: `demo_dump.py DEMO`."""
+"""Prints a demo of format 4 or 5 byte by byte with what each byte is, as docs/demos.md has it: `demo_dump.py DEMO`."""
 import struct
 import sys
 
-MIDDLE = range(2, 18)  # of 20 parts: like those before and after, and not shown
 data = open(sys.argv[1], "rb").read()
 at = 0
 
@@ -35,10 +34,10 @@ def string(text, quiet=False):
 
 
 def part(i):
-    """Is it of the middle? The first of these shows as dots."""
-    if i == MIDDLE[0]:
+    """Is it of the middle, like those before and after? The first of these shows as dots."""
+    if i == 2:
         print("      ...")
-    return i in MIDDLE
+    return 2 <= i < parts - 2
 
 
 def header(end):
@@ -57,7 +56,8 @@ def header(end):
         string("register")
         num("i", "= %")
     string("language")
-    global parts
+    global parts, sparse
+    sparse = form > 4 and num("B", "prints of rows alone: %")
     parts = num("B", "% parts")
     for i in range(parts):
         string("part %d," % i, part(i))
@@ -69,6 +69,9 @@ def second(end):
     first, n = num("I", "after frame %"), num("B", "% frames")
     runs, hashed = num("B", "% runs of pads"), num("B", "a row follows: %")
     num("B", "zero")
+    if sparse:
+        short(end, runs, hashed)
+        return
     for _ in range(runs):
         num("H", "% frames with")
         num("H", "   player 1: $")
@@ -82,6 +85,23 @@ def second(end):
         num("Q", "hash of part %d" % i, part(i))
 
 
+def short(end, runs, hashed):
+    for _ in range(runs):
+        head = data[at]
+        show(1, "%d frames" % ((head & 63) + 1) + (" with" if head > 63 else ""))
+        for player in range(2):
+            if head & 64 << player:
+                num("H", "   player %d: $" % (player + 1))
+    if hashed == 2:
+        mask = int.from_bytes(data[at:at + (parts + 7) // 8], "little")
+        show((parts + 7) // 8, "these parts' prints changed, mask %x" % mask)
+        for i in range(bin(mask).count("1")):
+            num("H", "   print $", i > 3)
+        print("      ...")
+    for i in range((end - at) // 8 if hashed == 1 else 0):
+        num("Q", "hash of part %d" % i, part(i))
+
+
 def moment(end):
     num("I", "in frame %")
     num("B", "kind %")
@@ -91,7 +111,7 @@ def moment(end):
 
 
 show(4, "CDEM")
-num("I", "format %")
+form, sparse = num("I", "format %"), 0
 while at < len(data):
     print()
     kind = data[at:at + 1]

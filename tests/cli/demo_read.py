@@ -9,7 +9,7 @@ import struct
 import sys
 import zlib
 
-MOST = {b"H": 1122304, b"S": 8904, b"M": 42, b"F": 4, b"E": 8}  # bytes of a payload
+MOST = {b"H": 1122304, b"S": 8904, b"M": 42, b"F": 4, b"E": 520}  # bytes of a payload
 KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register",
          "listed", "game", "over", "row"]
 
@@ -60,19 +60,54 @@ def header(b, form):
         need(0 <= d["lives"] <= 99 and d["invincible"] < 2 and n <= 16, "practice")
         d["registers"] = [(b.text(31), b.num("i")) for _ in range(n)]
     d["lang"] = b.text(15) if form > 3 else ""
+    d["sparse"] = b.num("B") if form > 4 else 0
+    need(d["sparse"] < 2, "prints")
     d["parts"] = [b.text(15) for _ in range(b.num("B"))]
     need(1 <= len(d["parts"]) <= (64 if form > 3 else 32) and "script" in d["parts"], "parts")
     size = b.num("I")
     d["nvram"] = nvram(b.take(len(b.data) - b.at), size, 1 << 20 if form > 3 else 32768)
-    d.update(pads=[], prints=[], rows=[], moments=[], flags=0, end=None, open=True)
+    d.update(pads=[], prints=[], rows=[], whole=[], moments=[], flags=0, end=None, open=True)
     return d
 
 
 def second(b, d):
     first, n, runs, hashed, zero = b.num("I"), b.num("B"), b.num("B"), b.num("B"), b.num("B")
     start = first == 0 and n == 0 and not d["rows"]
-    need(d["open"] and first == len(d["pads"]) and hashed < 2 and zero == 0, "order")
+    need(d["open"] and first == len(d["pads"]) and hashed < 3 and zero == 0, "order")
     need(hashed if start else 1 <= n <= 60 and d["rows"], "number of frames")
+    if d["sparse"]:
+        sparse(b, d, first, n, runs, hashed)
+    else:
+        need(hashed < 2, "order")
+        dense(b, d, first, n, runs, hashed)
+    d["open"] = bool(hashed) and (start or n == 60)
+    d["hashed"] = bool(hashed)
+
+
+def sparse(b, d, first, n, runs, hashed):
+    """Runs of pads that say what is new, and prints of the last frame alone; each minute's row is whole."""
+    pads = list(d["pads"][-1]) if d["pads"] else [0, 0]
+    for _ in range(runs):
+        head = b.num("B")
+        for player in range(2):
+            if head & 64 << player:
+                pads[player] = b.num("H")
+        need((pads[0] | pads[1]) < 1024, "pads")
+        d["pads"] += [tuple(pads)] * ((head & 63) + 1)
+    need(len(d["pads"]) == first + n, "runs")
+    whole = n < 60 or (first + n) % 3600 == 0
+    need(not hashed or hashed == (1 if whole else 2), "order")
+    if hashed == 2:
+        before, mask = d["rows"][-1], int.from_bytes(b.take((len(d["parts"]) + 7) // 8), "little")
+        need(mask >> len(d["parts"]) == 0, "mask")
+        d["rows"].append([b.num("H") if mask >> i & 1 else h & 0xffff for i, h in enumerate(before)])
+    elif hashed:
+        d["rows"].append([b.num("Q") for _ in d["parts"]])
+    if hashed:
+        d["whole"].append(hashed == 1)
+
+
+def dense(b, d, first, n, runs, hashed):
     for _ in range(runs):
         run, one, two = b.num("H"), b.num("H"), b.num("H")
         need(run >= 1 and (one | two) < 1024, "pads")
@@ -88,9 +123,8 @@ def second(b, d):
         d["prints"].append([b.num("H") if mask >> i & 1 else p for i, p in enumerate(before)])
     if hashed:
         d["rows"].append([b.num("Q") for _ in d["parts"]])
+        d["whole"].append(True)
         d["prints"] += [[h & 0xffff for h in d["rows"][-1]]] if n else []
-    d["open"] = bool(hashed) and (start or n == 60)
-    d["hashed"] = bool(hashed)
 
 
 def moment(b, d):
@@ -107,13 +141,17 @@ def end(b, d):
     frames, fault = b.num("I"), b.num("I")
     need(frames == len(d["pads"]) and fault <= 4, "end")
     need(d["rows"] and d["hashed"] if not fault else not d["hashed"] if frames else not d["rows"], "end and track")
+    if d["sparse"] and not fault and not d["whole"][-1]:
+        row = [b.num("Q") for _ in d["parts"]]
+        need([h & 0xffff for h in row] == d["rows"][-1], "the last row")
+        d["rows"][-1], d["whole"][-1] = row, True
     d["end"] = fault
 
 
 def read(data):
     need(data[:4] == b"CDEM" and len(data) >= 8, "not a demo")
     form, = struct.unpack("<I", data[4:8])
-    need(form in (2, 3, 4), "format")
+    need(form in (2, 3, 4, 5), "format")
     d, at, crc = None, 8, 0
     while len(data) - at >= 8 and not (d and d["end"] is not None):
         kind, n = data[at:at + 4], struct.unpack("<I", data[at + 4:at + 8])[0]
@@ -139,13 +177,14 @@ def read(data):
 
 
 def lines(d):
-    for key in "format core game rom id lua seed difficulty mark lives invincible lang flags".split():
+    for key in "format core game rom id lua seed difficulty mark lives invincible lang sparse flags".split():
         yield "%s %s" % (key, "%016x" % d[key] if key in ("game", "rom") else d[key])
     yield "dip " + " ".join(map(str, d["dip"]))
     yield "registers " + " ".join("%s=%d" % r for r in d["registers"])
     yield "nvram %d %08x" % (len(d["nvram"]), zlib.crc32(d["nvram"]))
     for i, row in enumerate(d["rows"]):
-        yield "row %d " % min(60 * i, len(d["pads"])) + " ".join("%s=%016x" % r for r in zip(d["parts"], row))
+        form = "%s=%016x" if d["whole"][i] else "%s=%04x"
+        yield "row %d " % min(60 * i, len(d["pads"])) + " ".join(form % r for r in zip(d["parts"], row))
     for f, pads in enumerate(d["pads"]):
         yield "pads %d %04x %04x" % (f + 1, *pads)
     for f, prints in enumerate(d["prints"]):

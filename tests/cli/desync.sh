@@ -7,7 +7,7 @@ sandbox
 rom=$repo/roms/glasstide
 "$curtain" pack "$rom" -o game.rom
 cp "$rom/demos/run.demo" .
-"$curtain" verify game.rom --restamp run.demo >/dev/null
+"$curtain" verify game.rom --restamp --prints every run.demo >/dev/null
 
 # ---- flipped bits of a whole run ----
 

@@ -1,6 +1,6 @@
 /*
  * fuzz_demo.c - libFuzzer: any bytes as a demo. Odd inputs go in as they are; for even ones the records' CRCs are made
- * good first, and the format is 2 or 3, by the next bit. What is read must hang together, and must not be much larger
+ * good first, and the format is 2 to 5, by the next bits. What is read must hang together, and must not be much larger
  * than the file. The same bytes are looked through for a demo in a text.
  */
 #include <stddef.h>
@@ -32,17 +32,18 @@ static void check(const struct demo *d, size_t file_size)
     must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? NVRAM_MOST : 32768));
     must(memchr(d->start.practice.section, 0, sizeof d->start.practice.section) != NULL &&
          memchr(d->id, 0, sizeof d->id) != NULL);
-    must(d->frames <= file_size && d->seconds <= file_size);
+    must(d->frames <= (d->sparse ? 3 : 1) * file_size && d->seconds <= file_size);
     must(d->checksum_parts != 0 && (d->checksum_frames == d->frames || d->checksum_frames + 1 == d->frames));
     must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
     must(d->start.practice.registers >= 0 && d->start.practice.registers <= PRACTICE_REGISTERS);
     for (int i = 0; i < d->start.practice.registers; i++)
         must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
+    must(!d->sparse || d->format > 4);
     must((d->format > 2 && d->checksum_parts == UINT64_MAX) || (d->format == 2 && d->n_markers == 0));
     must(memchr(d->start.lang, 0, sizeof d->start.lang) != NULL && (d->format > 3 || !d->start.lang[0]));
     must(d->parts <= (d->format > 3 ? 64 : 32));
     for (uint32_t f = 0; f <= d->frames; f++) {
-        must((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames));
+        must((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames && !d->sparse));
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
         h += demo_differs(d, f, hashes);
@@ -74,7 +75,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (n > 0)
         memcpy(copy, data + 1, n);
     if (n >= 8 && data[0] % 2 == 0)
-        repair(copy, n, 2 + (data[0] >> 1 & 1));
+        repair(copy, n, 2 + (data[0] >> 1 & 3));
     if (demo_read(&d, copy, n, err, sizeof err))
         check(&d, n);
     else

@@ -35,6 +35,11 @@ check 'Escape closes it' cmp straight.demo log.demo
 { keys 40; press $F8; keys 9; } | plays g end
 { keys 40; press $ESCAPE $UP $UP $UP $ENTER; keys 9; } | plays g menu
 same 'the menu has it, too' "$(seen end)" "$(seen menu)"
+{ keys 40; press $ESCAPE; keys 9; } | plays g open
+{ keys 40; press $ESCAPE $F8; keys 9; } | plays g above
+same 'in a menu F8 opens it above that' "$(seen end)" "$(seen above)"
+{ keys 40; press $ESCAPE $F8 $F8; keys 9; } | plays g below
+same 'and closes it: the menu stays' "$(seen open)" "$(seen below)"
 { keys 40; press $F8 $UP; keys 9; } | plays g up
 check 'it scrolls' differs <(seen end) <(seen up)
 { keys 40; press $F8 $UP $UP $DOWN $DOWN; keys 9; } | plays g back

@@ -148,7 +148,7 @@ static void test_sets_hold_all(void **state)
         const uint16_t none[PADS] = { 0 };
         while (!trial_steers(&t))
             trial_tick(&t, none);
-        danger_ship(t.b, &ship);
+        danger_ship(t.b, 0, &ship);
         t.into = &f;
         danger_spare(t.b, true);
         for (uint32_t i = 0; i < FRAMES / 2; i++)

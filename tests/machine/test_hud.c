@@ -52,6 +52,11 @@ static void row_is(uint32_t row, int col, const char *want)
         fail_msg("row %u: \"%s\" at %d, expected \"%s\" at %d", row, got, at, want, col);
 }
 
+static uint8_t bank_at(uint32_t row, uint32_t col)
+{
+    return r.b->fix.bank[row * r.b->fix.cols + col];
+}
+
 static const char ships[] =
     "player.def('p', { sprite = 'dot', hit = { circle = 2 }, lives = 3, registers = {\n"
     "  bombs = { start = 3, max = 9, show = 'icons' }, heat = { start = 2, max = 4, show = 'bar' },\n"
@@ -76,6 +81,42 @@ static void test_margins(void **state)
     row_is(5, 1, "HEAT ====----");
     row_is(6, -1, "");
     assert_int_equal(r.b->fix.bank[31], 2 | FIX_RIM);
+    close_it();
+}
+
+/* At the lower edge, from below: each player's at their side; a factor in hundredths, a text of its own or none before
+ * it; what is 0 is not shown; from its mark on it is bright. */
+static void test_low(void **state)
+{
+    static const char text[] =
+        "player.def('p', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
+        "  a = { max = 100, show = 'bar', at = 'low', label = 'GLASS', mark = 50 },\n"
+        "  b = { start = 125, show = 'times', at = 'low', label = '' }, c = { show = 'number', at = 'low' },\n"
+        "  d = { start = 7, show = 'number', label = 'DEEP' } } })\n"
+        "for i = 1, 2 do string.sys.join(i, 'p') end hud.low = 2 hud.start(string.sys.scope(), 2)\n"
+        "task.go(function() wait(2) player.get(1).a = 50 player.get(2).c = 12 wait(3) player.get(2).c = 0\n"
+        "  wait(1) player.get(1).b = 1000 player.get(1).a = 100 wait(3) string.sys.leave(1) end)";
+    struct manifest m = rig_manifest();
+
+    (void)state;
+    m.players = 2;
+    open_with(&m, text);
+    rig_run(&r, 1);
+    row_is(3, 1, "DEEP 7                DEEP 7");
+    row_is(4, -1, "");
+    row_is(37, 1, "GLASS -------  GLASS -------");
+    row_is(36, 1, "x1.25                  x1.25");
+    row_is(35, -1, "");
+    assert_int_equal(bank_at(37, 1), 2 | FIX_RIM);
+    rig_run(&r, 3);
+    row_is(37, 1, "GLASS ====---  GLASS -------");
+    assert_int_equal(bank_at(37, 1), 5 | FIX_RIM);
+    row_is(35, 25, "C 12");
+    rig_run(&r, 4);
+    row_is(36, 1, "x10.00                 x1.25");
+    row_is(35, -1, "");
+    rig_run(&r, 4);
+    row_is(37, 16, "GLASS -------");
     close_it();
 }
 
@@ -231,15 +272,15 @@ static void test_title(void **state)
         const char *title, *row[2];
         int phases, col[2];
     } rows[] = {
-        { "NINE", { "NINE                ***   11", "" }, 4, { 1, -1 } },
-        { "A TITLE OF NINETEEN", { "A TITLE OF NINETEEN ***   11", "" }, 4, { 1, -1 } },
-        { "A TITLE OF TWENTY CC", { "A TITLE OF TWENTY CC      11", "***" }, 4, { 1, 26 } },
+        { "NINE", { "NINE               ***    11", "" }, 4, { 1, -1 } },
+        { "A TITLE OF EIGHTEE", { "A TITLE OF EIGHTEE ***    11", "" }, 4, { 1, -1 } },
+        { "A TITLE OF NINETEEN", { "A TITLE OF NINETEEN       11", "***" }, 4, { 1, 26 } },
         { "A TITLE THAT GOES OVER TWO OF THEM",
           { "A TITLE THAT GOES OVER    11", "TWO OF THEM                *" },
           2,
           { 1, 1 } },
         { "NINE", { "NINE                      11", "" }, 1, { 1, -1 } },
-        { "NINE", { "NINE             ******   11", "" }, 9, { 1, -1 } },
+        { "NINE", { "NINE            ******    11", "" }, 9, { 1, -1 } },
     };
 
     (void)state;
@@ -248,7 +289,7 @@ static void test_title(void **state)
         open_with(NULL, text);
         rig_run(&r, 120);
         for (int k = 0; k < 2; k++)
-            row_is(4 + (uint32_t)k, rows[i].col[k], rows[i].row[k]);
+            row_is(5 + (uint32_t)k, rows[i].col[k], rows[i].row[k]);
         close_it();
     }
 }
@@ -273,44 +314,40 @@ static void open_spell(const struct manifest *m, const char *then)
     open_with(m, text);
 }
 
-static uint8_t bank_at(uint32_t row, uint32_t col)
-{
-    return r.b->fix.bank[row * r.b->fix.cols + col];
-}
-
 static void test_spell(void **state)
 {
     (void)state;
     open_spell(NULL, "");
     rig_run(&r, 68);
-    row_is(3, 1, "===-------------------- 1111"); /* it fills */
-    row_is(4, 1, "NINE                  * 1111");
-    assert_int_equal(bank_at(3, 25), 2 | FIX_RIM | FIX_BIG);
-    assert_int_equal(bank_at(4, 28), 2 | FIX_RIM | 4 * FIX_BIG);
+    row_is(4, 1, "===-------------------  1111"); /* it fills */
+    row_is(5, 1, "NINE                 *  1111");
+    assert_int_equal(bank_at(4, 25), 2 | FIX_RIM | FIX_BIG);
+    assert_int_equal(bank_at(5, 28), 2 | FIX_RIM | 4 * FIX_BIG);
     row_is(25, 10, "GLASS");
     rig_run(&r, 22);
     row_is(25, 10, "GLASS SIGN");
     rig_run(&r, 22);
-    row_is(3, 1, "======----------------- 1111");
+    row_is(4, 1, "======----------------  1111");
+    assert_int_equal(bank_at(4, 1) & FIX_BANK, 5);
     row_is(25, -1, "");
-    row_is(10, 17, "GLASS SIGN");
+    row_is(11, 17, "GLASS SIGN");
     rig_run(&r, 18);
-    row_is(10, -1, "");
-    row_is(5, 19, "GLASS SIGN");
-    row_is(6, 16, "BONUS 0005910");
-    assert_int_equal(bank_at(3, 28) & FIX_BANK, 7); /* ten seconds are left */
+    row_is(11, -1, "");
+    row_is(6, 19, "GLASS SIGN");
+    row_is(7, 2, "CAPTURED 0/1  BONUS 0005910");    /* this is the first try */
+    assert_int_equal(bank_at(4, 28) & FIX_BANK, 7); /* ten seconds are left */
     rig_run(&r, 270);
-    row_is(4, 1, "NINE                  *   66");
-    row_is(6, 16, "BONUS 0003210");
+    row_is(5, 1, "NINE                 *    66");
+    row_is(7, 2, "CAPTURED 0/1  BONUS 0003210");
     rig_run(&r, 215);
-    row_is(3, -1, "");
-    row_is(4, 1, "NINE                  *");
-    row_is(5, -1, "");
+    row_is(4, -1, "");
+    row_is(5, 1, "NINE                 *");
     row_is(6, -1, "");
+    row_is(7, -1, "");
     row_is(13, 11, "CAPTURED");
     row_is(15, 13, "1090");
     rig_run(&r, 250);
-    row_is(4, -1, "");
+    row_is(5, -1, "");
     row_is(13, -1, "");
     close_it();
 }
@@ -321,8 +358,8 @@ static void test_failed(void **state)
     static const struct {
         int col;
         const char *text;
-    } rows[2][5] = { { { 1, "IRIS    ========------- 8833" },
-                       { 1, "OPAL TH ============--- 8833" },
+    } rows[2][5] = { { { 1, "IRIS    =======-------  8833" },
+                       { 1, "OPAL TH ===========---  8833" },
                        { 1, "TWO" },
                        { -1, "" },
                        { -1, "" } },
@@ -333,8 +370,8 @@ static void test_failed(void **state)
     (void)state;
     open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y");
     rig_run(&r, 200);
-    row_is(6, 23, "FAILED");
-    assert_int_equal(bank_at(6, 23), 6 | FIX_RIM);
+    row_is(7, 9, "CAPTURED 0/1  FAILED");
+    assert_int_equal(bank_at(7, 23), 6 | FIX_RIM);
     rig_run(&r, 430);
     row_is(13, 9, "BONUS FAILED");
     close_it();
@@ -351,7 +388,7 @@ static void test_failed(void **state)
         open_with(&m, text);
         rig_run(&r, 120);
         for (uint32_t i = 0; i < 5; i++)
-            row_is(panel ? i + 8 : i + 3, rows[panel][i].col, rows[panel][i].text);
+            row_is(panel ? i + 8 : i + 4, rows[panel][i].col, rows[panel][i].text);
         close_it();
     }
 }
@@ -360,24 +397,27 @@ static void test_failed(void **state)
 static void test_warning(void **state)
 {
     (void)state;
-    open_with(NULL,
-              "hud.banks.alarm = 7\n"
-              "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
-              "boss.def('b', { title = 'NINE', kind = 'e', x = 99, y = 9, warning = 90, phases = { { id = 'a', hp = "
-              "5, time = 99, run = function() end } } })\n"
-              "hud.banner({ 'A STAGE' }, 900)\n"
-              "task.go(function() boss.fight('b') end)");
+    open_with(NULL, "hud.banks.alarm = 7\n"
+                    "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
+                    "boss.def('b', { title = 'NINE', epithet = 'OF TWO DOZ', kind = 'e', x = 99, y = 9, warning = 90, "
+                    "phases = { { id = 'a', hp = "
+                    "5, time = 99, run = function() end } } })\n"
+                    "hud.banner({ 'A STAGE' }, 900)\n"
+                    "task.go(function() boss.fight('b') end)");
     row_is(13, 11, "A STAGE");
     rig_run(&r, 8);
-    row_is(13, -1, ""); /* the band needs the place */
-    row_is(16, 7, "RNING  WARNING");
+    row_is(13, -1, "");            /* the card needs the place */
+    row_is(12, 9, "------------"); /* a line grows from its middle */
     rig_run(&r, 40);
-    row_is(16, 2, "WARNING  WARNING  WARNING  W");
-    row_is(18, 8, "WWAARRNNIINNGG");
-    row_is(19, 8, "WWAARRNNIINNGG");
-    row_is(21, 13, "NINE");
-    row_is(23, 0, "RNING  WARNING  WARNING  WARNI");
-    assert_int_equal(bank_at(18, 8), 7 | FIX_RIM | FIX_BIG);
+    row_is(9, 2, "WARNING  WARNING  WARNING  W");
+    row_is(12, 3, "------------------------");
+    row_is(14, 10, "OF TWO DOZ");
+    row_is(16, 11, "NNIINNEE");
+    row_is(17, 11, "NNIINNEE");
+    row_is(19, 3, "------------------------");
+    row_is(22, 0, "RNING  WARNING  WARNING  WARNI");
+    assert_int_equal(bank_at(16, 11), 5 | FIX_RIM | FIX_BIG);
+    assert_int_equal(bank_at(9, 3), 7 | FIX_RIM);
     rig_run(&r, 44);
     for (uint32_t row = 0; row < r.b->fix.rows; row++)
         row_is(row, -1, "");
@@ -508,7 +548,10 @@ static void test_errors(void **state)
     (void)state;
     says("a = { strat = 3 }", "player.def: registers.a: unknown setting \"strat\" (did you mean \"start\"?)");
     says("a = { start = 3, max = 2 }", "player.def: registers.a: start 3 is more than max 2");
-    says("a = { show = 'bars' }", "player.def: registers.a.show: expected none, number, icons or bar, got \"bars\"");
+    says("a = { at = 'left' }", "player.def: registers.a.at: expected top or low, got \"left\"");
+    says("a = { label = 3 }", "player.def: registers.a.label: expected a string, got 3");
+    says("a = { show = 'bars' }",
+         "player.def: registers.a.show: expected none, number, icons, bar or times, got \"bars\"");
     says("a = { show = 'bar' }", "player.def: registers.a: a bar needs a max");
     says("a = { start = -1 }", "player.def: registers.a: start -1 is less than min 0");
     says("a = 1.5", "player.def: registers.a: expected a whole number from 0 to 2147483647, got 1.5");
@@ -518,10 +561,11 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_margins), cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_two),     cmocka_unit_test(test_rim),       cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_title),   cmocka_unit_test(test_again),     cmocka_unit_test(test_spell),
-        cmocka_unit_test(test_failed),  cmocka_unit_test(test_warning),   cmocka_unit_test(test_large),
+        cmocka_unit_test(test_margins), cmocka_unit_test(test_low),    cmocka_unit_test(test_registers),
+        cmocka_unit_test(test_panel),   cmocka_unit_test(test_two),    cmocka_unit_test(test_rim),
+        cmocka_unit_test(test_errors),  cmocka_unit_test(test_title),  cmocka_unit_test(test_again),
+        cmocka_unit_test(test_spell),   cmocka_unit_test(test_failed), cmocka_unit_test(test_warning),
+        cmocka_unit_test(test_large),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

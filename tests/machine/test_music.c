@@ -542,6 +542,12 @@ static const char scene[] = "bullet.def('orb', { sprite = 'dot', hit = { circle 
     "sys.leave(1) stage.def('s', function() wait(forever) end)\n"                                                      \
     "boot.run { stages = { 's' }, players = { 'pilot' }, screens = { title = function() return 'start', 1 end } }"
 
+#define MISSION(goal)                                                                                                  \
+    "sys.leave(1) stage.def('s', function() wait(forever) end)\n"                                                      \
+    "mission.def('m', { title = 'M', stage = 's', goal = function() return " goal " end, limit = 9 })\n"               \
+    "boot.run { stages = { 's' }, players = { 'pilot' }, screens = {\n"                                                \
+    "  title = function() return 'missions' end, missions = function() return 'm' end } }"
+
 static const struct {
     const char *name, *script;
 } deeds[CART_CUES] = {
@@ -566,6 +572,8 @@ static const struct {
                   "  bullet.fire { kind = 'orb', from = q, speed = 0 } end) wait(5) end end)\n"
                   "boot.run { stages = { 's' }, players = { 'solo' }, continues = 3, screens = {\n"
                   "  title = function() return 'start', 1 end, continue = function() return true end } }" },
+    { "mission", MISSION("true") },
+    { "failed", MISSION("false") },
 };
 
 /* A game with one sound, of that name. */

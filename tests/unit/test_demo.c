@@ -873,7 +873,8 @@ static void test_format_3(void **state)
     long old = plat_size("tests/demos/frozen-3.demo");
     size_t now = file_bytes();
     print_message("# format 3: %ld bytes, format %d: %zu\n", old, (int)DEMO_FORMAT, now);
-    assert_int_equal(now, (size_t)old + 1 - (905 - 16)); /* no language; a byte less in each frame that is in no row */
+    assert_int_equal(now, (size_t)old + 2 -
+                              (905 - 16)); /* no language, dense; a byte less in each frame that is in no row */
     demo_free(&was);
     demo_free(&is);
 }
@@ -992,6 +993,157 @@ static void test_rewind(void **state)
         demo_free(&d);
         demo_free(&w.demo);
     }
+}
+
+/* ---- sparse ones ---- */
+
+/* Records n frames with checksums of seconds alone. */
+static struct board *record_sparse(struct demo_writer *w, uint32_t n)
+{
+    struct board_start start = { .seed = 9, .difficulty = -1 };
+    struct board *b = power(&start);
+    struct rng r;
+
+    rng_seed(&r, n);
+    assert_true(demo_begin(w, path, &cart, b, &start, 0));
+    assert_true(demo_prints(w, DEMO_PRINTS_SECONDS));
+    play(w, b, &r, n);
+    assert_true(demo_end(w, b));
+    return b;
+}
+
+/* It is read as it was written, and written as it was read; its last row is whole wherever it ends, and one a minute
+ * is. */
+static void test_sparse(void **state)
+{
+    static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 120, 3599, 3600, 3601, 3660, 3700 };
+    struct demo_writer w = { .on = false };
+    struct demo d, again;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        record_sparse(&w, lengths[i]);
+        loads(&d);
+        assert_true(d.complete && d.sparse && !d.checksums && d.frames == lengths[i]);
+        assert_int_equal(d.seconds, w.demo.seconds);
+        assert_memory_equal(d.pads, w.demo.pads, d.frames * sizeof d.pads[0]);
+        for (uint32_t row = 0; row < d.seconds; row++) {
+            const bool whole = row % 60 == 0 || row + 1 == d.seconds;
+            assert_int_equal(demo_row_whole(&d, row), whole);
+            for (uint32_t k = row * (uint32_t)d.parts; k < (row + 1) * (uint32_t)d.parts; k++)
+                assert_true(d.track[k] == (whole ? w.demo.track[k] : (uint16_t)w.demo.track[k]));
+        }
+        const size_t bytes = file_bytes();
+        assert_true(demo_save(&d, path, err, sizeof err));
+        assert_int_equal(file_bytes(), bytes);
+        loads(&again);
+        assert_memory_equal(again.track, d.track, d.seconds * (size_t)d.parts * sizeof d.track[0]);
+        demo_free(&again);
+        demo_free(&d);
+        demo_free(&w.demo);
+    }
+}
+
+/* A difference is found in the second that it is in, by part, as far as 16 bits tell; a whole row knows all. */
+static void test_sparse_differs(void **state)
+{
+    struct demo_writer w = { .on = false };
+    uint64_t hashes[MAX_PARTS];
+    uint16_t pads[PADS], print;
+    struct demo d;
+
+    (void)state;
+    record_sparse(&w, 130);
+    loads(&d);
+    struct board *b = power(&d.start);
+    for (uint32_t f = 0; f <= 130; f++) {
+        const bool told = f % 60 == 0 || f == 130, whole = f == 0 || f == 130;
+        board_hashes(b, hashes);
+        assert_int_equal(demo_told(&d, f), told);
+        assert_int_equal(demo_hashes(&d, f) != NULL, whole);
+        assert_null(demo_checksums(&d, f));
+        assert_int_equal(demo_differs(&d, f, hashes), 0);
+        for (int i = 0; i < d.parts; i++) {
+            assert_int_equal(demo_print(&d, f, i, &print), told);
+            hashes[i] ^= 0x8000;
+            assert_int_equal(demo_differs(&d, f, hashes), told ? (uint64_t)1 << i : 0);
+            hashes[i] ^= 0x10000 | 0x8000;
+            assert_int_equal(demo_differs(&d, f, hashes), whole ? (uint64_t)1 << i : 0);
+            hashes[i] ^= 0x10000;
+        }
+        demo_pads(&d, f, pads);
+        board_tick(b, pads);
+    }
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+/* What nobody chose for is dense while it is short; a second beyond that the file is written anew. Gone back in, it
+ * stays as it is. */
+static void test_grows_long(void **state)
+{
+    struct board_start start = { .seed = 3, .difficulty = -1 };
+    struct demo_writer w = { .on = false };
+    struct board *b = power(&start);
+    struct rng r;
+    struct demo d;
+
+    (void)state;
+    rng_seed(&r, 1);
+    assert_true(demo_begin(&w, path, &cart, b, &start, 0));
+    play(&w, b, &r, DEMO_DENSE);
+    loads(&d);
+    assert_true(!d.sparse && d.frames == DEMO_DENSE);
+    demo_free(&d);
+    const size_t dense = file_bytes();
+    play(&w, b, &r, 59);
+    assert_false(w.demo.sparse);
+    play(&w, b, &r, 1);
+    assert_true(w.demo.sparse && file_bytes() < dense / 2);
+    loads(&d);
+    assert_true(d.sparse && d.frames == DEMO_DENSE + 60 && !d.complete);
+    demo_free(&d);
+    b = power(&start);
+    for (uint32_t f = 0; f < 90; f++)
+        board_tick(b, w.demo.pads[f]);
+    assert_true(demo_rewind(&w, 90));
+    play(&w, b, &r, 50);
+    assert_true(demo_end(&w, b));
+    loads(&d);
+    assert_true(d.sparse && d.complete && d.frames == 140 && d.seconds == 4);
+    assert_true(demo_row_whole(&d, 3) && !demo_row_whole(&d, 2));
+    demo_free(&d);
+    demo_free(&w.demo);
+}
+
+/* Any byte that is another is refused, or the demo still hangs together; checksums of records are made good. */
+static void test_sparse_lies(void **state)
+{
+    static uint8_t good[1 << 16], bad[1 << 16];
+    struct demo_writer w = { .on = false };
+    struct demo d;
+    FILE *f;
+
+    (void)state;
+    record_sparse(&w, 120);
+    f = fopen(path, "rb");
+    assert_non_null(f);
+    const size_t n = fread(good, 1, sizeof good, f);
+    fclose(f);
+    int refused = 0;
+    for (size_t i = 8; i < n; i++) {
+        memcpy(bad, good, n);
+        bad[i] ^= 0x41;
+        repair_demo(bad, n);
+        if (!demo_read(&d, bad, n, err, sizeof err)) {
+            refused++;
+            continue;
+        }
+        assert_true(d.frames <= 120 && d.seconds <= 3);
+        demo_free(&d);
+    }
+    assert_in_range(refused, 100, n - 100);
+    demo_free(&w.demo);
 }
 
 static void test_flags(void **state)
@@ -1438,6 +1590,10 @@ int main(void)
         cmocka_unit_test(test_foreign_start),
         cmocka_unit_test(test_divergence),
         cmocka_unit_test(test_checksum_lies),
+        cmocka_unit_test(test_sparse),
+        cmocka_unit_test(test_sparse_differs),
+        cmocka_unit_test(test_grows_long),
+        cmocka_unit_test(test_sparse_lies),
         cmocka_unit_test(test_practice),
         cmocka_unit_test(test_markers),
         cmocka_unit_test(test_points),

@@ -327,7 +327,7 @@ static const char *modules_of(const char *text)
 }
 
 static const char every[] =
-    "bg boot boss choose figure game hud menu path pattern prelude say scoring stage sweep talk trail unlock";
+    "bg boot boss choose figure game hud menu mission path pattern prelude say scoring stage sweep talk trail unlock";
 
 /* A module is in the ROM when a script of the game names it, or a module that is. */
 static void test_modules(void **state)

@@ -19,19 +19,77 @@
 struct picture {
     const char *name;
     struct sheet (*make)(void);
+    enum art_stage stage; /* whose palette it is drawn in */
 };
 
 static const struct picture GAME[] = {
-    { "bullets", art_bullets }, { "shots", art_shots },   { "sparks", art_sparks },
-    { "heron", art_heron },     { "petrel", art_petrel }, { "enemies", art_enemies },
-    { "guard", art_guard },     { "queen", art_queen },   { "blasts", art_blasts },
-    { "floor", art_floor },     { "reef", art_reef },     { "logo", art_logo },
-    { "iri", art_iri },         { "sen", art_sen },       { "queen_face", art_queen_face },
-    { "seabed", art_seabed },   { "finds", art_finds },   { "font", art_font },
-    { "kana", art_kana },       { NULL, NULL },
+    { "bullets", art_bullets, ART_MAIN },
+    { "shots", art_shots, ART_MAIN },
+    { "sparks", art_sparks, ART_MAIN },
+    { "finds", art_finds, ART_MAIN },
+    { "blasts", art_blasts, ART_MAIN },
+    { "fires", art_fires, ART_MAIN },
+    { "lights", art_lights, ART_MAIN },
+    { "sherds", art_sherds, ART_MAIN },
+    { "font", art_font, ART_MAIN },
+    { "kana", art_kana, ART_MAIN },
+    { "logo", art_logo, ART_MAIN },
+    /* crafts, and who flies them */
+    { "heron", art_heron, ART_MAIN },
+    { "petrel", art_petrel, ART_MAIN },
+    { "iri", art_iri, ART_MAIN },
+    { "sen", art_sen, ART_MAIN },
+    { "tern", art_tern, ART_MAIN },
+    { "ono", art_ono, ART_MAIN },
+    { "arms", art_arms, ART_MAIN },
+    /* stage one */
+    { "enemies", art_enemies, ART_MAIN },
+    { "floor", art_floor, ART_MAIN },
+    { "reef", art_reef, ART_MAIN },
+    { "shoal", art_shoal, ART_ONE },
+    { "lantern_nautilus", art_lantern_nautilus, ART_ONE },
+    { "crab", art_crab, ART_ONE },
+    { "crab_face", art_crab_face, ART_ONE },
+    { "wreck", art_wreck, ART_ONE },
+    { "kelp", art_kelp, ART_ONE },
+    { "shafts", art_shafts, ART_ONE },
+    /* stage two */
+    { "creatures_two", art_two_creatures, ART_TWO },
+    { "bellows", art_two_bellows, ART_TWO },
+    { "cinder", art_two_cinder, ART_TWO },
+    { "quench", art_two_quench, ART_TWO },
+    { "cinder_face", art_two_cinder_face, ART_TWO },
+    { "quench_face", art_two_quench_face, ART_TWO },
+    { "bullets_two", art_two_bullets, ART_TWO },
+    { "works", art_two_works, ART_TWO },
+    { "stacks", art_two_stacks, ART_TWO },
+    { "street", art_two_street, ART_TWO },
+    { "skyline", art_two_skyline, ART_TWO },
+    /* stage three */
+    { "queen", art_queen, ART_MAIN },
+    { "queen_face", art_queen_face, ART_THREE },
+    { "queen_abyss", art_queen_abyss, ART_THREE },
+    { "abyss_life", art_abyss_life, ART_THREE },
+    { "gulper", art_gulper, ART_THREE },
+    { "angler", art_angler, ART_THREE },
+    { "lamplight", art_lamplight, ART_THREE },
+    { "trench", art_trench, ART_THREE },
+    { "abyss_tiles", art_abyss_tiles, ART_THREE },
+    /* the moon */
+    { "last", art_last, ART_MOON },
+    { "last_face", art_last_face, ART_MOON },
+    { "water", art_water, ART_MOON },
+    { "dry", art_dry, ART_STORY },
+    { "brink", art_brink, ART_STORY },
+    { "wave", art_wave, ART_STORY },
+    { "dive", art_dive, ART_STORY },
+    { "flood", art_flood, ART_STORY },
+    { "home", art_home, ART_STORY },
+
+    { NULL, NULL, ART_MAIN },
 };
 static const struct picture BENCH[] = {
-    { "discs", art_bench }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
+    { "discs", art_bench, ART_MAIN }, { "font", art_font }, { "tiles", art_tiles }, { NULL, NULL }
 };
 static const struct picture CARD[] = { { "card", art_card }, { "font", art_font }, { NULL, NULL } };
 
@@ -83,12 +141,12 @@ static bool write_sheet(const char *dir, const char *name, const struct sheet *s
     return ok;
 }
 
-static bool write_palette(const char *dir, const uint32_t rgb[256])
+static bool write_palette(const char *dir, const char *name, const uint32_t rgb[256])
 {
     uint8_t rgba[256 * 4];
     for (int i = 0; i < 256; i++)
         colour(&rgba[4 * i], rgb[i], 255);
-    return write_png(dir, "palette", rgba, 16, 16);
+    return write_png(dir, name, rgba, 16, 16);
 }
 
 /* Everything below one another on the floor's colour, magnified. */
@@ -144,11 +202,32 @@ static const struct picture *pictures(const char *what)
     return NULL;
 }
 
+/* The palettes of the stages. */
+static bool write_stages(const char *dir)
+{
+    static const char *const names[ART_STAGES] = { "",
+                                                   "palette_one",
+                                                   "palette_deep",
+                                                   "palette_two",
+                                                   "palette_three",
+                                                   "palette_moon",
+                                                   "palette_dark",
+                                                   "palette_story" };
+    uint32_t rgb[256];
+
+    for (enum art_stage stage = ART_ONE; stage < ART_STAGES; stage++) {
+        art_stage_palette(stage, rgb);
+        if (!write_palette(dir, names[stage], rgb))
+            return false;
+    }
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     const char *dir = argc > 1 ? argv[1] : "", *what = argc > 2 ? argv[2] : "";
     const struct picture *p = pictures(what);
-    bool icon = !strcmp(what, "icon"), look = !strcmp(what, "sheet"), ok = true;
+    bool game = p == GAME, icon = !strcmp(what, "icon"), look = !strcmp(what, "sheet"), ok = true;
     uint32_t rgb[256];
 
     if (argc < 2 || argc > 3 || (!p && !icon)) {
@@ -163,9 +242,13 @@ int main(int argc, char **argv)
         return write_icons(dir, rgb) ? 0 : 3;
     for (; p->name && ok; p++) {
         struct sheet s = p->make();
+        if (game)
+            art_stage_palette(p->stage, rgb);
         ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);
         sheet_free(&s);
     }
-    ok = ok && (look || write_palette(dir, rgb));
+    if (game)
+        art_palette(rgb);
+    ok = ok && (look || (write_palette(dir, "palette", rgb) && (!game || write_stages(dir))));
     return ok ? 0 : 3;
 }

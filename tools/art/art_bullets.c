@@ -266,6 +266,48 @@ struct sheet art_shots(void)
     return s;
 }
 
+/* A crescent that opens to the left: what comes back. */
+static void crescent(struct sheet *s, int x0, int y0, int size)
+{
+    double c = size * 0.5;
+    for (int y = 0; y < size; y++) {
+        for (int x = 0; x < size; x++) {
+            double dx = x + 0.5 - c, dy = y + 0.5 - c;
+            double in = c - 0.6 - length(dx, dy), out = length(dx + c * 0.52, dy * 0.94) - c * 0.80;
+            double d = in < out ? in : out;
+            if (d > 0)
+                sheet_set(s, x0 + x, y0 + y, d < 0.9 ? 6 : d < 1.8 ? 9 : 12);
+        }
+    }
+}
+
+/* A profile of light across a ray, `tall` pixels: pale in its middle. */
+static void profile(struct sheet *s, int x, int y, int tall, int least, int most)
+{
+    for (int i = 0; i < tall; i++) {
+        double u = (i + 0.5 - tall * 0.5) / (tall * 0.5), v = 1 - u * u;
+        sheet_set(s, x, y + i, least + (int)((most - least) * v * v + 0.5));
+    }
+}
+
+/* Shots of the other forms, in the manner of art_shots; prisms of what was bullets; rays. */
+struct sheet art_arms(void)
+{
+    static const struct band pike[] = { { 0, 5 }, { 0.8, 8 }, { 1.6, 11 }, { 2.2, 13 } };
+    static const struct band soft[] = { { 0, 5 }, { 0.9, 9 }, { 1.7, 12 } };
+    static const struct band gem[] = { { 0, 4 }, { 0.9, 9 }, { 1.9, 13 } };
+    static const double wide[4] = { 3.9, 2.7, 1.5, 2.7 };
+    struct sheet s = sheet_new(128, 52, 0);
+    DRAW(&s, 0, 0, 30, 30, d_ellipse, pike, 14.6, 2.7);
+    crescent(&s, 32, 0, 18);
+    DRAW(&s, 52, 0, 12, 12, d_drop, soft, 2.0, 3.4, 5.6);
+    for (int i = 0; i < 4; i++)
+        DRAW(&s, 64 + 12 * i, 0, 10, 10, d_ellipse, gem, wide[i], 4.6);
+    profile(&s, 116, 0, 10, 5, 14);
+    profile(&s, 120, 0, 52, 3, 13);
+    return s;
+}
+
 static void glint(struct sheet *s, int x0, int y0, int size, double arm)
 {
     double c = size * 0.5;

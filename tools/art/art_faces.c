@@ -1,5 +1,5 @@
 /*
- * art_faces.c - who talks: the pilots of both craft and the queen, each with two faces side by side. They look right; a
+ * art_faces.c - who talks: the pilots of the three craft and the queen, each with two faces side by side. They look right; a
  * talk turns those round that stand on the right side.
  * floor: tools
  */
@@ -7,7 +7,7 @@
 
 enum { FACE_W = 72, FACE_H = 96 };
 
-/* What the banks 8 and 10 have of skin, hair and cloth. */
+/* What bank 8, the same in all stages, has of skin, hair and cloth. */
 struct palette {
     int skin, shade, blush; /* of a face */
     int ink, white;         /* outlines, and what shines */
@@ -158,14 +158,14 @@ struct sheet art_iri(void)
 
 /* ---- the Petrel's: hair in the wind, a headset ---- */
 
-static const struct palette SEN = { 13,
+static const struct palette SEN = { 14,
                                     12,
                                     11,
                                     1,
                                     15,
-                                    { MATTE, 2, 6, 0.1 },
-                                    { MATTE, 5, 9, 0.1 },
-                                    { GLASS, 5, 9, 0.15 },
+                                    { MATTE, 2, 6, 0.02 },
+                                    { MATTE, 7, 9, 0.1 },
+                                    { GLASS, 7, 9, 0.15 },
                                     { MATTE, 10, 12, 0.1 },
                                     { MATTE, 2, 5, 0.1 } };
 
@@ -226,9 +226,73 @@ static void sen(struct sheet *s, int x, bool cross)
 
 struct sheet art_sen(void)
 {
-    struct sheet s = sheet_new(2 * FACE_W, FACE_H, 10);
+    struct sheet s = sheet_new(2 * FACE_W, FACE_H, 8);
     sen(&s, 0, false);
     sen(&s, FACE_W, true);
+    return s;
+}
+
+/* ---- the Tern's: a cap, curls, a bell at the collar ---- */
+
+static const struct palette ONO = { 14,
+                                    12,
+                                    11,
+                                    1,
+                                    15,
+                                    { MATTE, 1, 3, 0.12 },
+                                    { MATTE, 2, 4, 0.12 },
+                                    { GLASS, 7, 9, 0.15 },
+                                    { MATTE, 13, 15, 0.02 },
+                                    { MATTE, 10, 12, 0.02 } };
+
+static void curls(struct paint *p, const struct palette *c)
+{
+    static const double at[9][3] = { { -18, -4, 6 },  { -19, 5, 5 },   { -15, -12, 7 }, { -7, -12, 6 }, { 1, -11.4, 6 },
+                                     { 9, -11.6, 6 }, { 16, -9, 5.4 }, { 19, -1, 4.4 }, { -17, 12, 4 } };
+    for (int i = 0; i < 9; i++)
+        paint_ball(p, c->hair, at[i][0], at[i][1], at[i][2], at[i][2] * 0.92, 0);
+}
+
+/* A flat cap of felt with a brim that shades the brow. */
+static void cap(struct paint *p, const struct palette *c)
+{
+    static const struct mat felt = { MATTE, 7, 9, -0.06 };
+    double a[2] = { -12, -14.6 }, m[2] = { 8, -19.4 }, b[2] = { 25, -11.6 };
+    paint_band(p, -1e9, -13);
+    paint_ball(p, felt, -2, -16, 24.6, 17.4, -0.02);
+    paint_band(p, -1e9, 1e9);
+    paint_limb(p, felt, -22, -14, 3.2, 18, -15.2, 3.4);
+    paint_curve(p, c->cloth, a, m, b, 2.4, 2.0);
+    paint_ball(p, c->metal, -2, -33, 2.4, 1.8, 0);
+    paint_ball(p, c->scarf, -15, -20, 3.4, 3.6, 0);
+    paint_ball(p, flat(c->white), -16, -21.2, 1.0, 1.1, 0);
+}
+
+static void little_bell(struct paint *p, const struct palette *c)
+{
+    static const double skirt[] = { 2.6, 36, 5.4, 38.4, 7.4, 44, -2.2, 44, -0.2, 38.4 };
+    paint_poly(p, c->scarf, 5, skirt, 1.6);
+    paint_ball(p, flat(c->ink), 2.6, 45, 1.6, 1.4, 0);
+}
+
+static void ono(struct sheet *s, int x, bool cross)
+{
+    struct paint *p = paint_new(FACE_W, FACE_H);
+    paint_ball(p, ONO.hair, -2, -4, 21, 21, 0);
+    suit(p, &ONO);
+    head(p, &ONO);
+    features(p, &ONO, cross);
+    curls(p, &ONO);
+    cap(p, &ONO);
+    little_bell(p, &ONO);
+    paint_done(p, s, x, 0, 1, 1);
+}
+
+struct sheet art_ono(void)
+{
+    struct sheet s = sheet_new(2 * FACE_W, FACE_H, 8);
+    ono(&s, 0, false);
+    ono(&s, FACE_W, true);
     return s;
 }
 

@@ -7,6 +7,8 @@
  */
 #include "art.h"
 
+#include <stddef.h>
+
 struct key {
     int at;
     uint32_t rgb;
@@ -203,6 +205,227 @@ static const struct key NIGHT[8][12] = {
     { { 1, 0x10122c }, { 2, 0x2a2850 }, { 6, 0x8c86a8 }, { 10, 0xd8cfc4 }, { 13, 0xfff6dc }, { 15, 0xffffff } },
 };
 
+/* The scenery of stage one below the wreck, where less light comes. */
+static const struct key DEEP[12] = {
+    { 1, 0x02040c },  { 4, 0x060f22 },  { 8, 0x0d2442 },  { 12, 0x1b3c58 },
+    { 13, 0x123250 }, { 14, 0x1a4458 }, { 15, 0x28505c },
+};
+
+/* Banks 10 to 13 of the stages of Glass Tide: creatures, darker ones, bosses, and the scenery. */
+static const struct key ONE[4][12] = {
+    /* 10 blue glass: 2..9 glass, 10..13 what is inside */
+    { { 1, 0x050a1e },
+      { 2, 0x102a5e },
+      { 4, 0x2060a4 },
+      { 7, 0x58aeea },
+      { 9, 0xbcecff },
+      { 10, 0x0c5a74 },
+      { 11, 0x1ea6ba },
+      { 12, 0x6ce6e6 },
+      { 13, 0xd0fff8 },
+      { 14, 0xdcf6ff },
+      { 15, 0xffffff } },
+    /* 11 indigo glass: the same parts */
+    { { 1, 0x0a0a22 },
+      { 2, 0x1e1e60 },
+      { 4, 0x3c42a8 },
+      { 7, 0x7e8cec },
+      { 9, 0xd2daff },
+      { 10, 0x104a8c },
+      { 11, 0x2a8ed8 },
+      { 12, 0x7cd4ff },
+      { 13, 0xdcf6ff },
+      { 14, 0xe4eaff },
+      { 15, 0xffffff } },
+    /* 12 bosses: 2..8 glass, 9..11 silver, 12..13 cold light */
+    { { 1, 0x060a20 },
+      { 2, 0x18205a },
+      { 4, 0x3450ac },
+      { 6, 0x6c9cec },
+      { 8, 0xc2ecff },
+      { 9, 0x2c4a66 },
+      { 10, 0x7ea6bc },
+      { 11, 0xdcf4f8 },
+      { 12, 0x0e7c9c },
+      { 13, 0x6ee6ec },
+      { 14, 0xe6fcff },
+      { 15, 0xffffff } },
+    /* 13 the shallows: 1..12 blue slate, 13..15 light on it */
+    { { 1, 0x030812 },
+      { 4, 0x0a1a2e },
+      { 8, 0x163a54 },
+      { 12, 0x2a5866 },
+      { 13, 0x1c4e60 },
+      { 14, 0x266066 },
+      { 15, 0x3c6666 } },
+};
+static const struct key TWO[4][12] = {
+    /* 10 copper: 2..9 metal, 10..13 what burns inside */
+    { { 1, 0x140806 },
+      { 2, 0x3c1c10 },
+      { 4, 0x843f1e },
+      { 7, 0xd0803c },
+      { 9, 0xffd49c },
+      { 10, 0x8a1c08 },
+      { 11, 0xe2541a },
+      { 12, 0xff9a3c },
+      { 13, 0xffe09a },
+      { 15, 0xffffff } },
+    /* 11 steel: the same parts, with brass inside */
+    { { 1, 0x0c0b0c },
+      { 2, 0x2c2a2c },
+      { 4, 0x5e5c5c },
+      { 7, 0xa8a49c },
+      { 9, 0xeee8d8 },
+      { 10, 0x5c3a14 },
+      { 11, 0xa4762c },
+      { 12, 0xe0b45c },
+      { 13, 0xfae8b4 },
+      { 15, 0xffffff } },
+    /* 12 what the furnace made: 2..8 hot iron, 9..11 brass, 12..13 fire */
+    { { 1, 0x100806 },
+      { 2, 0x2e1812 },
+      { 4, 0x6c3822 },
+      { 6, 0xbc6c38 },
+      { 8, 0xffcc90 },
+      { 9, 0x7a4210 },
+      { 10, 0xd8902c },
+      { 11, 0xffdc86 },
+      { 12, 0xd83a10 },
+      { 13, 0xff8a3c },
+      { 14, 0xffeccc },
+      { 15, 0xffffff } },
+    /* 13 the drowned works: 1..12 rust and soot, 13..15 embers */
+    { { 1, 0x0a0708 },
+      { 4, 0x1e1614 },
+      { 8, 0x402c22 },
+      { 12, 0x664736 },
+      { 13, 0x6e2a12 },
+      { 14, 0xa4501e },
+      { 15, 0xd0965c } },
+};
+static const struct key THREE[4][12] = {
+    /* 10 violet glass: 2..9 glass, 10..13 what is inside */
+    { { 1, 0x0c0618 },
+      { 2, 0x261448 },
+      { 4, 0x5e36a2 },
+      { 7, 0xa678e6 },
+      { 9, 0xdcc4ff },
+      { 10, 0x5a1464 },
+      { 11, 0xa83cb4 },
+      { 12, 0xe48ae4 },
+      { 13, 0xffd8fa },
+      { 15, 0xffffff } },
+    /* 11 rose glass: the same parts */
+    { { 1, 0x14060f },
+      { 2, 0x3e1238 },
+      { 4, 0x8c327e },
+      { 7, 0xc868b4 },
+      { 9, 0xffc8f0 },
+      { 10, 0x3c1c78 },
+      { 11, 0x7048c8 },
+      { 12, 0xa890f4 },
+      { 13, 0xe4d8ff },
+      { 15, 0xffffff } },
+    /* 12 the queen: 2..8 glass, 9..11 silver, 12..13 heart */
+    { { 1, 0x0c0820 },
+      { 2, 0x241a54 },
+      { 4, 0x52389c },
+      { 6, 0x9a78e4 },
+      { 8, 0xe0ccff },
+      { 9, 0x5a5474 },
+      { 10, 0xa49cc4 },
+      { 11, 0xe8e4ff },
+      { 12, 0xa01c78 },
+      { 13, 0xf070c0 },
+      { 14, 0xf0e6ff },
+      { 15, 0xffffff } },
+    /* 13 the abyss: 1..12 violet slate, 13..15 what glimmers in it */
+    { { 1, 0x06050f },
+      { 4, 0x100d20 },
+      { 8, 0x292246 },
+      { 12, 0x4c4170 },
+      { 13, 0x40306c },
+      { 14, 0x6c549a },
+      { 15, 0xb0a0d4 } },
+};
+static const struct key MOON[4][12] = {
+    /* 10 silver: 2..9 metal, 10..13 what is inside */
+    { { 1, 0x0a0c12 },
+      { 2, 0x262c38 },
+      { 4, 0x566070 },
+      { 7, 0xa0acb8 },
+      { 9, 0xeaf2f6 },
+      { 10, 0x3c4450 },
+      { 11, 0x78828e },
+      { 12, 0xb8c0c8 },
+      { 13, 0xf0f2f4 },
+      { 15, 0xffffff } },
+    /* 11 pearl: the same parts */
+    { { 1, 0x100e0e },
+      { 2, 0x322e30 },
+      { 4, 0x6c6664 },
+      { 7, 0xb4aea8 },
+      { 9, 0xf6f0e6 },
+      { 10, 0x44403c },
+      { 11, 0x868078 },
+      { 12, 0xc4bcb0 },
+      { 13, 0xf8f4ea },
+      { 15, 0xffffff } },
+    /* 12 the moon: 2..8 stone, 9..11 light, 12..13 its eye */
+    { { 1, 0x080a10 },
+      { 2, 0x222834 },
+      { 4, 0x4e586a },
+      { 6, 0x9aa6b6 },
+      { 8, 0xe6eef4 },
+      { 9, 0x6c6a60 },
+      { 10, 0xb8b29c },
+      { 11, 0xf6f0d6 },
+      { 12, 0x28303c },
+      { 13, 0x8494a4 },
+      { 14, 0xf4f8fa },
+      { 15, 0xffffff } },
+    /* 13 black water: 1..12, 13..15 moonlight on it */
+    { { 1, 0x040507 },
+      { 4, 0x0a0d12 },
+      { 8, 0x1a2028 },
+      { 12, 0x3c4650 },
+      { 13, 0x343c44 },
+      { 14, 0x5e6870 },
+      { 15, 0xa8b0b6 } },
+};
+
+/* The story's pictures, banks 8 to 15: 1..7 what is far, 8..11 what is near, 12..15 what shines. Those of text stay. */
+#define LAMPS                                                                                                          \
+    { 12, 0x9c5a1c }, { 13, 0xf0b040 }, { 14, 0xffdc8c },                                                              \
+    {                                                                                                                  \
+        15, 0xfff6dc                                                                                                   \
+    }
+#define STORY_PICTURE(dark, deep, mid, pale, near, lit, ...)                                                           \
+    {                                                                                                                  \
+        { 1, dark }, { 3, deep }, { 5, mid }, { 7, pale }, { 8, near }, { 11, lit }, __VA_ARGS__                       \
+    }
+static const struct key STORY[8][12] = {
+    /* 8 the dry harbour */
+    STORY_PICTURE(0x1c1630, 0x4c2c4c, 0xa4585a, 0xf0b078, 0x160e18, 0x745044, { 12, 0x8c6a58 }, { 13, 0xd8b898 },
+                  { 14, 0xf4dcc0 }, { 15, 0xfff6e6 }),
+    /* 9 the brink */
+    STORY_PICTURE(0x060818, 0x101a3c, 0x22325e, 0x48608c, 0x05060e, 0x3a4462, LAMPS),
+    /* 10 the wave of glass */
+    STORY_PICTURE(0x050c1c, 0x0c3450, 0x2c7c9c, 0x8ce4e0, 0x14405c, 0xb8fff0, { 12, 0x86204e }, { 13, 0xdc4678 },
+                  { 14, 0xffc0b0 }, { 15, 0xffffff }),
+    /* 11 the dive */
+    STORY_PICTURE(0x03060f, 0x08203a, 0x14506c, 0x4aa0ae, 0x10182a, 0xdce8f4, LAMPS),
+    /* 12 the harbour at dawn */
+    STORY_PICTURE(0x1e2450, 0x584478, 0xc8707c, 0xffdca4, 0x16142a, 0x7c6478, LAMPS),
+    /* 13 of no picture: slate, for faint text */
+    { { 1, 0x060914 }, { 8, 0x2c3c54 }, { 15, 0x9ab6bc } },
+    /* 14 the moon at home */
+    STORY_PICTURE(0x060a1c, 0x0e1c40, 0x263e70, 0x6c8cb8, 0x04060e, 0x3c4a6c, { 12, 0x8c8468 }, { 13, 0xd8cfa8 },
+                  { 14, 0xf6eccc }, { 15, 0xfffdf0 }),
+    { { 1, 0x040a1e }, { 15, 0xffffff } },
+};
+
 static uint32_t mix(uint32_t a, uint32_t b, int i, int n)
 {
     uint32_t out = 0;
@@ -226,6 +449,34 @@ void art_palette(uint32_t rgb[256])
 {
     for (int bank = 0; bank < 16; bank++)
         fill(&rgb[bank * 16], KEYS[bank]);
+}
+
+/* Where no lamp shines: glass is a shape and no more, but teeth, eyes and lights stay to be seen. */
+static void darken(uint32_t rgb[256])
+{
+    for (int bank = 10; bank < 14; bank++) {
+        for (int i = 1; i < 16; i++) {
+            bool light = bank < 12 ? i == 13 || i == 15 : bank == 12 && (i == 11 || i == 13 || i == 15);
+            uint32_t *c = &rgb[bank * 16 + i];
+            *c = mix(*c, rgb[0], light ? 3 : bank == 13 ? 6 : 7, 10);
+        }
+    }
+}
+
+void art_stage_palette(enum art_stage stage, uint32_t rgb[256])
+{
+    const bool one = stage == ART_ONE || stage == ART_DEEP;
+    const struct key(*banks)[12] = one ? ONE : stage == ART_TWO ? TWO : stage == ART_MOON ? MOON : THREE;
+
+    art_palette(rgb);
+    for (int bank = 10; stage != ART_MAIN && stage != ART_STORY && bank < 14; bank++)
+        fill(&rgb[bank * 16], banks[bank - 10]);
+    if (stage == ART_DEEP)
+        fill(&rgb[13 * 16], DEEP);
+    if (stage == ART_DARK)
+        darken(rgb);
+    for (int bank = 8; stage == ART_STORY && bank < 15; bank++)
+        fill(&rgb[bank * 16], STORY[bank - 8]);
 }
 
 void art_night_palette(uint32_t rgb[256])

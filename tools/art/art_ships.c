@@ -1,5 +1,5 @@
 /*
- * art_ships.c - the two craft and their options. Four frames: the flame breathes.
+ * art_ships.c - the three craft and their options. Four frames: the flame breathes.
  * floor: tools
  */
 #include "art.h"
@@ -56,6 +56,30 @@ static void petrel(struct sheet *s, int x, int frame)
     paint_done(p, s, x, 0, 1, 1);
 }
 
+/* Long swept wings, a forked tail, and a lamp in the bow. */
+static void tern(struct sheet *s, int x, int frame)
+{
+    static const double wing[] = { 2, -6.5, 6.5, -4.6, 11.0, -0.6, 15.0, 6.8, 15.4, 10.4, 11.4, 6.4, 6.8, 3.6, 2, 3.4 };
+    static const double edge[] = { 6.6, -3.4, 10.6, 0.4, 14.4, 7.4, 14.6, 9.0, 10.4, 3.4, 6.4, -0.6 };
+    static const double tail[] = { 0.6, 5.4, 3.2, 6.2, 6.6, 14.6, 5.8, 15.4, 2.0, 10.6, 0.6, 9.4 };
+    static const struct mat slate = { MATTE, 2, 5, 0.06 }, brass = { MATTE, 13, 15, 0.02 };
+    struct paint *p = paint_new(32, 36);
+    double f = FLICKER[frame];
+    paint_limb(p, FLAME, 0, 9.4, 1.8, 0, 12.4 + f, 0.6);
+    paint_mirror(p, true);
+    paint_poly(p, slate, 6, tail, 1.0);
+    paint_poly(p, slate, 8, wing, 2.2);
+    paint_poly(p, brass, 6, edge, 0.8);
+    paint_limb(p, TRIM, 3.4, -1.6, 0.8, 5.6, 3.0, 1.0);
+    paint_mirror(p, false);
+    paint_limb(p, HULL, 0, -13.2, 1.8, 0, -3, 3.6);
+    paint_limb(p, HULL, 0, -3, 3.6, 0, 8.8, 1.8);
+    paint_ball(p, CANOPY, 0, -3.0, 2.1, 4.2, 0);
+    paint_ball(p, (struct mat){ GLOW, 13, 15, 0.2 }, 0, -12.6, 2.2, 2.6, 0);
+    paint_limb(p, TRIM, 0, 3.8, 0.8, 0, 7.4, 0.6);
+    paint_done(p, s, x, 0, 1, 1);
+}
+
 /* An option is a bead of glass with two fins. */
 static void option(struct sheet *s, int x, int y, int frame)
 {
@@ -89,4 +113,9 @@ struct sheet art_heron(void)
 struct sheet art_petrel(void)
 {
     return craft(9, 30, petrel);
+}
+
+struct sheet art_tern(void)
+{
+    return craft(8, 32, tern);
 }

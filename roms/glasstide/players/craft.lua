@@ -1,8 +1,13 @@
--- players/craft.lua - what both craft share: the dot and halo of focus, two beads that fly along,
--- and the undertow, which is their bomb.
-local craft = { MOST = 6 } -- of the undertow that can be kept
+-- players/craft.lua - what all craft share: the dot and halo of focus, beads that fly along, a gauge that is let go,
+-- and the registers that are scored. Each craft has two forms, a kind of player each.
+local scoring = require "scoring"
+require "players/bombs"
+local items = require "items"
 
-local BOMBS = 3 -- in each life
+local craft = { MOST = items.BOMBS, GREEN = 4 } -- bombs that can be kept; the bank of all that a craft fires
+
+local BOMBS <const> = 3 -- in each life
+local HELD <const> = 4  -- frames that a press of special stays good
 
 -- Puts a sprite, or puts it again when the field was wiped.
 local function keep(set, key, spec)
@@ -21,25 +26,6 @@ end
 -- Everything a craft wears; closed with its task, so nothing of it stays on the field.
 local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
--- A wave runs out from the craft: bullets turn to light, and creatures crack. What is seen of it is
--- foam along its edge.
-bomb.def("undertow", { over = 90, safe = 150, run = function(p)
-  local x, y = p.x, p.y
-  screen.shake { size = 3, over = 36 }
-  spark.burst { kind = "shock", x = x, y = y, speed = 0 }
-  bullet.sweep { x = x, y = y, radius_to = 360, over = 36, hurt = 60, by = p, spark = "glint",
-                 items = "foam" }
-  for radius = 10, 360, 10 do
-    for k = 0, 17 do
-      local a = 20 * k + 0.7 * radius
-      spark.burst { kind = k % 3 == 0 and "fizz" or "pop", dir = a, speed = 1.5, spread = 0,
-                    x = x + radius * angle.cos(a), y = y + radius * angle.sin(a) }
-    end
-    wait(1)
-  end
-  item.group():pull(p)
-end })
-
 -- A cell off the edges, as the hud; so a talk's plate covers all of them.
 local function show_bombs(set, p, bead)
   for i = 1, craft.MOST do
@@ -51,7 +37,7 @@ end
 
 local function show_focus(set, p)
   local slow = pad.down("focus", p)
-  keep(set, "halo", { sprite = "halo", follow = p, bank = 5, layer = "middle" }).hidden = not slow
+  keep(set, "halo", { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" }).hidden = not slow
   keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
 end
 
@@ -65,30 +51,71 @@ local function while_firing(thing, p, f)
   end
 end
 
--- Declares a craft: def as of player.def, with fire(p, beat); its beads are called NAME_bead, and
--- fire by bead(o, beat). Beads fly apart and a little behind, or close before the bow while it is
--- focused. What is near comes by itself, and all of it if one dares to fly up high.
-function craft.def(name, def, fire, bead)
-  local beads = name .. "_bead"
-  option.def(beads, { sprite = beads, run = function(o) while_firing(o, o.by, bead) end })
-  def.sprite, def.lives, def.bomb = name, 3, "undertow"
-  def.registers = { bombs = { start = BOMBS, max = craft.MOST } }
-  def.options = { kind = beads, over = 6, levels = {
-    { wide = { { -22, 5 }, { 22, 5 } }, close = { { -11, -15 }, { 11, -15 } } } } }
+-- A ray that burns while player p fires, from a craft or a bead; spec() says how it lies now.
+function craft.ray(thing, p, spec)
+  local ray
+  while true do
+    local wanted = pad.down("fire", p) and p.state == "fly"
+    if wanted and not (ray and ray.alive) then
+      local s = spec(thing)
+      s.follow, s.warn, s.grow, s.hold, s.fade = thing, 0, 4, forever, 6
+      ray = laser.beam(s)
+    elseif not wanted and ray then
+      if ray.alive then ray:fade() end
+      ray = nil
+    elseif ray then
+      ray.dir = spec(thing).dir
+    end
+    wait(1)
+  end
+end
+
+-- Declares a form of a craft: def as of player.def. arms: ship, whose pictures it has; fire(p, beat) and bead(o, beat);
+-- or ray(p) and bead_ray(o), which are tasks; bomb; options, as of player.def but for its kind. What is near comes by
+-- itself, and all of it if one dares to fly up high.
+function craft.def(name, def, arms)
+  local bead, ship = name .. "_bead", arms.ship or name
+  option.def(bead, { sprite = ship .. "_bead", run = function(o)
+    if arms.bead_ray then return arms.bead_ray(o) end
+    while_firing(o, o.by, arms.bead)
+  end })
+  def.sprite, def.lives, def.bomb = ship, 3, arms.bomb
+  def.registers = scoring.registers()
+  def.registers.bombs = { start = BOMBS, max = craft.MOST }
+  def.options = arms.options
+  def.options.kind = bead
   def.magnet, def.collect_line = 30, 96
   def.run = function(p)
     local set <close> = wardrobe()
-    task.own(p, while_firing, p, fire)
+    if arms.fire then task.own(p, while_firing, p, arms.fire) end
+    if arms.ray then task.own(p, arms.ray, p) end
     while true do
       show_focus(set, p)
-      show_bombs(set, p, beads)
+      show_bombs(set, p, ship .. "_bead")
+      scoring.watch(p)
+      if p.gauge >= scoring.NEED and p.state == "fly" and pad.take("special", HELD, p) then scoring.release(p) end
       wait(1)
     end
   end
   player.def(name, def)
 end
 
+-- Both forms' options: a pair, and with the multiplier at x3.00 a second one.
+function craft.pairs_of(one, two)
+  local all = { wide = {}, close = {} }
+  for _, of in ipairs { one, two } do
+    for _, how in ipairs { "wide", "close" } do
+      for _, at in ipairs(of[how]) do table.insert(all[how], at) end
+    end
+  end
+  return { by = "shards", over = 6, levels = { { at = 100, wide = one.wide, close = one.close },
+                                               { at = 300, wide = all.wide, close = all.close } } }
+end
+
 -- A new life has its bombs; what was kept of more is not lost.
 function craft.refill(p) p.bombs = math.max(p.bombs, BOMBS) end
+
+-- The ship of a player's kind, whichever form: "heron", "petrel" or "tern".
+function craft.ship(p) return p.kind:match("^%a+") end
 
 return craft

@@ -1,9 +1,11 @@
--- stages/one.lua - the dive: the shallows, the guard, the deep, the queen.
-local habits = require "stages/habits"
-local queen = require "stages/queen"
-local meeting = require "stages/meeting"
+-- stages/one.lua - the shallows: the reef, the wreck of a lamp ship, and who keeps guard below it.
+require "stages/one/creatures"
+require "stages/one/nautilus"
+require "stages/one/crab"
+local habits = require "stages/one/habits"
+local hatches = require "stages/one/hatches"
+local scene = require "stages/one/scene"
 local sea = require "sea"
-require "stages/guard"
 
 local swoop = path.def {
   { x = -16, y = 30 }, { x = 60, y = 92, over = 50, ease = "out" },
@@ -26,6 +28,14 @@ local glide = path.def {
 local loom = path.def {
   { x = 64, y = -30 }, { x = 64, y = 76, over = 90, ease = "out" }, { wait = 270 },
   { x = 64, y = -50, over = 90, ease = "in" } }
+local stoop = path.def { -- of an arrow: down in one stroke, a rest, and away upwards
+  { x = 44, y = -24 }, { x = 44, y = 64, over = 40, ease = "out" }, { wait = 150 },
+  { x = 44, y = -40, over = 60, ease = "in" } }
+local bob = path.def { -- of a seahorse: as waves go
+  { x = -20, y = 60 }, { x = 30, y = 50, over = 50, ease = "out" },
+  { x = 44, y = 84, over = 60, ease = "both" }, { x = 36, y = 52, over = 60, ease = "both" },
+  { x = 48, y = 84, over = 60, ease = "both" }, { x = 40, y = 56, over = 60, ease = "both" },
+  { x = 40, y = -40, over = 60, ease = "in" } }
 local fall = path.def { { x = 34, y = -24 }, { x = 34, y = 348, over = 330 } }
 local drift = path.def { { x = 70, y = -24 }, { x = 88, y = 350, over = 620 } }
 local berth = path.def {
@@ -41,63 +51,73 @@ local function both(w)
   wave(w)
 end
 
-local function shallows()
+local function reef()
   stage.at(90)   wave { kind = "krill", n = 8, every = 14, path = swoop, run = habits.spit }
   stage.at(250)  wave { kind = "krill", n = 8, every = 14, path = swoop,
                         mirror = true, run = habits.spit }
-  stage.at(440)  wave { kind = "fish", n = 5, every = 10, path = hover, dx = 40, run = habits.fan }
-  stage.at(690)  both { kind = "krill", n = 7, every = 12, path = vault, run = habits.drip }
-  stage.at(900)  wave { kind = "ray", n = 2, every = 70, path = glide, dy = -14, run = habits.wake }
-  stage.at(1060) wave { kind = "ray", n = 2, every = 70, path = glide, dy = -14,
-                        mirror = true, run = habits.wake }
-  stage.at(1290) wave { kind = "jelly", n = 2, every = 40, path = loom, dx = 112,
-                        run = habits.pulse }
-  stage.at(1420) wave { kind = "krill", n = 8, every = 16, path = dive, run = habits.spit }
-  stage.at(1560) wave { kind = "krill", n = 8, every = 16, path = dive,
+  stage.at(420)  wave { kind = "fish", n = 5, every = 10, path = hover, dx = 40, run = habits.fan }
+  stage.at(630)  wave { kind = "arrow", n = 3, every = 36, path = stoop, dx = 76,
+                        run = habits.salvo }
+  stage.at(820)  both { kind = "krill", n = 6, every = 14, path = vault, run = habits.drip }
+  stage.at(960)  both { kind = "seahorse", n = 1, every = 1, path = bob, run = habits.bubbles }
+  stage.at(1160) wave { kind = "ray", n = 2, every = 70, path = glide, dy = -14, run = habits.wake }
+  stage.at(1270) wave { kind = "krill", n = 8, every = 16, path = dive,
                         mirror = true, run = habits.spit }
-  stage.at(1800)
-  stage.clear(240)
+  stage.at(1400)
+  stage.clear(120)
+end
+
+-- The lamp ship: for as long as it takes to fly over it.
+local function wreck()
+  if stage.skipping() then return end
+  sea.speed(0.9)
+  scene.wreck(hatches.open)
+  sea.speed(1.6)
 end
 
 local function deep()
-  stage.at(2090) wave { kind = "krill", n = 6, every = 12, path = vault, run = habits.drip }
-  stage.at(2170) wave { kind = "float", n = 2, every = 20, path = drift, dx = 90 }
-  stage.at(2180) wave { kind = "urchin", n = 4, every = 44, path = fall, dx = 57,
-                        run = habits.bristle }
-  stage.at(2420) both { kind = "fish", n = 4, every = 12, path = hover, dx = 26, run = habits.gild }
-  stage.at(2640) wave { kind = "nautilus", n = 1, every = 1, path = berth, run = habits.whorl }
-  stage.at(2760) wave { kind = "krill", n = 10, every = 12, path = swoop, run = habits.spit }
-  stage.at(2980) wave { kind = "krill", n = 10, every = 12, path = swoop,
-                        mirror = true, run = habits.spit }
-  stage.at(3240) wave { kind = "jelly", n = 2, every = 30, path = loom, dx = 112,
-                        run = habits.pulse }
-                 wave { kind = "ray", n = 3, every = 80, path = glide, run = habits.wake }
-  stage.at(3550) wave { kind = "float", n = 1, every = 1, path = drift, dx = 40 }
-  stage.at(3560) wave { kind = "urchin", n = 4, every = 30, path = fall, dx = 57,
-                        mirror = true, run = habits.bristle }
-  stage.at(3760) both { kind = "krill", n = 12, every = 10, path = vault, run = habits.drip }
-  stage.at(4000)
-  stage.clear(300)
+  both { kind = "fish", n = 4, every = 12, path = hover, dx = 26, run = habits.gild }
+  wait(170)
+  wave { kind = "float", n = 2, every = 20, path = drift, dx = 90 }
+  wave { kind = "urchin", n = 4, every = 44, path = fall, dx = 57, run = habits.bristle }
+  wait(250)
+  wave { kind = "nautilus", n = 1, every = 1, path = berth, run = habits.whorl }
+  wait(120)
+  both { kind = "krill", n = 8, every = 14, path = swoop, dy = 4, run = habits.spit }
+  wait(260)
+  wave { kind = "jelly", n = 2, every = 30, path = loom, dx = 112, run = habits.pulse }
+  wait(60)
+  wave { kind = "ray", n = 3, every = 80, path = glide, run = habits.wake }
+  wait(250)
+  both { kind = "arrow", n = 2, every = 40, path = stoop, dx = 44, run = habits.salvo }
+  wait(80)
+  both { kind = "seahorse", n = 1, every = 1, path = bob, run = habits.bubbles }
+  wait(140)
+  both { kind = "krill", n = 10, every = 11, path = vault, run = habits.drip }
+  wait(240)
+  stage.clear(240)
+  wait(120)
 end
 
 stage.def("one", function()
+  bg.show("shallows", { over = 0 })
   sea.speed(1.6)
-  shallows()
-  stage.mark("guard")
+  reef()
+  stage.mark("wreck")
+  wreck()
+  stage.clear(180)
+  stage.mark("nautilus")
   sea.speed(0.8)
-  boss.fight("guard")
-  sea.speed(2.4)
-  stage.at(2070)
-  bg.show("abyss", { over = 60 })
+  boss.fight("nautilus")
+  music.play("tide")
+  sea.speed(1.8)
+  palette.fade { to = "deep", over = 400, first = 13 * 16, last = 13 * 16 + 15 } -- less light
+  wait(90)
   stage.mark("deep")
   deep()
-  stage.mark("queen")
-  sea.speed(0.5)
-  music.stop { fade = 60 }
+  stage.mark("crab")
+  sea.speed(0.8)
+  boss.fight("crab")
+  sea.speed(2.4)
   wait(60)
-  meeting()
-  music.play("queen") -- until she is broken, however often she comes back
-  queen.fight()
-  music.stop { fade = 140 }
-  wait(150)
 end, { music = "tide" })

@@ -1,8 +1,6 @@
 -- bosses.lua - every phase of every boss begins, fires, and looks as it did; on each difficulty something flies.
 local phases = {
-  guard = { "pincers", "grotto", "lamplight", "chandelier" },
-  queen = { "wheels", "held", "ebb", "flower" },
-  undertow = { "again" },
+  crab = { "pincers", "grotto", "lamplight", "chandelier", "harbour" },
 }
 local FRAMES <const> = 420 -- the boss has come, and has fired for some seconds
 
@@ -17,7 +15,7 @@ local function watch(boss, phase, difficulty)
   return run
 end
 
-for _, boss in ipairs { "guard", "queen", "undertow" } do
+for _, boss in ipairs { "crab" } do
   for _, phase in ipairs(phases[boss]) do
     watch(boss, phase, "easy")
     watch(boss, phase, "hard")

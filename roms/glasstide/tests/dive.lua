@@ -11,7 +11,7 @@ test.equal(run.music, "queen", "the music of the crab")
 
 local first = run:moment("stage")
 test.equal(first and first.name, "one", "the stage it begins with")
-test.expect(run:moment("boss", "guard"), "the crab has come")
+test.expect(run:moment("boss", "crab"), "the crab has come")
 for i = 2, #run.moments do
   test.expect(run.moments[i - 1].frame <= run.moments[i].frame, "moments stand in their order")
 end

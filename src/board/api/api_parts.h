@@ -444,7 +444,7 @@ int64_t api_register_value(lua_State *L, const char *of, const char *name, uint3
 /* The number of a register of that kind of ship, or -1. */
 int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
-/* Pushes how a kind of player wants its register i shown, or nil. */
+/* Tells the table on top how a kind of player wants its register i shown: show, at, label, mark, where they are said. */
 void api_register_show(lua_State *L, int32_t kind, int i);
 
 /* Pushes the name of the unlock that a kind of player needs, or nil. */

@@ -115,7 +115,10 @@ static const struct api_param boss_def[] = { NAME,
                                              { "phases", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "cast", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                             { "portrait_left", A_BOOL, OPT, 0, 0, NULL, "false" },
                                              { "warning", A_INT, OPT, 0, 65535, "frames", "0" },
+                                             { "epithet", A_STR, OPT, 1, 63, NULL, NULL },
+                                             { "entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boss_cast[] = { NAME,
                                               { "title", A_STR, REQ, 0, 63, NULL, NULL },
@@ -185,6 +188,30 @@ static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, "tr
                                                 { "spell", A_STR, OPT, 1, 63, NULL, NULL },
                                                 { "heard", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param unlock_has[] = { UNLOCK_NAME };
+#define MISSION_NAME                                                                                                   \
+    {                                                                                                                  \
+        "name", A_STR, REQ, 1, NV_KEY - 8, NULL, NULL /* kept under "mission/NAME" */                                  \
+    }
+static const struct api_param mission_def[] = { MISSION_NAME,
+                                                { "title", A_STR, REQ, 1, 63, NULL, NULL },
+                                                { "text", A_STR, OPT, 0, 127, NULL, NULL },
+                                                { "stage", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "mark", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "to", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "boss", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "phase", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "ship", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "difficulty", A_STR, OPT, 1, 31, NULL, NULL },
+                                                { "lives", A_INT, OPT, 1, 99, NULL, "1" },
+                                                { "registers", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                                { "goal", A_ANY, OPT, 0, 0, "{ NAME = n, .. }, or a function", NULL },
+                                                { "clear", A_BOOL, OPT, 0, 0, NULL, "false" },
+                                                { "limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL },
+                                                { "bombs", A_INT, OPT, 0, 99, NULL, NULL },
+                                                { "by", A_STR, OPT, 1, 31, NULL, "time" },
+                                                { "medals", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                                { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
+static const struct api_param mission_best[] = { MISSION_NAME };
 static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
                                              { "demo", A_STR, OPT, 1, 63, NULL, NULL },
@@ -194,9 +221,12 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show }",
                                                NULL },
+                                             { "opening", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "continues", A_INT, OPT, 1, 99, NULL, NULL },
+                                             { "pages", A_TABLE, OPT, 0, 0, NULL, NULL },
+                                             { "grades", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "screens", A_TABLE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boot_music[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
                                                { "title", A_STR, OPT, 0, 63, NULL, NULL },
@@ -290,8 +320,9 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
-        "it; "
-        "warning: so long a band sweeps before; music: plays during the fight, and what was before it goes on after"),
+        "it, from the right, or if portrait_left from the left; warning: so long bars of WARNING run before, round a "
+        "card with the epithet and the title; entrance: sparks it leaves on its way in; music: plays during the fight, "
+        "and what was before it goes on after"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "
@@ -306,6 +337,8 @@ static const struct api_entry entries[] = {
         "what the bullets leave that are there at a phase's end; items if it is beaten"),
     LUA("boss.fight", boss_fight, 1, 0, "boolean",
         "flies in, fights all phases; true if every one was beaten; clock: the stage's goes on"),
+    { "boss.now", NULL, NULL, 0, 0, API_LUA, "boss, id, frames",
+      "the names of the boss and of the phase that is fought, and how long it has been; nil: none is" },
     LUA("boss.history", boss_history, 2, 0, "tries, captures",
         "how often that spell was fought and captured, at the difficulty played or that one, with that ship or any"),
     LUA("bg.def", bg_def, 2, API_LOAD, NULL,
@@ -327,6 +360,14 @@ static const struct api_entry entries[] = {
         "all must hold: clear = true or a stage, at least that difficulty and score, at most so many continues, "
         "spell = \"boss/id\" captured, a piece of music heard"),
     LUA("unlock.has", unlock_has, 1, 0, "boolean", "has it been earned?"),
+    LUA("mission.def", mission_def, 1, API_LOAD, NULL,
+        "declares a short task: a part of a stage, from mark up to the mark to, or a boss or its phase; done when the "
+        "goal's counts are reached, or if clear when the part was beaten too; no more than so many bombs, within "
+        "limit; "
+        "kept under \"mission/NAME\""),
+    LUA("mission.best", mission_best, 1, 0, "value, stars, ship",
+        "the best so far of what the mission measures, its stars and the ship; nil, 0: it was never done"),
+    { "mission.stars", NULL, NULL, 0, 0, API_LUA, "got, most", "the stars of all missions, and how many there are" },
     LUA("game.def", game_def, 0, API_LOAD, NULL,
         "declares the registers of a run, as those of player.def: then game.NAME; it reads stage, mode, continues and "
         "frames too"),

@@ -216,7 +216,6 @@ static void push_registers(lua_State *L, const struct board *b, int32_t kind, ui
         push_register(L, names[i], rule.start, had + i + 1);
         lua_rawgeti(L, -1, had + i + 1);
         api_register_show(L, kind, i);
-        lua_setfield(L, -2, "show");
         lua_pushinteger(L, rule.most);
         lua_setfield(L, -2, "max");
         lua_pushboolean(L, kind == RUN_REGISTERS);

@@ -129,20 +129,20 @@ bool danger_touches(const struct danger *d, const struct danger_way *way)
     return hit_pieces_touch(&p, 1, &q, 1, d->swept);
 }
 
-void danger_ship(const struct board *b, struct danger_ship *out)
+void danger_ship(const struct board *b, int i, struct danger_ship *out)
 {
     const struct player *p = &b->player;
     const struct player_kinds *k = &b->player_kinds;
-    const uint16_t kind = p->kind[0];
+    const uint16_t kind = p->kind[i];
 
-    *out = (struct danger_ship){ .in = p->in[0], .area = b->area };
+    *out = (struct danger_ship){ .in = p->in[i], .area = b->area };
     if (!out->in)
         return;
-    out->steers = !b->core.frozen && !p->hit[0] && !(board_withheld(b, 0) & PAD_UP);
-    out->hit = p->hit[0] > 0;
-    out->safe = p->safe[0] > 0;
-    out->lives = p->lives[0];
-    out->way = (struct danger_way){ p->was_x[0], p->was_y[0], p->x[0], p->y[0], k->radius[kind] };
+    out->steers = !b->core.frozen && !p->hit[i] && !(board_withheld(b, (uint32_t)i) & PAD_UP);
+    out->hit = p->hit[i] > 0;
+    out->safe = p->safe[i] > 0;
+    out->lives = p->lives[i];
+    out->way = (struct danger_way){ p->was_x[i], p->was_y[i], p->x[i], p->y[i], k->radius[kind] };
     out->speed = k->speed[kind];
     out->focus = k->focus[kind];
 }

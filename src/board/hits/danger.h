@@ -36,7 +36,7 @@ struct danger_way {
     fx was_x, was_y, x, y, radius;
 };
 
-/* What a ship of player 1 is, and can do. */
+/* What a player's ship is, and can do. */
 struct danger_ship {
     bool in;     /* the game */
     bool steers; /* its buttons move it: nobody talks, and the game does not stand still */
@@ -54,7 +54,8 @@ void danger_each(const struct board *b, void (*each)(void *context, const struct
 /* Would it have hit a ship on that way? As hit_run decides. */
 bool danger_touches(const struct danger *d, const struct danger_way *way);
 
-void danger_ship(const struct board *b, struct danger_ship *out);
+/* Of player p, 0 or 1. */
+void danger_ship(const struct board *b, int p, struct danger_ship *out);
 
 /* From now on, until a restore, nothing hits a player, as in a practice start that says so; or it does again. Scripts
  * cannot see it. */

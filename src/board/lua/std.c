@@ -20,6 +20,7 @@ static const struct {
     { "trail", " spark ", " trail ", "spark" },
     { "scoring", " score ", " rule count tally ", "score" },
     { "unlock", " unlock ", NULL, NULL },
+    { "mission", " mission ", NULL, NULL },
     { "path", " path ", NULL, NULL },
     { "stage", " stage ", NULL, NULL },
     { "game", " game ", NULL, NULL },

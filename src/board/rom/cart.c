@@ -440,9 +440,9 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     return true;
 }
 
-const char *const cart_cues[CART_CUES] = { "shot",    "hit",  "graze",  "kill",  "item",    "bomb",
-                                           "warning", "menu", "extend", "spell", "bonus",   "time",
-                                           "select",  "back", "wrong",  "pause", "continue" };
+const char *const cart_cues[CART_CUES] = { "shot",  "hit",    "graze",    "kill",    "item",  "bomb",   "warning",
+                                           "menu",  "extend", "spell",    "bonus",   "time",  "select", "back",
+                                           "wrong", "pause",  "continue", "mission", "failed" };
 
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {

@@ -81,6 +81,8 @@ enum cart_cue {
     CUE_WRONG,
     CUE_PAUSE,
     CUE_CONTINUE,
+    CUE_MISSION,
+    CUE_FAILED,
     CART_CUES
 };
 extern const char *const cart_cues[CART_CUES]; /* "shot" */

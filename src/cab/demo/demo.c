@@ -32,7 +32,8 @@ static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
 bool demo_room_frames(struct demo *d, uint32_t more)
 {
     return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]) &&
-           reserve(&d->checksums, &d->room_checksums, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts);
+           (d->sparse ||
+            reserve(&d->checksums, &d->room_checksums, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts));
 }
 
 bool demo_room_second(struct demo *d)
@@ -64,6 +65,8 @@ const char *demo_flag_name(int i)
     return i >= 0 && i < (int)(sizeof names / sizeof names[0]) ? names[i] : NULL;
 }
 
+const char *const demo_prints_words[] = { "auto", "every", "seconds", NULL };
+
 uint64_t *demo_row(const struct demo *d, uint32_t i)
 {
     return d->track + (size_t)i * (size_t)d->parts;
@@ -83,16 +86,51 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i)
     return frame < d->frames ? frame : d->frames;
 }
 
-const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
+bool demo_row_whole(const struct demo *d, uint32_t i)
+{
+    if (!d->sparse || i % DEMO_MINUTE == 0)
+        return true;
+    return i + 1 == d->seconds && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
+}
+
+/* The row of a frame, whole or not; `seconds`: it has none. */
+static uint32_t row_of(const struct demo *d, uint32_t frame)
 {
     uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);
 
-    return i < d->seconds && demo_row_frame(d, i) == frame ? demo_row(d, i) : NULL;
+    return i < d->seconds && demo_row_frame(d, i) == frame ? i : d->seconds;
+}
+
+const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
+{
+    const uint32_t i = row_of(d, frame);
+
+    return i < d->seconds && demo_row_whole(d, i) ? demo_row(d, i) : NULL;
 }
 
 const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
 {
-    return frame < 1 || frame > d->checksum_frames ? NULL : d->checksums + (size_t)(frame - 1) * (size_t)d->parts;
+    return d->sparse || frame < 1 || frame > d->checksum_frames ? NULL
+                                                                : d->checksums + (size_t)(frame - 1) * (size_t)d->parts;
+}
+
+bool demo_print(const struct demo *d, uint32_t frame, int part, uint16_t *print)
+{
+    const uint16_t *checksums = demo_checksums(d, frame);
+    const uint32_t i = row_of(d, frame);
+
+    if (i < d->seconds)
+        *print = (uint16_t)demo_row(d, i)[part];
+    else if (checksums && d->checksum_parts >> part & 1)
+        *print = checksums[part];
+    else
+        return false;
+    return true;
+}
+
+bool demo_told(const struct demo *d, uint32_t frame)
+{
+    return row_of(d, frame) < d->seconds || demo_checksums(d, frame);
 }
 
 /* The board's part of that name, or -1. Mostly it is the i-th of both. */
@@ -124,11 +162,11 @@ uint64_t demo_order(const struct demo *d, const struct board *b, const uint64_t 
 uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
 {
     const uint64_t *row = demo_hashes(d, frame);
-    const uint16_t *checksums = demo_checksums(d, frame);
     uint64_t differ = 0;
+    uint16_t print;
 
     for (int i = 0; i < d->parts; i++) {
-        bool differs = checksums && d->checksum_parts >> i & 1 && checksums[i] != (uint16_t)hashes[i];
+        bool differs = demo_print(d, frame, i, &print) && print != (uint16_t)hashes[i];
         if (differs || (row && row[i] != hashes[i]))
             differ |= (uint64_t)1 << i;
     }

@@ -7,7 +7,8 @@
  * disk) is read as far as it goes, and says so in .complete.
  *
  * Hashes: a whole one of every part each second, a row of the track; and after every frame the low 16 bits of each
- * part's, its checksum, so that a replay that differs is known by frame and part.
+ * part's, its checksum, so that a replay that differs is known by frame and part. A sparse demo, which a long one is,
+ * has checksums of every second alone, and a whole row each minute: what differs is known by second and part.
  */
 #ifndef CAB_DEMO_H
 #define CAB_DEMO_H
@@ -19,9 +20,11 @@
 #include "../../board/rom/cart.h"
 
 enum {
-    DEMO_FORMAT = 4,
+    DEMO_FORMAT = 5,
     DEMO_OLDEST = 2,            /* the oldest format that is read */
     DEMO_SECOND = 60,           /* frames between two rows of the track */
+    DEMO_MINUTE = 60,           /* rows between two that are whole in a sparse demo */
+    DEMO_DENSE = 3600,          /* frames up to which a demo has checksums of all, where nothing else is asked for */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20, /* of a file */
     DEMO_PATH = 1024,
@@ -57,11 +60,12 @@ struct demo {
     char part[MAX_PARTS][16];
     uint32_t frames;          /* ticks recorded */
     uint16_t (*pads)[PADS];   /* pads[f] made frame f + 1 */
-    uint16_t *checksums;      /* frames x parts; those from f * parts on are of frame f + 1 */
+    bool sparse;              /* it has rows alone; of those demo_row_whole says which are more than checksums */
+    uint16_t *checksums;      /* frames x parts; those from f * parts on are of frame f + 1; sparse: none */
     uint64_t checksum_parts;  /* which parts have checksums, 1 << part: all; in format 2 script alone */
-    uint32_t checksum_frames; /* frames that have them: all, but for a last one that faulted */
+    uint32_t checksum_frames; /* frames that had hashes: all, but for a last one that faulted */
     uint32_t seconds;         /* hash rows; row i is of frame demo_row_frame(d, i) */
-    uint64_t *track;          /* seconds x parts */
+    uint64_t *track;          /* seconds x parts; of a row that is not whole the low 16 bits count */
     uint32_t n_markers;
     struct demo_marker *markers; /* frames ascending */
     bool complete;               /* has its end mark */
@@ -85,12 +89,21 @@ void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
 /* The frame of hash row i, 0 <= i < seconds: 0, 60, 120 ..., the last one at the demo's end. */
 uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 
-/* The whole hashes after a frame, in the order of .part, if it has a row of the track; else NULL. */
+/* Is row i whole hashes in the file? Else it is checksums. */
+bool demo_row_whole(const struct demo *d, uint32_t i);
+
+/* The whole hashes after a frame, in the order of .part, if it has a whole row of the track; else NULL. */
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
 
 /* The checksums after a frame, in the order of .part (only those of .checksum_parts are known), or NULL for a frame
- * that has none: the first and one that faulted. */
+ * that has none: the first, one that faulted, and all of a sparse demo. */
 const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
+
+/* What is known of a part after a frame: the low 16 bits of its hash. False: nothing. */
+bool demo_print(const struct demo *d, uint32_t frame, int part, uint16_t *print);
+
+/* Is anything known of a frame? Of most frames of a sparse demo nothing is. */
+bool demo_told(const struct demo *d, uint32_t frame);
 
 /* Hashes in the order of a board's parts, put into the order of .part; builds may differ in their parts. Returns those
  * that the board does not have, a bit a part: their hash is 0. */
@@ -127,7 +140,16 @@ struct demo_file {
     uint32_t crc;         /* of the last record written */
     size_t size;          /* bytes in the file; 0: nothing written yet */
 };
+/* Which frames' checksums are written. */
+enum demo_prints {
+    DEMO_PRINTS_AUTO,    /* of every frame while the demo is short (DEMO_DENSE), of every second when it is long */
+    DEMO_PRINTS_EVERY,   /* of every frame */
+    DEMO_PRINTS_SECONDS, /* of every second: sparse from the beginning */
+};
+extern const char *const demo_prints_words[]; /* as options call them; NULL ends them */
+
 struct demo_writer {
+    enum demo_prints prints;
     struct demo demo; /* as recorded so far; demo.pads and demo.frames are good for going back to any frame */
     struct demo_file file, spare;
     char err[DEMO_ERR], spare_err[DEMO_ERR];
@@ -140,6 +162,9 @@ struct demo_writer {
  * An existing file is replaced. */
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
                 const struct board_start *start, unsigned flags);
+
+/* Right after demo_begin: another choice of checksums than DEMO_PRINTS_AUTO. */
+bool demo_prints(struct demo_writer *w, enum demo_prints prints);
 
 /* May be called before a tick: should it not come back, demo_dump has its pads. */
 void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS]);

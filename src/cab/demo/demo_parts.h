@@ -23,9 +23,30 @@ static inline int demo_mask_bytes(uint32_t format, int parts)
     return format > 3 ? (parts + 7) / 8 : 4;
 }
 
+/* A run of pads in a sparse second: a byte has its frames less one, and which players' buttons follow; those of the
+ * other are as before. */
+enum { RUN_FRAMES = 63, RUN_FIRST = 64 /* of player 1; of player 2 it is twice that */ };
+
+/* What stands behind the frames of a second. */
+enum { HASHED_NO, HASHED_WHOLE, HASHED_PRINTS };
+
 /* Points at the end of a recording: the name of a marker of kind MARKER_LISTED, which has none of its own, is this
  * (with the player, 1 or 2) and the number. */
 #define DEMO_POINTS "points %d "
+
+/* What stands behind frames [first, end) of a sparse demo, if anything does: each minute's row is whole, and that of a
+ * second that is not a full one, for it is the last. */
+static inline int demo_second_hashed(uint32_t first, uint32_t end)
+{
+    return end - first < DEMO_SECOND || end / DEMO_SECOND % DEMO_MINUTE == 0 ? HASHED_WHOLE : HASHED_PRINTS;
+}
+
+/* Does the end mark of a demo that ends so have the last row, which was not whole before? */
+static inline bool demo_end_has_row(const struct demo *d)
+{
+    return d->sparse && d->fault == FAULT_NONE && d->seconds && d->frames % DEMO_SECOND == 0 &&
+           d->frames / DEMO_SECOND % DEMO_MINUTE != 0;
+}
 
 /* Room for so many more; false: no memory, nothing changed. */
 bool demo_room_frames(struct demo *d, uint32_t more);

@@ -126,6 +126,7 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     write32(s, (uint32_t)d->start.difficulty);
     write_practice(s, &d->start.practice);
     write_str(s, d->start.lang);
+    write8(s, d->sparse);
     write8(s, (uint32_t)d->parts);
     for (int i = 0; i < d->parts; i++)
         write_str(s, d->part[i]);
@@ -141,6 +142,57 @@ static uint32_t pads_run(const struct demo *d, uint32_t f, uint32_t end)
     while (f + run < end && memcmp(d->pads[f], d->pads[f + run], sizeof d->pads[f]) == 0)
         run++;
     return run;
+}
+
+static void write_row(struct demo_sink *s, const struct demo *d, const uint64_t *row)
+{
+    for (int i = 0; row && i < d->parts; i++)
+        write64(s, row[i]);
+}
+
+/* A sparse second's runs. */
+static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end)
+{
+    static const uint16_t none[PADS];
+    const uint16_t *before = first ? d->pads[first - 1] : none;
+
+    for (uint32_t f = first, run; f < end; f += run) {
+        uint8_t head = 0;
+        run = pads_run(d, f, end);
+        for (int p = 0; p < PADS; p++)
+            head |= d->pads[f][p] != before[p] ? RUN_FIRST << p : 0;
+        write8(s, head | (run - 1));
+        for (int p = 0; p < PADS; p++)
+            if (head & RUN_FIRST << p)
+                write16(s, d->pads[f][p]);
+        before = d->pads[f];
+    }
+}
+
+/* The parts whose print is not that of the row before, and those prints. */
+static void write_prints(struct demo_sink *s, const struct demo *d, const uint64_t *before, const uint64_t *row)
+{
+    uint64_t other = 0;
+
+    for (int i = 0; i < d->parts; i++)
+        other |= (uint64_t)((uint16_t)before[i] != (uint16_t)row[i]) << i;
+    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
+        write8(s, other >> 8 * i & 0xff);
+    for (int i = 0; i < d->parts; i++)
+        if (other >> i & 1)
+            write16(s, (uint16_t)row[i]);
+}
+
+/* Frames [first, end) and what follows them, of a sparse demo. */
+static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
+{
+    const uint32_t i = (end + DEMO_SECOND - 1) / DEMO_SECOND;
+
+    write_runs(s, d, first, end);
+    if (row && demo_second_hashed(first, end) == HASHED_PRINTS)
+        write_prints(s, d, demo_row(d, i - 1), row);
+    else
+        write_row(s, d, row);
 }
 
 /* The checksum of a part after frame f: before the first tick it is the first row's. */
@@ -164,6 +216,20 @@ static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t 
             write16(s, checksum_of(d, f, i));
 }
 
+/* Frames [first, end) with the checksums of each, but for those of the last, and what follows. */
+static void write_dense(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
+{
+    for (uint32_t f = first, run; f < end; f += run) {
+        run = pads_run(d, f, end);
+        write16(s, run);
+        write16(s, d->pads[f][0]);
+        write16(s, d->pads[f][1]);
+    }
+    for (uint32_t f = first + 1; f < end; f++)
+        write_checksums(s, d, f);
+    write_row(s, d, row);
+}
+
 void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
                      uint32_t *crc)
 {
@@ -175,18 +241,9 @@ void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, 
     write32(s, first);
     write8(s, n);
     write8(s, runs);
-    write8(s, row != NULL);
+    write8(s, (uint32_t)(!row ? HASHED_NO : d->sparse ? demo_second_hashed(first, end) : HASHED_WHOLE));
     write8(s, 0);
-    for (uint32_t f = first, run; f < end; f += run) {
-        run = pads_run(d, f, end);
-        write16(s, run);
-        write16(s, d->pads[f][0]);
-        write16(s, d->pads[f][1]);
-    }
-    for (uint32_t f = first + 1; f < end; f++)
-        write_checksums(s, d, f);
-    for (int i = 0; row && i < d->parts; i++)
-        write64(s, row[i]);
+    (d->sparse ? write_sparse : write_dense)(s, d, first, end, row);
     close_record(s, crc);
 }
 
@@ -216,6 +273,8 @@ void demo_put_end(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     open_record(s, KIND_END);
     write32(s, d->frames);
     write32(s, (uint32_t)d->fault);
+    if (demo_end_has_row(d))
+        write_row(s, d, demo_row(d, d->seconds - 1));
     close_record(s, crc);
 }
 

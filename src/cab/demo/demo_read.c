@@ -85,10 +85,9 @@ static void take_str(struct source *s, char *out, size_t size)
         s->bad = true;
         return;
     }
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n; i++)
         s->bad |= p[i] < 32 || p[i] > 126;
-        out[i] = (char)p[i];
-    }
+    memcpy(out, p, n);
     out[n] = 0;
 }
 
@@ -172,6 +171,11 @@ static bool read_header(struct parse *p, struct source *s)
         take_practice(s, &d->start.practice);
     if (d->format > 3)
         take_str(s, d->start.lang, sizeof d->start.lang);
+    if (d->format > 4) {
+        const uint8_t sparse = take8(s);
+        s->bad |= sparse > 1;
+        d->sparse = sparse;
+    }
     d->parts = take8(s);
     if (s->bad)
         return damaged(p, "header");
@@ -211,6 +215,28 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
             d->pads[f][0] = one;
             d->pads[f][1] = two;
         }
+    }
+    return f == end;
+}
+
+/* The same of a sparse second. */
+static bool take_short_runs(struct source *s, struct demo *d, uint32_t n, int runs)
+{
+    uint32_t f = d->frames, end = f + n;
+    uint16_t pads[PADS] = { 0 };
+
+    if (f)
+        memcpy(pads, d->pads[f - 1], sizeof pads);
+    for (int i = 0; i < runs; i++) {
+        const uint8_t head = take8(s);
+        const uint32_t run = 1u + (head & RUN_FRAMES);
+        for (int p = 0; p < PADS; p++)
+            if (head & RUN_FIRST << p)
+                pads[p] = take16(s);
+        if (run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
+            return false;
+        for (const uint32_t next = f + run; f < next; f++)
+            memcpy(d->pads[f], pads, sizeof pads);
     }
     return f == end;
 }
@@ -256,13 +282,38 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
         d->checksums[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
 }
 
+/* What stands behind a sparse second. */
+static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hashed)
+{
+    d->frames += n;
+    d->checksum_frames = hashed ? d->frames : d->frames - 1;
+    if (!hashed)
+        return;
+    uint64_t *row = demo_row(d, d->seconds);
+    const uint64_t other = hashed == HASHED_PRINTS ? take_mask(s, d) : 0;
+    for (int i = 0; i < d->parts; i++) {
+        if (hashed == HASHED_WHOLE)
+            row[i] = take64(s);
+        else
+            row[i] = other >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->seconds - 1)[i];
+    }
+    d->seconds++;
+}
+
+static bool good_hashed(const struct demo *d, uint32_t n, int hashed)
+{
+    if (!d->sparse || !hashed)
+        return hashed <= HASHED_WHOLE;
+    return hashed == (n ? demo_second_hashed(d->frames, d->frames + n) : HASHED_WHOLE);
+}
+
 static bool read_second(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
     uint32_t first = take32(s), n = take8(s);
     int runs = take8(s), hashed = take8(s), zero = take8(s);
 
-    if (first != d->frames || p->last || hashed > 1 || zero != 0)
+    if (first != d->frames || p->last || !good_hashed(d, n, hashed) || zero != 0)
         return damaged(p, "frames out of order");
     bool start = first == 0 && n == 0 && d->seconds == 0;
     if (start ? !hashed : n < 1 || n > DEMO_SECOND || d->seconds == 0)
@@ -271,9 +322,12 @@ static bool read_second(struct parse *p, struct source *s)
         return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
     if (!demo_room_frames(d, n) || !demo_room_second(d))
         return err_set(p->err, p->err_size, "too large for the memory there is");
-    if (!take_runs(s, d, n, runs))
+    if (!(d->sparse ? take_short_runs : take_runs)(s, d, n, runs))
         return damaged(p, "pads");
-    take_hashes(s, d, n, hashed);
+    if (d->sparse)
+        take_sparse(s, d, n, hashed);
+    else
+        take_hashes(s, d, n, hashed);
     p->unhashed = !hashed;
     p->last = p->unhashed || (n < DEMO_SECOND && !start);
     return true;
@@ -310,6 +364,20 @@ static bool read_marker(struct parse *p, struct source *s)
     return true;
 }
 
+/* The last row, whole: its low bits are known. */
+static bool take_last_row(struct source *s, struct demo *d)
+{
+    uint64_t *row = demo_row(d, d->seconds - 1);
+    bool same = true;
+
+    for (int i = 0; i < d->parts; i++) {
+        const uint64_t whole = take64(s);
+        same = same && (uint16_t)whole == (uint16_t)row[i];
+        row[i] = whole;
+    }
+    return same;
+}
+
 static bool read_end(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
@@ -320,6 +388,8 @@ static bool read_end(struct parse *p, struct source *s)
     if (fault == FAULT_NONE ? p->unhashed || d->seconds == 0 : frames ? !p->unhashed : d->seconds != 0)
         return damaged(p, "the end does not match the track");
     d->fault = (enum board_fault_kind)fault;
+    if (demo_end_has_row(d) && !take_last_row(s, d))
+        return damaged(p, "the end does not match the track");
     d->complete = true;
     return true;
 }
@@ -365,7 +435,7 @@ static size_t most_bytes(uint32_t kind)
     case KIND_FLAGS:
         return 4;
     case KIND_END:
-        return 8;
+        return 8 + 8 * MAX_PARTS;
     default:
         return 0;
     }

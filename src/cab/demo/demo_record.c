@@ -1,8 +1,8 @@
 /*
  * demo_record.c - recording; see demo.h.
  *
- * The writer keeps the whole recording in memory (some two kilobytes a second), so going back is cutting it and writing
- * the file anew.
+ * The writer keeps the whole recording in memory (of a short one some two kilobytes a second, of a long one three
+ * hundred bytes), so going back is cutting it and writing the file anew.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -206,14 +206,37 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
 static void add_checksums(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
-    uint16_t *checksums = d->checksums + (size_t)(d->frames - 1) * (size_t)d->parts;
+    uint16_t *checksums = d->sparse ? NULL : d->checksums + (size_t)(d->frames - 1) * (size_t)d->parts;
 
     if (board_last(b)->fault)
         return;
     board_hashes_cached(b, w->hash_cache, w->hashes);
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->parts && !d->sparse; i++)
         checksums[i] = (uint16_t)w->hashes[i];
     d->checksum_frames = d->frames;
+}
+
+static void go_sparse(struct demo *d)
+{
+    free(d->checksums);
+    d->checksums = NULL;
+    d->room_checksums = 0;
+    d->sparse = true;
+}
+
+bool demo_prints(struct demo_writer *w, enum demo_prints prints)
+{
+    w->prints = prints;
+    if (!w->on || prints != DEMO_PRINTS_SECONDS || w->demo.sparse)
+        return true;
+    go_sparse(&w->demo);
+    return write_both(w, put_all, true);
+}
+
+/* Has it just grown from a short one to a long one? */
+static bool grows_long(const struct demo_writer *w)
+{
+    return w->prints == DEMO_PRINTS_AUTO && !w->demo.sparse && w->demo.frames > DEMO_DENSE;
 }
 
 bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
@@ -235,7 +258,12 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
         return out_of_memory(w);
     if (d->frames % DEMO_SECOND != 0 || board_last(b)->fault)
         return true;
-    return add_row(w) ? write_both(w, put_second, false) : out_of_memory(w);
+    if (!add_row(w))
+        return out_of_memory(w);
+    if (!grows_long(w))
+        return write_both(w, put_second, false);
+    go_sparse(d);
+    return write_both(w, put_all, true);
 }
 
 void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS])

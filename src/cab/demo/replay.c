@@ -40,10 +40,10 @@ static void note_difficulty(struct replay *r)
 }
 
 /* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
- * of them has checksums. */
+ * of them has checksums of every frame. */
 static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
 {
-    if (frame == 0 || parts & d->checksum_parts)
+    if (frame == 0 || (!d->sparse && parts & d->checksum_parts))
         return frame;
     return (frame - 1) / DEMO_SECOND * DEMO_SECOND + 1;
 }
@@ -51,6 +51,8 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
 /* Compares the board with checksums and track; true: it is as recorded. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
+    if (!demo_told(d, frame))
+        return true;
     board_hashes_cached(r->guard.board, r->hash_cache, r->board);
     uint64_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
     uint64_t parts = demo_differs(d, frame, r->hashes) | missing;
@@ -110,17 +112,12 @@ static int part_of_points(const struct demo *d)
     return i < d->parts ? i : MAX_PARTS;
 }
 
-/* Does a demo say what part i was after a frame? */
-static bool is_told(const struct demo *d, uint32_t frame, int i)
-{
-    return demo_hashes(d, frame) || (d->checksum_parts >> i & 1 && demo_checksums(d, frame));
-}
-
 /* Compares frame f, as long as something is to be found: the first difference, the end of what is known of the points.
  * *points is the part that has them, MAX_PARTS when that has differed. */
 static void look(struct replay *r, const struct demo *d, uint32_t f, int *points, struct rerun *o)
 {
     struct verdict v = { .kind = VERDICT_HOLDS };
+    uint16_t print;
 
     if (o->first.kind != VERDICT_HOLDS && *points == MAX_PARTS)
         return;
@@ -130,7 +127,7 @@ static void look(struct replay *r, const struct demo *d, uint32_t f, int *points
         return;
     if (v.parts >> *points & 1) {
         *points = MAX_PARTS;
-    } else if (is_told(d, f, *points)) {
+    } else if (demo_print(d, f, *points, &print)) {
         o->held = true;
         o->alike = f;
         for (int p = 0; p < PADS; p++)
@@ -159,14 +156,26 @@ static bool play_whole(struct replay *r, const struct demo *d, struct demo_write
     return true;
 }
 
+/* How a demo's checksums are written again: as they are, unless it is of a format that knew one way alone. */
+static enum demo_prints prints_of(const struct replay *r, const struct demo *d)
+{
+    if (r->prints != DEMO_PRINTS_AUTO)
+        return r->prints;
+    if (d->format < 5)
+        return DEMO_PRINTS_AUTO;
+    return d->sparse ? DEMO_PRINTS_SECONDS : DEMO_PRINTS_EVERY;
+}
+
 /* Powers the board on, and a recording if there is to be one. */
 static enum result begin(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                          char *err, size_t err_size)
 {
     enum result result = power(r, cart, d, err, err_size);
 
-    if (result == RESULT_DONE && again && !demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags))
-        return out_of_memory(err, err_size);
+    if (result == RESULT_DONE && again) {
+        if (!demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags) || !demo_prints(again, prints_of(r, d)))
+            return out_of_memory(err, err_size);
+    }
     return result;
 }
 

@@ -19,10 +19,9 @@ enum verdict_kind {
 
 struct verdict {
     enum verdict_kind kind;
-    uint32_t first,
-        frame;        /* it happened in one of these frames; the same but for parts that have no checksums (format 2) */
-    uint64_t parts;   /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
-    uint64_t missing; /* those of them that this build's board does not have */
+    uint32_t first, frame; /* it happened in one of these frames; the same where each frame has checksums */
+    uint64_t parts;        /* VERDICT_DIFFERS: of the demo's parts, 1 << part */
+    uint64_t missing;      /* those of them that this build's board does not have */
 };
 
 struct replay {
@@ -30,6 +29,7 @@ struct replay {
     void *hash_cache;           /* of board_hashes_cached */
     uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
     uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
+    enum demo_prints prints;    /* of what is recorded again; DEMO_PRINTS_AUTO: as the demo has them */
     int difficulty;             /* of the last game in it, an index; before one, of its start */
     void (*ticked)(void *context, uint32_t frame); /* called after each tick; may be NULL */
     void *context;

@@ -38,6 +38,7 @@ enum {
 
 enum option {
     OPTION_RECORD,
+    OPTION_PRINTS,
     OPTION_DEMO,
     OPTION_SEED,
     OPTION_DIP,

@@ -3,6 +3,7 @@
  */
 #include "args_parts.h"
 
+#include "../demo/demo.h"
 #include "../host/views.h"
 
 const struct command_row args_commands[COMMANDS] = {
@@ -86,6 +87,9 @@ const struct command_row args_commands[COMMANDS] = {
 
 const struct option_row args_options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, TEXT(record), "record the run as demo F" },
+    [OPTION_PRINTS] = { "--prints", "WORD", FOR_HEADLESS | FOR_VERIFY | FOR_SURVIVE, WORD(prints, demo_prints_words),
+                        "of a demo that is written: checksums of every frame; of seconds, a tenth of the size; or "
+                        "auto: of every frame up to a minute" },
     [OPTION_DEMO] = { "--demo", "F", FOR_RUN | FOR_BENCH, TEXT(demo), "play demo F; afterwards nothing is pressed" },
     [OPTION_SEED] = { "--seed", "N", FOR_START, NUMBER(seed, 0, UINT64_MAX),
                       "seed of the random streams, 0 to 2^64 - 1 (play: the clock's; else 0)" },

@@ -31,6 +31,8 @@ static enum result open_run(struct unseen *r, const struct args *a, uint32_t tol
         return report_line(RESULT_REFUSED, "%s: %s", path ? path : "the built-in game", err);
     if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
         return report_line(RESULT_HOST, "%s", r->writer.err);
+    if (a->record && !demo_prints(&r->writer, (enum demo_prints)a->prints))
+        return report_line(RESULT_HOST, "%s", r->writer.err);
     return outcome(r);
 }
 

@@ -287,9 +287,13 @@ static bool add_shades(struct packer *p)
 
 static bool add_blends(struct packer *p)
 {
+    const uint8_t *all[1 + MAX_ART_PALETTES] = { p->palette };
+
+    for (int i = 0; i < p->art.n_palettes; i++)
+        all[1 + i] = p->palettes[i];
     for (int i = 0; i < p->art.n_blends; i++) {
         uint8_t *table = malloc(CART_BLEND);
-        if (table == NULL || !blend_make(p->palette, p->art.blends[i].mix, table)) {
+        if (table == NULL || !blend_make(all, 1 + p->art.n_palettes, p->art.blends[i].mix, table)) {
             free(table);
             return err_set(p->err, p->err_size, "out of memory");
         }

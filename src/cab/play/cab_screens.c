@@ -101,8 +101,10 @@ bool cab_screen_keys(const struct plat_input *in, struct keys_read *k)
             cab_practice_screen();
         if (listened)
             k->pressed = 0;
-        if (k->pressed & ((uint32_t)1 << CAB_HELP | (uint32_t)1 << CAB_LOG | (uint32_t)1 << CAB_PRACTICE))
+        if (k->pressed & ((uint32_t)1 << CAB_HELP | (uint32_t)1 << CAB_PRACTICE))
             screens_close_all(&cab.screens);
+        else if (k->pressed & (uint32_t)1 << CAB_LOG)
+            log_turn(&cab.log, &cab.screens);
     } else {
         heed_focus(in);
         if (!screens_are_open(&cab.screens))

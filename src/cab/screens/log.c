@@ -95,3 +95,11 @@ void log_open(struct log *log, struct screens *screens)
     screens_open(screens, &screen, log);
     screens_choose(screens, log_kept(log) - 1);
 }
+
+void log_turn(struct log *log, struct screens *screens)
+{
+    if (screens_top(screens) == &screen)
+        screens_close(screens);
+    else
+        log_open(log, screens);
+}

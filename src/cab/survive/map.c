@@ -140,7 +140,7 @@ static void cross(const struct atlas *m, int x0, int y0)
 {
     struct danger_ship ship;
 
-    danger_ship(m->s->trial.b, &ship);
+    danger_ship(m->s->trial.b, 0, &ship);
     if (!ship.in)
         return;
     const int x = x0 + (int)((int64_t)ship.way.x * m->scale / FX_ONE);

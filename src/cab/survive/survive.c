@@ -97,7 +97,8 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
     }
     if (result == RESULT_DONE && section_survived(run)) {
         of->demo = demo;
-        if (!trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, demo, err, sizeof err))
+        if (!trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, demo, s->a->prints, err,
+                          sizeof err))
             result = report_line(RESULT_HOST, "%s", err);
     } else if (result == RESULT_DONE) {
         if (!other_ending(demo, picture, size))
@@ -170,7 +171,7 @@ static enum result keep_demo(struct survive *s, struct section_run *run, struct 
         if (*c == '/' || *c == ':')
             *c = '-';
     of->demo = path;
-    if (trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, path, err, sizeof err))
+    if (trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, path, s->a->prints, err, sizeof err))
         return RESULT_DONE;
     return report_line(RESULT_HOST, "%s", err);
 }

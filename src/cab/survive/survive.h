@@ -23,6 +23,7 @@ struct survive_options {
     const char *out; /* the demo, or a folder for those of all; NULL: as survive.demo, none */
     const char *map; /* NULL: none */
     uint32_t frames, effort;
+    int prints; /* of demos, as enum demo_prints */
     bool json, verbose;
 };
 

@@ -107,7 +107,7 @@ static void write_frame(struct trial *t)
         return;
     struct forecast_frame *frame = &f->frame[f->frames];
     *frame = (struct forecast_frame){ .first = f->n };
-    danger_ship(t->b, &frame->ship);
+    danger_ship(t->b, t->who, &frame->ship);
     frame->moves = t->moved && frame->ship.steers;
     frame->safe = frame->ship.safe;
     fold(&frame->print, (uint64_t)frame->moves << 2 | (uint64_t)frame->safe << 1 | frame->ship.in);
@@ -196,7 +196,7 @@ static void motion_done(void *context, enum board_phase phase)
     if (phase != PHASE_MOTION)
         return;
     t->moved = true;
-    danger_ship(t->b, &t->ship);
+    danger_ship(t->b, t->who, &t->ship);
     if (t->into)
         write_frame(t);
     if (t->ship.in && !t->ship.safe)
@@ -237,9 +237,9 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
         return TRIAL_FAULT;
     for (int i = 0; i < out->markers; i++) {
         over |= is_over(t, &out->marker[i]);
-        hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1';
+        hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1' + t->who;
     }
-    danger_ship(t->b, &now);
+    danger_ship(t->b, t->who, &now);
     hit |= touched && now.safe && !before->safe;
     hit |= now.in && (now.hit || (before->in && now.lives < before->lives));
     return hit ? TRIAL_HIT : over ? TRIAL_ENDED : TRIAL_ON;
@@ -248,9 +248,9 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
 enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS])
 {
     struct danger_ship before;
-    struct tick tick = { t, pads[0], false };
+    struct tick tick = { t, pads[t->who], false };
 
-    danger_ship(t->b, &before);
+    danger_ship(t->b, t->who, &before);
     t->moved = false;
     board_on_phase(t->b, motion_done, &tick);
     const struct board_out *out = board_tick(t->b, pads);
@@ -268,7 +268,7 @@ bool trial_steers(const struct trial *t)
 {
     struct danger_ship now;
 
-    danger_ship(t->b, &now);
+    danger_ship(t->b, t->who, &now);
     return now.in && now.steers;
 }
 
@@ -277,7 +277,7 @@ uint16_t trial_press(const struct trial *t)
     const uint32_t frame = board_frame(t->b);
     struct danger_ship now;
 
-    danger_ship(t->b, &now);
+    danger_ship(t->b, t->who, &now);
     if (now.in) /* it is talked; start would pause that */
         return frame % 75 == 60 ? PAD_FIRE : 0;
     return frame % 75 == 60 ? PAD_FIRE : frame % 75 == 20 ? PAD_START : 0;
@@ -300,7 +300,7 @@ bool trial_save(const struct trial *t, struct trial_mark *m)
         m->at = (void *)(((uintptr_t)m->block + ALIGN - 1) / ALIGN * ALIGN);
     }
     board_save(t->b, m->at);
-    danger_ship(t->b, &m->ship);
+    danger_ship(t->b, t->who, &m->ship);
     m->starts = t->starts;
     m->frame = board_frame(t->b);
     return true;
@@ -323,12 +323,12 @@ void trial_mark_free(struct trial_mark *m)
 /* ---- a demo ---- */
 
 bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
-                  char *err, size_t err_size)
+                  int prints, char *err, size_t err_size)
 {
     struct demo_writer w = { 0 };
     bool good = trial_again(t, err, err_size);
 
-    if (good && !demo_begin(&w, path, cart, t->b, t->start, 0))
+    if (good && (!demo_begin(&w, path, cart, t->b, t->start, 0) || !demo_prints(&w, (enum demo_prints)prints)))
         good = err_set(err, err_size, "%s", w.err);
     for (uint32_t f = 0; good && f < frames; f++) {
         const uint16_t now[PADS] = { pads[f], 0 };

@@ -47,6 +47,7 @@ struct trial {
     size_t size;
     const struct rom *rom;
     const struct board_start *start;
+    int who;                 /* the player it is about: 0 or 1 */
     struct danger_ship ship; /* after the last tick in which things moved */
     bool moved;              /* they did in the last tick */
     bool astray;             /* in one since trial_astray was set to false, a script moved the ship */
@@ -85,9 +86,10 @@ uint16_t trial_press(const struct trial *t);
 /* Can the ship be steered now? Between frames. */
 bool trial_steers(const struct trial *t);
 
-/* A demo of so many frames of pads (of player 1) from power-on, to that path. False and one sentence. */
+/* A demo of so many frames of pads (of player 1) from power-on, to that path, with such prints (enum demo_prints).
+ * False and one sentence. */
 struct cart;
 bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
-                  char *err, size_t err_size);
+                  int prints, char *err, size_t err_size);
 
 #endif

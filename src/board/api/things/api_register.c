@@ -8,12 +8,15 @@
 
 extern const struct api_thing api_player_thing;
 
-/* Registry: kind of ship, or RUN_REGISTERS, -> { name -> number }; and -> { number -> show }, of those that say it. */
+/* Registry: kind of ship, or RUN_REGISTERS, -> { name -> number }; and -> { number -> { show, at, label, mark } }, of
+ * those that say how they are shown. */
 static const char names_key = 0, shows_key = 0;
 
-static const char *const shows[] = { "none", "number", "icons", "bar", NULL };
+static const char *const shows[] = { "none", "number", "icons", "bar", "times", NULL }, *const places[] = { "top",
+                                                                                                            "low",
+                                                                                                            NULL };
 
-enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, SETTINGS };
+enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, S_AT, S_LABEL, S_MARK, SETTINGS };
 
 static const struct api_param settings[SETTINGS] = {
     { "start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
@@ -23,10 +26,15 @@ static const struct api_param settings[SETTINGS] = {
     { "every", A_INT, OPT, 1, INT32_MAX, "frames", NULL },
     { "hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL },
     { "show", A_STR, OPT, 0, 0, NULL, NULL },
+    { "at", A_STR, OPT, 0, 0, NULL, NULL },
+    { "label", A_STR, OPT, 0, 31, NULL, NULL },
+    { "mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
 };
 
 struct reg {
-    const char *name, *show; /* show NULL: not said */
+    const char *name, *show, *place, *label; /* NULL: not said; the table that is declared keeps them meanwhile */
+    bool marked;
+    int32_t mark;
     struct register_rule rule;
 };
 
@@ -41,17 +49,41 @@ static void registry(lua_State *L, const void *key)
     lua_rawsetp(L, LUA_REGISTRYINDEX, key);
 }
 
-/* The word of `show` that the value at `at` is. */
-static const char *read_show(lua_State *L, const char *entry, const char *name, int at)
+/* The word of `words` that the setting `which` of the table at `at` is; NULL: it is not said. */
+static const char *read_word(lua_State *L, const char *entry, const char *name, int at, int which,
+                             const char *const *words, const char *expected)
 {
-    const char *word = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : NULL;
+    const char *word = NULL;
 
-    for (int i = 0; word && shows[i]; i++)
-        if (!strcmp(shows[i], word))
-            return shows[i];
-    api_error(L, entry, "%s.show: expected none, number, icons or bar, got %s", name,
-              word ? lua_pushfstring(L, "\"%s\"", word) : luaL_typename(L, at));
+    if (lua_getfield(L, at, settings[which].name) == LUA_TNIL) {
+        lua_pop(L, 1);
+        return NULL;
+    }
+    if (lua_type(L, -1) == LUA_TSTRING)
+        word = lua_tostring(L, -1);
+    for (int i = 0; word && words[i]; i++)
+        if (!strcmp(words[i], word)) {
+            lua_pop(L, 1);
+            return words[i];
+        }
+    api_error(L, entry, "%s.%s: expected %s, got %s", name, settings[which].name, expected,
+              word ? lua_pushfstring(L, "\"%s\"", word) : luaL_typename(L, -1));
     return NULL;
+}
+
+static const char *read_label(lua_State *L, const char *entry, const char *name, int at)
+{
+    char full[80];
+    struct api_param p = settings[S_LABEL];
+    struct api_value v = { 0 };
+
+    snprintf(full, sizeof full, "%s.label", name);
+    p.name = full;
+    lua_getfield(L, at, "label");
+    api_check(L, entry, &p, lua_gettop(L), &v);
+    const char *label = v.given ? lua_tostring(L, -1) : NULL;
+    lua_pop(L, 1);
+    return label;
 }
 
 static void unknown_setting(lua_State *L, const char *entry, const char *name, const char *key)
@@ -63,7 +95,10 @@ static void unknown_setting(lua_State *L, const char *entry, const char *name, c
         api_suggest_nearer(key, settings[i].name, &best, &found);
     if (found)
         api_error(L, entry, "%s: unknown setting \"%s\" (did you mean \"%s\"?)", name, key, found);
-    api_error(L, entry, "%s: unknown setting \"%s\" (there are start, min, max, drain, every, hold, show)", name, key);
+    api_error(L, entry,
+              "%s: unknown setting \"%s\" (there are start, min, max, drain, every, hold, show, at, label, "
+              "mark)",
+              name, key);
 }
 
 static void check_settings(lua_State *L, const char *entry, const char *name, int at)
@@ -126,9 +161,12 @@ static void read_rule(lua_State *L, const char *entry, const char *name, int at,
     rule->drain = setting(L, entry, name, at, S_DRAIN, 0);
     rule->every = setting(L, entry, name, at, S_EVERY, 1);
     rule->hold = setting(L, entry, name, at, S_HOLD, 0);
-    if (lua_getfield(L, at, "show") != LUA_TNIL)
-        r->show = read_show(L, entry, name, lua_gettop(L));
+    r->show = read_word(L, entry, name, at, S_SHOW, shows, "none, number, icons, bar or times");
+    r->place = read_word(L, entry, name, at, S_AT, places, "top or low");
+    r->label = read_label(L, entry, name, at);
+    r->marked = lua_getfield(L, at, "mark") != LUA_TNIL;
     lua_pop(L, 1);
+    r->mark = setting(L, entry, name, at, S_MARK, 0);
     check_rule(L, entry, name, r);
 }
 
@@ -172,12 +210,20 @@ static struct reg read_register(lua_State *L, const char *entry, int32_t kind)
     return r;
 }
 
+static void set_word(lua_State *L, const char *field, const char *word)
+{
+    if (!word)
+        return;
+    lua_pushstring(L, word);
+    lua_setfield(L, -2, field);
+}
+
 /* Keeps how register i is shown. Only a game that says it has the table. */
-static void keep_show(lua_State *L, int32_t kind, int i, const char *show)
+static void keep_show(lua_State *L, int32_t kind, int i, const struct reg *r)
 {
     int top = lua_gettop(L);
 
-    if (!show)
+    if (!r->show)
         return;
     registry(L, &shows_key);
     if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
@@ -186,21 +232,30 @@ static void keep_show(lua_State *L, int32_t kind, int i, const char *show)
         lua_pushvalue(L, -1);
         lua_rawseti(L, -3, kind);
     }
-    lua_pushstring(L, show);
+    lua_newtable(L);
+    set_word(L, "show", r->show);
+    set_word(L, "at", r->place);
+    set_word(L, "label", r->label);
+    if (r->marked) {
+        lua_pushinteger(L, r->mark);
+        lua_setfield(L, -2, "mark");
+    }
     lua_rawseti(L, -2, i);
     lua_settop(L, top);
 }
 
 void api_register_show(lua_State *L, int32_t kind, int i)
 {
+    static const char *const fields[] = { "show", "at", "label", "mark" };
     int top = lua_gettop(L);
 
-    lua_pushnil(L);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE) {
-        lua_rawgeti(L, -1, i);
-        lua_replace(L, top + 1);
-    }
-    lua_settop(L, top + 1);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &shows_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE &&
+        lua_rawgeti(L, -1, i) == LUA_TTABLE)
+        for (int k = 0; k < 4; k++) {
+            lua_getfield(L, -1, fields[k]);
+            lua_setfield(L, top, fields[k]);
+        }
+    lua_settop(L, top);
 }
 
 static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct reg *regs, int n)
@@ -212,7 +267,7 @@ static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct
     for (int i = 0; i < n; i++) {
         if (registers_add(rows, &regs[i].rule) == NO_SLOT)
             api_error(L, entry, "registers: more than %d in all (registers of board in rom.lua)", (int)rows->s.cap);
-        keep_show(L, kind, i, regs[i].show);
+        keep_show(L, kind, i, &regs[i]);
         lua_pushinteger(L, i);
         lua_setfield(L, -2, regs[i].name);
     }

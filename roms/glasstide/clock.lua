@@ -1,0 +1,25 @@
+-- clock.lua - the time of a mode that is played against it, at the foot of the screen.
+local clock = {}
+
+local OFTEN <const> = 6 -- frames from one look at it to the next: tenths of a second are shown
+
+-- Frames as minutes, seconds and hundredths.
+function clock.text(frames)
+  return ("%d:%02d.%02d"):format(frames // 3600, frames // 60 % 60, frames % 60 * 100 // 60)
+end
+
+-- Shows f(), frames, for as long as the task that called this has it: local shown <close> = clock.show(f).
+-- Below `alarm` frames it is in the colour of one.
+function clock.show(f, alarm)
+  local t = task.go(function()
+    while true do
+      local frames = f()
+      hud.centre(hud.rows - 2, clock.text(frames),
+                 frames < (alarm or 0) and hud.banks.alarm or hud.banks.bright)
+      wait(OFTEN)
+    end
+  end)
+  return setmetatable({}, { __close = function() task.stop(t) end })
+end
+
+return clock

@@ -1,0 +1,151 @@
+-- fx.lua - what breaks, in three sizes, and how a boss goes down. Stages name kinds.small, large,
+-- huge, burst and collapse, which call these; all take a place: a thing, or a table of x and y.
+local fx = {}
+
+fx.COLLAPSE = 170 -- frames that a boss takes to go down; a stage waits as long behind its fight
+
+local FIRE <const>, COLD <const>, PALE <const>, GOLD <const> = 0, 5, 0, 3 -- banks to add
+
+-- Fire and light are added to what is there, so bullets show through.
+local function light(name, sprite, bank, life, drag)
+  spark.def(name, { sprite = sprite, bank = bank, life = life, drag = drag or 0, blend = "glow" })
+end
+
+light("fire_a",  "fire_a",  FIRE, 30, 0.08)
+light("fire_b",  "fire_b",  FIRE, 30, 0.08)
+light("fire_c",  "fire_c",  FIRE, 40, 0.08)
+light("fire_d",  "fire_d",  FIRE, 40, 0.08)
+light("fire_e",  "fire_e",  FIRE, 56)
+light("flare",   "flare",   GOLD, 18)
+light("star",    "flare",   PALE, 18)
+light("ripple",  "ripple",  COLD, 24)
+light("breaker", "breaker", COLD, 32)
+light("dawn",    "breaker", GOLD, 32)
+
+-- Glass of the stage's own colour tumbles down, bubbles go up.
+spark.def("sherd_s", { sprite = "sherd_s", life = 34, drag = 0.035, gravity = 0.045 })
+spark.def("sherd_m", { sprite = "sherd_m", life = 48, drag = 0.030, gravity = 0.050 })
+spark.def("sherd_l", { sprite = "sherd_l", life = 100, drag = 0.030, gravity = 0.040 })
+spark.def("bubbles", { sprite = "bubbles", life = 56, drag = 0.045, gravity = -0.055 })
+
+local function throw(kind, at, n, speed, radius)
+  spark.burst { kind = kind, x = at.x, y = at.y, n = n, speed = speed, radius = radius }
+end
+
+-- Where it is heard: a place has no handle.
+local function from(at) return { pan = math.max(-1, math.min(1, at.x / 120 - 1)) * 0.6 } end
+
+local turn = 0 -- no two fires side by side are the same
+
+local function either(a, b)
+  turn = turn + 1
+  return turn % 2 == 0 and a or b
+end
+
+-- What is 20 to 32 px.
+function fx.small(at)
+  throw(either("fire_a", "fire_b"), at, 1, 0)
+  throw("sherd_s", at, 5, 2.2)
+  throw("bubbles", at, 1, 0.8)
+end
+
+-- What is up to 64 px; the game holds its breath.
+function fx.large(at)
+  sound.play("crash", from(at))
+  throw("star", at, 1, 0)
+  throw(either("fire_c", "fire_d"), at, 1, 0)
+  throw("ripple", at, 1, 0)
+  throw("sherd_s", at, 10, 3)
+  throw("sherd_m", at, 7, 2.3)
+  throw("bubbles", at, 4, 1.2)
+  screen.shake { size = 2, over = 12 }
+  board.stop(2)
+end
+
+-- What fills a quarter of the field: midbosses, claws.
+function fx.huge(at)
+  sound.play("collapse", from(at))
+  throw("flare", at, 1, 0)
+  throw("fire_e", at, 1, 0)
+  throw(either("fire_c", "fire_d"), at, 5, 1.6, 22)
+  throw("breaker", at, 1, 0)
+  throw("sherd_m", at, 16, 3.4)
+  throw("sherd_l", at, 9, 2.4)
+  throw("bubbles", at, 10, 1.6)
+  screen.shake { size = 4, over = 30 }
+  screen.flash { to = 0xfff2d8, over = 14, share = 0.35 }
+  board.stop(4)
+end
+
+-- A bomb, or whatever sweeps: rings that run out one after the other.
+function fx.wave(at)
+  local x, y = at.x, at.y
+  task.go(function()
+    for i = 1, 3 do
+      throw(i == 2 and "ripple" or "breaker", { x = x, y = y }, 1, 0)
+      wait(6)
+    end
+  end)
+  throw("star", at, 1, 0)
+  throw("glint", at, 24, 5, 10)
+end
+
+-- It cracks: fires run over it, ever closer together, and pieces fall off.
+local function crack(x, y)
+  for i = 1, 16 do
+    local at = { x = x + 38 * angle.cos(137 * i), y = y + 28 * angle.sin(137 * i) }
+    throw(i % 4 == 0 and either("fire_c", "fire_d") or either("fire_a", "fire_b"), at, 1, 0)
+    throw("sherd_m", at, 2, 1.8)
+    if i % 4 == 0 then
+      sound.play("crash", from(at))
+      throw("ripple", at, 1, 0)
+      throw("sherd_l", at, 2, 1.6)
+      screen.flash { over = 6, share = 0.2 }
+    end
+    wait(math.max(3, 9 - i // 2))
+  end
+end
+
+-- It bursts: light, three rings, and glass that sinks for a long time.
+local function break_up(x, y)
+  local at = { x = x, y = y }
+  screen.flash { over = 40, share = 0.8 }
+  screen.shake { size = 8, over = 60 }
+  throw("flare", at, 1, 0)
+  throw("fire_e", at, 1, 0)
+  throw("fire_e", at, 4, 1.1, 40)
+  throw("fire_d", at, 8, 2.6, 30)
+  throw("sherd_l", at, 26, 3.6)
+  throw("sherd_m", at, 30, 5)
+  throw("glint", at, 40, 6)
+  for i = 1, 3 do
+    throw(i == 2 and "dawn" or "breaker", at, 1, 0)
+    throw("bubbles", at, 12, 2.2, 10 * i)
+    wait(7)
+  end
+  for _ = 1, 8 do
+    throw("sherd_l", at, 3, 1.6, 36)
+    throw("bubbles", at, 3, 0.8, 30)
+    wait(6)
+  end
+end
+
+-- A boss goes down in two seconds and more. Its handle is dead by then: the place is kept, and in
+-- its last moment all stands still.
+function fx.collapse(e)
+  local x, y = e.x, e.y
+  sound.play("collapse", from(e))
+  throw("star", e, 1, 0)
+  throw("ripple", e, 1, 0)
+  screen.shake { size = 4, over = 90 }
+  board.stop(8)
+  task.go(function()
+    crack(x, y)
+    wait(10)
+    board.stop(4)
+    sound.play("shatter")
+    break_up(x, y)
+  end)
+end
+
+return fx

@@ -1,0 +1,54 @@
+-- stages/moon.lua - under the abyss: the Drowned Moon, who holds the other end of the tide. It is met at the end of
+-- a good run, and can be practised.
+require "stages/moon/creatures"
+require "stages/moon/scene"
+require "stages/moon/boss"
+local meeting = require "stages/moon/meeting"
+local sea = require "sea"
+
+local SHARDS <const> = 300 -- hundredths: the multiplier that it wakes for
+
+local moon = {}
+
+local outlived = false -- in this run
+
+on.start(function() outlived = false end)
+on.phase(function(_, id, won)
+  if id == "eclipse" and won then outlived = true end
+end)
+
+-- May it be met in this run: no continue used, not on easy, and enough shards in one of the crafts.
+function moon.open()
+  if game.continues > 0 or board.difficulty() == "easy" then return false end
+  local open = false
+  player.each(function(p) open = open or p.shards >= SHARDS end)
+  return open
+end
+
+-- Was it, in this run?
+function moon.outlived() return outlived end
+
+local function fight()
+  sea.speed(0)
+  music.stop { fade = 90 }
+  wait(90)
+  meeting()
+  boss.fight("moon")
+  music.stop { fade = 140 }
+  wait(150)
+end
+
+-- The way down from the queen.
+function moon.dive()
+  if stage.skipping() then return end
+  bg.show("moon", { over = 90 })
+  fight()
+end
+
+stage.def("moon", function()
+  bg.show("moon", { over = 0 })
+  stage.mark("moon")
+  fight()
+end, { music = "abyss" })
+
+return moon

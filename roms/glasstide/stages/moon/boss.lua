@@ -1,0 +1,139 @@
+-- stages/moon/boss.lua - the Drowned Moon. It wanes, is new, comes full, and then goes dark: five
+-- phases that are beaten, and one that is outlived.
+local late = require "stages/moon/late"
+
+local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
+
+-- 1. Gibbous: two wheels of light turn against each other; where they cross are the holes.
+local function wheel(e, kind, bank, step)
+  pattern.spiral { from = e, kind = kind, bank = bank, n = forever, step = step,
+                   every = by_difficulty { easy = 14, normal = 10, hard = 9, abyss = 11 },
+                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.05 },
+                   arms = by_difficulty { easy = 8, normal = 10, hard = 12, abyss = 18 } }
+end
+
+local function gibbous(e)
+  task.go(wheel, e, "rice", 6, 5)
+  if board.difficulty() ~= "easy" then task.go(wheel, e, "petal", 5, -5) end
+  while true do
+    wait(by_difficulty { easy = 150, normal = 120, hard = 100 })
+    pattern.fan { from = e, kind = "kunai", bank = 1, aim = true, spread = 40, speed = 2,
+                  n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 3 },
+                  each = function(a)
+                    a.n, a.speed_to = by_difficulty { easy = 3, normal = 4, hard = 5 }, 2.8
+                    pattern.stack(a)
+                  end }
+  end
+end
+
+-- 2. Half: above the line is air, below it water. What flies in is bent towards the ground, takes
+-- another colour and goes slowly, so that it lies close down there.
+local LINE <const> = 176 -- y of the water
+local CLASSES <const> = 9
+local SLOW <const> = { easy = 0.9, normal = 1, hard = 1.1, abyss = 0.8 }
+
+local bent = {} -- by how far from straight down it flies
+for i = 1, CLASSES do
+  local off = 20 * (i - 5) -- degrees from straight down
+  bent[i] = {}
+  for name, speed in pairs(SLOW) do
+    bent[i][name] = motion.def { { wait_for = { y = LINE } },
+      { turn = off * 0.5, bank = off * off < 2000 and 2 or 3 }, { speed = speed, over = 14 } }
+  end
+end
+
+local function refract(a)
+  local off = (90 - a.dir + 180) % 360 - 180
+  local i = ((off + 10) // 20 + 5) // 1
+  if i >= 1 and i <= CLASSES then a.motion = bent[i][board.difficulty()] bullet.fire(a) end
+end
+
+-- The line itself: foam along it, which is there before anything crosses it.
+local function shore()
+  for i = 0, forever do
+    spark.burst { kind = "pop", x = 97 * i % 240, y = LINE + 2 * angle.sin(11 * i), speed = 0.2 }
+    wait(2)
+  end
+end
+
+local function half(e)
+  e.picture = "half"
+  task.go(shore)
+  wait(30)
+  for k = 1, forever do
+    pattern.ring { from = e, kind = "orb", bank = 6, dir = 5.5 * k + 3 * k * k % 17, speed = 2,
+                   n = by_difficulty { easy = 22, normal = 36, hard = 52, abyss = 58 },
+                   each = refract }
+    if k % by_difficulty { easy = 6, normal = 5, hard = 4 } == 0 then
+      pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
+                    delay = 24, n = by_difficulty { easy = 1, normal = 2, hard = 3 } }
+    end
+    wait(by_difficulty { easy = 44, normal = 31, hard = 25, abyss = 22 })
+  end
+end
+
+-- 3. Crescent: sickles that fly as one, and go to pieces over you.
+local sickle = {}
+for i = -7, 7 do
+  local a = 12 * i
+  sickle[#sickle + 1] = { 30 * angle.cos(a), 30 * angle.sin(a) }
+  if i % 2 == 0 then sickle[#sickle + 1] = { 36 * angle.cos(a) - 16, 33 * angle.sin(a) } end
+end
+
+local whole  = motion.def { { wait = 1 } }
+local loose  = motion.def { { wait = 76 }, { speed = 0, over = 24 }, { wait = 12 },
+                            { turn = 90, bank = 7 }, { speed = 1.5, over = 50 } }
+local closer = motion.def { { wait = 70 }, { speed = 0, over = 24 }, { wait = 16 },
+                            { aim = true, bank = 7 }, { speed = 2, over = 60 } }
+
+local function reap(e, dir, aim, way)
+  pattern.points { from = e, dx = 44 * way, dy = 14, kind = "shard", bank = 3, list = sickle,
+                   turns = true, aim = aim, dir = dir, speed = 1.7, delay = 20, motion = way < 0 and
+                   by_difficulty { easy = whole, normal = loose, hard = loose } or
+                   by_difficulty { easy = whole, normal = loose, hard = closer } }
+end
+
+local function crescent(e)
+  e.picture = "sickle"
+  task.go(function()
+    pattern.spiral { from = e, kind = "pellet", bank = 5, n = forever, step = 29,
+                     arms = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 11 },
+                     every = by_difficulty { easy = 16, normal = 12, hard = 10, abyss = 8 },
+                     speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 } }
+  end)
+  for k = 1, forever do
+    wait(20)
+    local way = k % 2 == 0 and 1 or -1
+    reap(e, 0, true, way)
+    wait(by_difficulty { easy = 60, normal = 34, hard = 26 })
+    if board.difficulty() ~= "easy" then
+      reap(e, 90 + 38 * way, false, -way)
+      reap(e, 90 - 38 * way, false, way)
+    end
+    wait(by_difficulty { easy = 90, normal = 84, hard = 70 })
+  end
+end
+
+-- A phase that is practised has its own night round it too.
+local function at_night(run)
+  return function(e)
+    if bg.layer(1).map ~= "water" then bg.show("moon", { over = 0 }) end
+    sound.play("toll", { from = e })
+    run(e)
+  end
+end
+
+boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "moon", portrait = "moon_cross",
+  warning = 150, phases = {
+    { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
+      drops = { pearl = 8 } },
+    { id = "half", spell = "Half Sign: Two Waters", hp = 2300, time = 50 * 60, bonus = 40000,
+      run = at_night(half), clear = FOAM, drops = { pearl = 8 } },
+    { id = "crescent", spell = "Crescent Sign: Reaping Tide", hp = 2300, time = 50 * 60,
+      bonus = 40000, run = at_night(crescent), clear = FOAM, drops = { pearl = 8, conch = 1 } },
+    { id = "new", spell = "New Sign: A Way Through Rings", hp = 2300, time = 55 * 60,
+      bonus = 50000, run = at_night(late.new), clear = FOAM, drops = { pearl = 8 } },
+    { id = "full", spell = "Full Sign: Nearest of Nights", hp = 2600, time = 60 * 60,
+      bonus = 60000, run = at_night(late.full), clear = FOAM, drops = { pearl = 8, heart = 1 } },
+    { id = "eclipse", spell = "Last Sign: The Sea Falls In", survive = true, time = 44 * 60,
+      bonus = 100000, run = at_night(late.eclipse), clear = FOAM } } })

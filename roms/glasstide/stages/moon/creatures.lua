@@ -1,0 +1,9 @@
+-- stages/moon/creatures.lua - who hangs in the black water: one disc, and what is done to it.
+local kinds = require "kinds"
+
+-- It wanes and waxes: each phase of the fight has a picture of its own.
+enemy.def("moon", { sprite = "moon", bank = 0, hit = { circle = 58 }, hp = 100, score = 200000,
+                    spark = "crumb", blink = 4, blink_soft = true,
+                    on_hit = kinds.chip, on_death = kinds.collapse,
+                    pictures = { half = "moon_half", sickle = "moon_sickle", new = "moon_new",
+                                 full = "moon_full", eclipse = "moon_eclipse" } })

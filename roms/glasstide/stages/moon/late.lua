@@ -1,0 +1,139 @@
+-- stages/moon/late.lua - the moon's last three phases: new, full, and dark.
+local late = {}
+
+-- 4. New: rings that turn while they grow, one gap or two in each. The next gap is never further
+-- from the last than a craft goes meanwhile.
+local GROW <const> = { easy = 0.8, normal = 0.8, hard = 0.85, abyss = 0.7 }
+local SPIN <const> = 0.1
+local DOWN_THERE <const> = 190 -- px from its middle to where the crafts are
+
+local turning = {}
+for name, v in pairs(GROW) do
+  turning[name] = {}
+  for way = -1, 1, 2 do
+    turning[name][way] = motion.def { { polar = v, spin = SPIN * way, over = forever } }
+  end
+end
+
+local function maze_ring(e, at, way, kind, bank)
+  local name = board.difficulty()
+  local age = DOWN_THERE / GROW[name]
+  local n = by_difficulty { easy = 48, normal = 80, hard = 94, abyss = 108 }
+  local gap = by_difficulty { easy = 5, normal = 3, hard = 3, abyss = 3 }
+  for i = 1, n - gap do
+    local dir = at - way * SPIN * age + 360 * (i + gap / 2 - 0.5) / n
+    bullet.fire { kind = kind, bank = bank, from = e, dir = dir, speed = GROW[name],
+                  motion = turning[name][way] }
+  end
+end
+
+function late.new(e)
+  e.picture = "new"
+  wait(40)
+  local at = 90
+  for k = 1, forever do
+    local way = k % 2 == 0 and 1 or -1
+    at = at + rng.number(8, by_difficulty { easy = 14, normal = 19, hard = 22, abyss = 19 }) *
+         (at > 104 and -1 or at < 76 and 1 or (rng.chance(0.5) and 1 or -1))
+    maze_ring(e, at, way, by_difficulty { easy = "pellet", normal = "orb" }, way > 0 and 6 or 7)
+    if k % 5 == 0 then
+      pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
+                      n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 2 } }
+    end
+    wait(by_difficulty { easy = 110, normal = 70, hard = 58, abyss = 54 })
+  end
+end
+
+-- 5. Full: the moon comes down, and lets go all that it has: seeds of a sunflower, each beside
+-- none before. Large ones go out between them like bells.
+local GOLDEN <const> = 137.508
+
+function late.full(e)
+  e.picture = "full"
+  e:move { x = 120, y = 100, over = 120, ease = "both" }
+  task.go(function()
+    local n = by_difficulty { easy = 2, normal = 2, hard = 3, abyss = 4 }
+    local speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 }
+    local seed = { kind = "pellet", from = e, speed = speed }
+    for k = 1, forever do
+      for _ = 1, n do
+        seed.dir = ((seed.dir or 0) + GOLDEN) % 360
+        seed.bank = k % 240 < 120 and 3 or 2
+        bullet.fire(seed)
+      end
+      wait(by_difficulty { easy = 3, normal = 1 })
+    end
+  end)
+  for k = 1, forever do
+    wait(by_difficulty { easy = 200, normal = 150, hard = 130 })
+    pattern.ring { from = e, kind = "bubble", bank = 5, dir = 90 + 13 * k, speed = 1.3,
+                   n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 8 } }
+  end
+end
+
+-- 6. Dark: it is outlived. The sea falls in in four pieces, and at last in all of them.
+local pulled = {}
+for name, v in pairs { easy = 1.4, normal = 1.7, hard = 1.9, abyss = 2.1 } do
+  pulled[name] = motion.def { { speed = v, over = 1 }, { speed = 0, over = 150 },
+    { bank = 1 }, { wait = 24 }, { go_to = { 120, 84 }, over = 190, ease = "in" }, { die = true } }
+end
+
+-- Walls from above, and the way through them goes to and fro.
+local function walls(frames, apart)
+  local wide = by_difficulty { easy = 5, normal = 4, hard = 3, abyss = 3 } -- of 14 px each
+  for k = 1, frames // apart do
+    local gap = (9 + 5 * angle.sin(53 * k) - wide / 2) // 1
+    pattern.line { x = 120, y = -8, kind = "rice", bank = 6, n = 19, width = 252, dir = 90,
+                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.6, abyss = 1.2 },
+                   skip = { gap, gap + wide - 1 } }
+    wait(apart)
+  end
+end
+
+-- What goes out and is called back: it hangs a while before it comes.
+local function recall(e, times)
+  for k = 1, times do
+    pattern.ring { from = e, kind = "orb", bank = 5, dir = 7 * k,
+                   n = by_difficulty { easy = 20, normal = 30, hard = 38, abyss = 50 },
+                   motion = pulled[board.difficulty()], speed = 1 }
+    wait(by_difficulty { easy = 70, normal = 54, hard = 46 })
+  end
+end
+
+-- The corona: rays that go round, and rings between them.
+local function corona(e, frames)
+  local n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 8 }
+  local p = player.nearest(e.x, e.y)
+  local dir = (p and angle.to(e, p) or 90) + 180 / n
+  sound.play("charge", { from = e })
+  for i = 1, n do
+    laser.beam { kind = "ray", bank = 3, follow = e, dir = dir + 360 * i / n, length = 380,
+                 warn = 60, hold = frames - 90, fade = 20,
+                 spin = by_difficulty { easy = 0.12, normal = 0.17, hard = 0.2, abyss = 0.14 } }
+  end
+  wait(70)
+  sound.play("beam", { from = e })
+  for k = 1, (frames - 100) // 48 do
+    pattern.ring { from = e, kind = "pellet", bank = 7, dir = 11 * k, speed = 1.2,
+                   n = by_difficulty { easy = 16, normal = 28, hard = 36, abyss = 60 } }
+    wait(48)
+  end
+  wait(30)
+end
+
+function late.eclipse(e)
+  e.picture = "eclipse"
+  screen.flash { over = 40, share = 0.4 }
+  wait(50)
+  walls(560, by_difficulty { easy = 80, normal = 64, hard = 52, abyss = 60 })
+  wait(60)
+  corona(e, 640)
+  recall(e, 8)
+  wait(150)
+  task.go(walls, 900, by_difficulty { easy = 120, normal = 100, hard = 90 })
+  pattern.spiral { from = e, kind = "orb", bank = 2, n = forever, step = 7,
+                   every = by_difficulty { easy = 20, normal = 14, hard = 12, abyss = 10 },
+                   speed = 1.2, arms = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 9 } }
+end
+
+return late

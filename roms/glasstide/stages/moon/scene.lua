@@ -1,0 +1,13 @@
+-- stages/moon/scene.lua - black water, and the way that the moon's light lays on it. The light lies broken, each
+-- line of it swaying for itself; its strokes drift down faster than the swell below them.
+bg.def("moon", function()
+  palette.load("moon")
+  local water, light = bg.layer(1), bg.layer(2)
+  water.map, water.vy = "water", 0.25
+  light.map, light.vy = "moonlight", 0.7
+  bg.lines(1, { wave = 3, every = 96, speed = 0.3 })
+  for i = 0, forever do
+    bg.lines(2, { wave = 6 + 3 * angle.sin(i / 3), every = 26, speed = 0.8 })
+    wait(4)
+  end
+end)

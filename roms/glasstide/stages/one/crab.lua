@@ -1,0 +1,201 @@
+-- stages/one/crab.lua - where the shallows end: the Chandelier Crab, five phases. Its claws are
+-- parts of it, and break off; what they did, the shell then does in another way.
+local meeting = require "stages/one/meeting"
+
+local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
+
+-- The two claws, left and right, dead or alive.
+local function claws(e)
+  return { e:parts("left claw")[1], e:parts("right claw")[1] }
+end
+
+local function either(e, f)
+  local both = claws(e)
+  for i = 1, 2 do f(both[i], i == 1 and -1 or 1) end
+end
+
+local function wander(e, over)
+  e:move { x = rng.int(86, 154), y = rng.int(74, 92), over = over, ease = "both" }
+end
+
+-- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
+local snap = motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = 2.8, over = 24 } }
+
+local function sweep(e, side)
+  local dir = 90 + 60 * side
+  for k = 1, forever do
+    local claw = claws(e)[side < 0 and 1 or 2]
+    if claw and claw.alive then
+      pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
+                    spread = 20, dir = dir, speed = 1.9,
+                    n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
+    elseif k % 8 == 0 then
+      pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
+                     bank = side < 0 and MAGENTA or RUBY, dir = dir, speed = 1.3,
+                     n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 20 } }
+    end
+    dir = dir - 13 * side
+    wait(by_difficulty { easy = 12, normal = 9, hard = 6 })
+  end
+end
+
+local function pincers(e)
+  task.go(sweep, e, -1)
+  task.go(sweep, e, 1)
+  for k = 1, forever do
+    wait(by_difficulty { easy = 110, normal = 96, hard = 80, abyss = 70 })
+    either(e, function(claw, side)
+      local at = claw and claw.alive and { claw, 0, 24 } or { e, 43 * side, 20 }
+      sound.play("snap", { from = e })
+      pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, width = 40,
+                     dir = 90, speed = 2.2, delay = 24, motion = snap,
+                     n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 7 } }
+    end)
+    if by_difficulty { easy = false, abyss = true } then
+      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 26 }
+    end
+    wander(e, 50)
+  end
+end
+
+-- 2. What goes to the walls comes back from them, and then it is gold.
+local echo = motion.def { { bounce = 1, walls = "left right top", { bank = GOLD } } }
+
+local function grotto(e)
+  for k = 1, forever do
+    for i = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
+      pattern.ring { from = e, kind = "ring", bank = AMBER, dir = 11 * (k + i),
+                     speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.4 },
+                     n = by_difficulty { easy = 12, normal = 17, hard = 22, abyss = 24 },
+                     motion = echo }
+      wait(24)
+    end
+    either(e, function(claw, side)
+      local held = claw and claw.alive
+      pattern.whip { from = held and claw or e, dx = held and 0 or 43 * side, dy = 18,
+                     kind = "kunai", bank = RUBY, aim = true, speed = 1.7, speed_to = 3,
+                     bend = 30 * side, delay = 14,
+                     n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
+    end)
+    wander(e, 50)
+    wait(by_difficulty { easy = 84, normal = 52, hard = 38, abyss = 24 })
+  end
+end
+
+-- 3. It turns its lamps on you: rays that go round, one way and then the other. You go along with
+-- them, between the rings that it lets go.
+local function lamplight(e)
+  for k = 1, forever do
+    local n = by_difficulty { easy = 3, normal = 4, hard = 5 }
+    local way = k % 2 == 0 and -1 or 1
+    local p = player.nearest(e.x, e.y)
+    local dir = (p and angle.to(e, p) or 90) + 180 / n -- whoever is there stands between two
+    for i = 1, n do
+      laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
+                   length = 380, warn = 56, hold = 260, fade = 20,
+                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36, abyss = 0.4 } }
+    end
+    sound.play("charge", { from = e })
+    wait(56)
+    sound.play("beam", { from = e })
+    wait(14)
+    for i = 1, by_difficulty { easy = 5, abyss = 7 } do
+      local even = i % 2 == 0
+      pattern.ring { from = e, kind = even and "orb" or "pellet", bank = even and MAGENTA or RUBY,
+                     dir = 17 * (k + i), speed = 1.3,
+                     n = by_difficulty { easy = 7, normal = 12, hard = 16, abyss = 18 } }
+      wait(by_difficulty { easy = 50, abyss = 36 })
+    end
+    wander(e, 60)
+    wait(64)
+  end
+end
+
+-- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides; shot
+-- down, it clears a space.
+local hang = motion.def {
+  { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
+local function falling(every, n)
+  local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA, speed = 0.8 }
+  return motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
+    { speed = 2.3, over = 30 }, { loop = forever, { wait = every }, { emit = shed } } }
+end
+local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
+                                   { aim = true }, { speed = 2.3, over = 30 } },
+               normal = falling(34, 2), hard = falling(12, 3), abyss = falling(13, 4) }
+-- A bubble slows, bursts, and is a splinter that falls.
+local crack = motion.def {
+  { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
+  { speed = 2.2, over = 50 } }
+local CRACKS = { RUBY, MAGENTA, GOLD }
+
+local function chandelier(e)
+  local lamps = bullet.group("lamp")
+  for k = 1, forever do
+    local n = by_difficulty { easy = 4, normal = 5, hard = 6, abyss = 8 }
+    for i = 1, n do
+      bullet.fire { kind = "lamp", from = e, bank = AMBER, dir = 360 * i / n, speed = 0,
+                    tag = "lamp", around = e, motion = hang, rest = 18 * i }
+    end
+    wait(50)
+    for i = 1, 3 do
+      pattern.ring { from = e, kind = "ring", bank = CRACKS[i], dir = 9.5 * (3 * k + i),
+                     speed = 1.4 + i, motion = crack,
+                     n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 30 } }
+      wait(14)
+    end
+    wander(e, 50)
+    wait(60)
+    lamps.motion = by_difficulty(fall)
+    lamps.tag = "fallen"
+    wait(by_difficulty { easy = 130, normal = 90, hard = 64, abyss = 44 })
+  end
+end
+
+-- 5. Every lamp that it has taken goes out over the water: slow rings that wind both ways through
+-- each other, and wax that drips from them. Look for the lanes; they turn.
+local function lights(v, spin) return motion.def { { polar = v, spin = spin, over = 420 } } end
+local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
+                 normal = { lights(1.0, 0.24), lights(1.0, -0.24) },
+                 hard = { lights(1.05, 0.26), lights(1.05, -0.26) },
+                 abyss = { lights(0.95, 0.2), lights(0.95, -0.2) } }
+
+local function wax(e)
+  while true do
+    wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 80 })
+    for i = -1, 1, 2 do
+      pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
+                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0, lock = true,
+                      delay = 12 }
+    end
+  end
+end
+
+local function harbour(e)
+  local ways = by_difficulty(ebbing)
+  task.go(wax, e)
+  e:move { x = 120, y = 82, over = 60, ease = "both" }
+  wait(40)
+  for k = 1, forever do
+    local left = k % 2 == 0
+    pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
+                   n = by_difficulty { easy = 12, normal = 20, hard = 28, abyss = 40 },
+                   dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
+    wait(by_difficulty { easy = 28, normal = 21, hard = 16, abyss = 12 })
+  end
+end
+
+local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
+
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
+                   warning = 120, phases = {
+  { talk = meeting },
+  { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
+  { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,
+    run = grotto, clear = FOAM, drops = { pearl = 8 } },
+  { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 1100, time = 35 * 60,
+    bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
+  { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 40 * 60,
+    bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
+  { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
+    bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })

@@ -1,0 +1,186 @@
+-- stages/one/habits.lua - what each creature does while it swims its route. All are `run`
+-- functions: they end with their creature. On each difficulty each has another writing.
+local habits = {}
+
+local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
+
+-- Two ribbons that cross each other as often as they wave.
+local ribbon  = motion.def { { wave = 17, every = 84, over = forever } }
+local counter = motion.def { { wave = 17, every = 84, phase = 180, over = forever } }
+
+-- Out from a middle that stays, turning about it; after four seconds straight on.
+local curl_left  = motion.def { { polar = 1.15, spin = 0.55, over = 240 } }
+local curl_right = motion.def { { polar = 1.15, spin = -0.55, over = 240 } }
+
+-- The sides of the sea throw it back, once each way.
+local rebound = motion.def { { bounce = 2, walls = "left right", { bank = GOLD } } }
+
+-- Whoever is so near, or above, is not shot at.
+local NEAR <const> = 56
+
+local function may_fire(e)
+  if not e.alive then return false end
+  local p = player.nearest(e.x, e.y)
+  if e.y < 0 or e.y > 220 then return false end
+  if not (p and p.alive) then return true end
+  local dx, dy = p.x - e.x, p.y - e.y
+  return dx * dx + dy * dy > NEAR * NEAR
+end
+
+-- Spit: a few pellets at whoever is near. The mist that they come out of tells where from.
+function habits.spit(e)
+  wait(rng.int(16, 44))
+  if not may_fire(e) then return end
+  local rows = by_difficulty { easy = 1, abyss = 2 }
+  for row = 1, rows do
+    pattern.aimed { from = e, kind = "pellet", bank = MAGENTA, every = 7, speed = 1.6 + 0.3 * row,
+                    delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 3 } }
+  end
+end
+
+-- Drip: drops one after the other, straight down; deeper, every third falls as three.
+function habits.drip(e)
+  wait(20)
+  for k = 1, forever do
+    local wide = by_difficulty { easy = false, hard = k % 3 == 0, abyss = true }
+    if e.y < 200 then
+      pattern.fan { from = e, kind = "drop", bank = RUBY, dir = 90, n = wide and 3 or 1,
+                    spread = 26, delay = 10,
+                    speed = by_difficulty { easy = 1.3, normal = 1.7, hard = 1.9, abyss = 1.5 } }
+    end
+    wait(by_difficulty { easy = 52, normal = 34, hard = 24, abyss = 20 })
+  end
+end
+
+-- Fan: rice, twice.
+function habits.fan(e)
+  wait(62)
+  for row = 1, 2 do
+    if may_fire(e) then
+      pattern.fan { from = e, dy = 8, kind = "rice", bank = RUBY, spread = 58, aim = true,
+                    speed = 1.9, delay = 12,
+                    n = by_difficulty { easy = 3, normal = 4 + row, hard = 6 + row, abyss = 8 + row },
+                    each = function(a)
+        a.n, a.speed_to = by_difficulty { easy = 1, abyss = 3 }, a.speed + 0.8
+        pattern.stack(a)
+      end }
+    end
+    wait(46)
+  end
+end
+
+-- Wake: two trails that wind about each other; easy has one of them, the deepest a third between.
+function habits.wake(e)
+  wait(24)
+  for k = 1, forever do
+    local speed = by_difficulty { easy = 1.1, normal = 1.3, hard = 1.6, abyss = 1.3 }
+    bullet.fire { from = e, dx = -12, kind = "petal", bank = MAGENTA, speed = speed,
+                  motion = ribbon }
+    if by_difficulty { easy = false, normal = true } then
+      bullet.fire { from = e, dx = 12, kind = "petal", bank = RUBY, speed = speed,
+                    motion = counter }
+    end
+    if by_difficulty { easy = false, abyss = k % 2 == 0 } then
+      pattern.fan { from = e, kind = "pellet", bank = 0, n = 2, spread = 120, dir = 90,
+                    speed = 1.2 }
+    end
+    wait(by_difficulty { easy = 17, normal = 11, hard = 8, abyss = 8 })
+  end
+end
+
+-- Pulse: rings that open like a flower, to one side and to the other.
+function habits.pulse(e)
+  wait(80)
+  for k = 1, forever do
+    local left = k % 2 == 0
+    pattern.ring { from = e, kind = "orb", bank = left and AMBER or MAGENTA, dir = 11 * k,
+                   speed = 1.15, n = by_difficulty { easy = 8, normal = 13, hard = 18, abyss = 20 },
+                   motion = left and curl_left or curl_right }
+    wait(by_difficulty { easy = 78, normal = 56, hard = 44, abyss = 34 })
+  end
+end
+
+-- Gild: the warm kind of fish fans out in gold, and wider.
+function habits.gild(e)
+  e.bank = 1
+  wait(62)
+  for i = 1, by_difficulty { easy = 2, normal = 3, abyss = 4 } do
+    if may_fire(e) then
+      pattern.fan { from = e, dy = 8, kind = "kunai", bank = GOLD, spread = 24 * i, aim = true,
+                    speed = 2.2, delay = 12,
+                    n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 7 } }
+    end
+    wait(30)
+  end
+end
+
+-- Bristle: needles in turning directions.
+function habits.bristle(e)
+  wait(40)
+  local turn = rng.dir()
+  while e.y < 250 do
+    pattern.ring { from = e, kind = "needle", bank = GOLD, dir = turn,
+                   speed = by_difficulty { easy = 1.6, normal = 1.8, hard = 1.9, abyss = 1.6 },
+                   n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 9 } }
+    turn = turn + 17
+    wait(by_difficulty { easy = 30, normal = 19, hard = 15, abyss = 14 })
+  end
+end
+
+-- Whorl: stars that wind out, with pearls to both sides that come back from the walls.
+function habits.whorl(e)
+  wait(70)
+  task.go(function()
+    while true do
+      pattern.fan { from = e, kind = "pearl", bank = AMBER, n = 2, spread = 100, speed = 1.8,
+                    motion = rebound }
+      wait(by_difficulty { easy = 120, normal = 84, hard = 64, abyss = 48 })
+    end
+  end)
+  pattern.spiral { from = e, kind = "star", bank = RUBY, n = 64, step = 13, every = 5, speed = 1.6,
+                   arms = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } }
+end
+
+-- Arrow Salvo: splinters in the figure of an arrow, which flies at whoever it saw.
+local ARROW = { { 0, 0 }, { -8, 6 }, { -8, -6 }, { -16, 12 }, { -16, -12 }, { -10, 0 }, { -20, 0 } }
+local SHORT = { { 0, 0 }, { -8, 6 }, { -8, -6 } }
+
+function habits.salvo(e)
+  wait(56)
+  for _ = 1, by_difficulty { easy = 1, normal = 2, hard = 3 } do
+    spark.burst { kind = "shock", from = e, speed = 0 }
+    wait(26)
+    if may_fire(e) then
+      sound.play("snap", { from = e })
+      pattern.fan { from = e, dy = 14, kind = "shard", bank = MAGENTA, aim = true, spread = 76,
+                    n = by_difficulty { easy = 1, hard = 2, abyss = 3 }, speed = 2.1, delay = 20,
+                    each = function(a)
+        a.list, a.turns, a.aim = by_difficulty { easy = SHORT, normal = ARROW }, true, nil
+        pattern.points(a)
+      end }
+    end
+    wait(40)
+  end
+end
+
+-- Bubble Chain: bubbles that rise and fall as they drift down, and burst into splinters.
+local function drift(n)
+  return motion.def { { wave = 14, every = 70, over = 96 },
+    { emit = { pattern = "ring", n = n, kind = "chip", bank = AMBER, speed = 1.2 } },
+    { die = true } }
+end
+local DRIFTS = { easy = drift(5), normal = drift(8), hard = drift(11), abyss = drift(14) }
+
+function habits.bubbles(e)
+  wait(50)
+  while true do
+    if e.y < 160 then
+      pattern.fan { from = e, dy = -8, kind = "bubble", bank = AMBER, dir = 90, spread = 70,
+                    n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 1.1, delay = 16,
+                    motion = by_difficulty(DRIFTS) }
+    end
+    wait(by_difficulty { easy = 110, normal = 84, hard = 76, abyss = 64 })
+  end
+end
+
+return habits

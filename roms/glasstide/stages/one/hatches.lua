@@ -1,0 +1,79 @@
+-- stages/one/hatches.lua - the wreck of the lamp ship: its hatches open one after the other, and
+-- what has made its home in the hold comes out.
+local habits = require "stages/one/habits"
+local hatches = {}
+
+-- Where they are on the deck, from its middle and its stern, and what each lets go.
+local LIST = {
+  { -26, 516, "krill" }, { 32, 492, "krill" }, { 0, 446, "breath" }, { -38, 342, "arrow" },
+  { 40, 256, "arrow" }, { -6, 210, "breath" }, { -28, 60, "krill" }, { 26, 24, "krill" },
+}
+
+local function open(e)
+  sound.play("hatch", { from = e })
+  for _, name in ipairs { "ajar", "half", "open" } do
+    e.picture = name
+    wait(8)
+  end
+  spark.burst { kind = "fizz", from = e, n = 10, speed = 1.2 }
+end
+
+-- Out of the hatch, a turn to its side, and down.
+local route = {}
+for i, way in ipairs { -1, 1 } do
+  route[i] = path.def {
+    { x = 0, y = 0 }, { x = 44 * way, y = -26, over = 40, ease = "out" },
+    { x = 64 * way, y = 40, over = 46, ease = "both" }, { x = -30 * way, y = 330, over = 130 } }
+end
+local rise = path.def {
+  { x = 0, y = 0 }, { x = 0, y = -24, over = 46, ease = "out" }, { wait = 150 },
+  { x = 0, y = 330, over = 100, ease = "in" } }
+
+local function swarm(e)
+  for i = 1, by_difficulty { easy = 4, normal = 6 } do
+    enemy.spawn { kind = "krill", path = route[i % 2 + 1], dx = e.x, dy = e.y, run = habits.spit }
+    wait(14)
+  end
+end
+
+local function archer(e)
+  enemy.spawn { kind = "arrow", path = rise, dx = e.x, dy = e.y, run = habits.salvo }
+end
+
+-- Breath of the Hold: a ring that opens slowly, and another in its gaps.
+local function breathe(e)
+  for k = 1, by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } do
+    if e.y > 190 then return end
+    pattern.ring { from = e, kind = "ring", bank = k % 2 == 0 and 3 or 2, dir = 9 * k,
+                   n = by_difficulty { easy = 10, normal = 15, hard = 19, abyss = 24 },
+                   speed = by_difficulty { easy = 1.2, normal = 1.4, abyss = 1.15 }, delay = 12 }
+    wait(30)
+  end
+end
+
+local LETS_GO = { krill = swarm, arrow = archer, breath = breathe }
+
+-- It goes with the deck that it is in.
+local function ride(e, hull, dy)
+  while true do
+    e.y = hull.y + dy
+    wait(1)
+  end
+end
+
+function hatches.open(hull, middle)
+  for _, h in ipairs(LIST) do
+    task.go(function()
+      wait_until(function() return hull.y + h[2] > -26 end, 1200)
+      local e = enemy.spawn { kind = "hatch", x = middle + h[1], y = hull.y + h[2] }
+      task.own(e, ride, hull, h[2])
+      task.own(e, function()
+        wait(44)
+        open(e)
+        LETS_GO[h[3]](e)
+      end)
+    end)
+  end
+end
+
+return hatches

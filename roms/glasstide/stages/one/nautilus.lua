@@ -1,0 +1,98 @@
+-- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp for its own. It
+-- comes when the wreck has gone by.
+local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
+local LAMP = { dx = -3, dy = 26 } -- where it holds the lamp
+
+-- 1. Lamp in hand: its arms let go of orbs that wind out, and the lamp throws needles at you when
+-- it flares.
+local wind_left  = motion.def { { polar = 1.25, spin = 0.5, over = 200 } }
+local wind_right = motion.def { { polar = 1.25, spin = -0.5, over = 200 } }
+
+local function flare(e)
+  while true do
+    wait(80)
+    spark.burst { kind = "shock", from = e, dx = LAMP.dx, dy = LAMP.dy, speed = 0 }
+    sound.play("charge", { from = e })
+    wait(24)
+    pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "needle", bank = GOLD, aim = true,
+                  spread = by_difficulty { easy = 40, normal = 48, abyss = 60 }, speed = 2.2,
+                  n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 9 }, delay = 10,
+                  each = function(a)
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 2, hard = 3 }, a.speed + 0.7
+      pattern.stack(a)
+    end }
+  end
+end
+
+local function lantern(e)
+  e:wander { w = 70, h = 24, every = 110, over = 90 }
+  task.go(flare, e)
+  for k = 1, forever do
+    local n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 15 }
+    local left = k // 4 % 2 == 0
+    pattern.ring { from = e, kind = "orb", bank = left and MAGENTA or AMBER, n = n, dir = 7 * k,
+                   speed = 1.25, motion = left and wind_left or wind_right }
+    wait(by_difficulty { easy = 34, normal = 25, hard = 21, abyss = 18 })
+  end
+end
+
+-- 2. Chambered Lamp: it lays its own shell round itself in pearls of light, chamber by chamber, and
+-- then unwinds it: what was laid last goes first.
+local function unwinding(bank, speed)
+  return motion.def { { wait = "rest" }, { bank = bank }, { speed = speed, over = 50 } }
+end
+local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
+                 abyss = unwinding(RUBY, 1.3) }
+-- What it lays the other way round looks at you when its turn comes.
+local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true }, { speed = 1.5, over = 40 } }
+
+-- One pearl of an arm that winds outwards; none where you are.
+local function lay(e, a, r, way, def)
+  local x, y = r * angle.cos(a), r * angle.sin(a)
+  if e.y + y >= 196 then return end
+  def.from, def.dx, def.dy, def.dir = e, x, y, a + 64 * way
+  def.speed, def.bank, def.delay = 0, MAGENTA, 20
+  bullet.fire(def)
+end
+
+local function wind(e, n, arms, from, way, kind, program)
+  local r = 26
+  for i = 1, n do
+    r = r * 1.0235
+    for arm = 1, arms do
+      lay(e, from + way * 21 * i + 360 * arm / arms, r, way,
+          { kind = kind, rest = 34 + (n - i), motion = program })
+    end
+    if i % 2 == 0 then wait(1) end
+  end
+end
+
+local function chambers(e)
+  for k = 1, forever do
+    local way = k % 2 == 0 and -1 or 1
+    local n = by_difficulty { easy = 36, normal = 60, hard = 54, abyss = 50 }
+    local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
+    e:move { x = rng.int(96, 144), y = rng.int(70, 86), over = 30, ease = "both" }
+    wait(30)
+    sound.play("still", { from = e })
+    wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
+    if by_difficulty { easy = false, hard = true } then
+      wind(e, by_difficulty { hard = 24, abyss = 40 }, 1, 40 * k + 180, -way, "pellet", moth)
+    end
+    for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
+      wait(26)
+      pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "kunai", bank = GOLD, aim = true,
+                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 5 },
+                    speed = 2.0, delay = 12 }
+    end
+    wait(by_difficulty { easy = 70, normal = 24, hard = 20, abyss = 10 })
+  end
+end
+
+local FOAM = { items = "foam", spark = "pop" }
+
+boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 78,
+                       music = "lantern", phases = {
+  { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
+  { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
+    bonus = 12000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

@@ -1,0 +1,65 @@
+-- stages/one/scene.lua - the shallows as they are seen: a floor of sand, light that the waves bend,
+-- the reef at both sides, kelp that is nearly black for it is so near, and shafts of light from
+-- above. The wreck of a lamp ship lies in them.
+local sea = require "sea"
+
+local scene = {}
+
+local REEF_PART, REEF_TALL = 1.75, 320
+local WRECK_PART, WRECK_X, WRECK_TALL = 1.2, 40, 640
+local WRECK_MIDDLE = WRECK_X + 80
+
+local side = {} -- what flows of the third layer: the reef, or for a while the wreck
+
+local function remove_all(set)
+  for _, s in pairs(set) do s:remove() end
+end
+
+-- Each shaft sways by itself; what empties the field takes them, and they come again.
+local function shine()
+  local set <close> = setmetatable({}, { __close = remove_all })
+  local kinds = { "shaft", "shaft_thin", "shaft" }
+  for k = 0, forever do
+    for i, kind in ipairs(kinds) do
+      if not (set[i] and set[i].alive) then
+        set[i] = sprite.put { sprite = kind, x = 0, y = 160, layer = "back", blend = "ghost",
+                              stay = true }
+      end
+      set[i].x = 90 * i - 46 + 14 * angle.sin(k * (0.31 + 0.06 * i) + 140 * i)
+    end
+    wait(2)
+  end
+end
+
+bg.def("shallows", function()
+  palette.load("one")
+  local floor, light, reef, kelp = bg.layer(1), bg.layer(2), bg.layer(3), bg.layer(4)
+  floor.map, light.map, kelp.map = "floor", "caustics", "kelp"
+  reef.map, reef.x = "reef", -14
+  bg.lines(2, { wave = 6, every = 160, speed = 0.4 })
+  bg.lines(4, { wave = 3, every = 150, speed = 0.5 })
+  side = { reef, REEF_PART }
+  sea.flow { { floor, 1 }, { light, 1.2 }, side, { kelp, 2.6 } }
+  shine()
+end)
+
+-- The reef falls back on both sides, and the wreck comes; found(hull) is called when its bow is
+-- about to. Returns when its stern has gone by, and the reef is on its way again.
+function scene.wreck(found)
+  local hull = bg.layer(3)
+  wait(2) -- practice that begins here sets the scene first
+  hull.y, hull.wrap = hull.y % REEF_TALL, false
+  wait_until(function() return hull.y >= REEF_TALL end, 300)
+  hull.map, hull.x, hull.y = "wreck", WRECK_X, -WRECK_TALL
+  side[2] = WRECK_PART
+  found(hull, WRECK_MIDDLE)
+  wait_until(function() return hull.y >= 320 end, 1200)
+  hull.map, hull.x, hull.y = "reef", -14, -REEF_TALL
+  side[2] = REEF_PART
+  task.go(function()
+    wait_until(function() return hull.y >= 0 end, 600)
+    hull.wrap = true
+  end)
+end
+
+return scene

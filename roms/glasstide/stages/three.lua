@@ -1,0 +1,150 @@
+-- stages/three.lua - the abyss: down between columns of basalt, over the trench, past the
+-- Anglerlamp in water without light, and to the Queen of the Glass Tide.
+require "stages/three/creatures"
+require "stages/three/angler"
+local moon = require "stages/moon"
+local habits = require "stages/three/habits"
+local queen = require "stages/three/queen"
+local sea = require "sea"
+local fx = require "fx"
+
+local swoop = path.def {
+  { x = -18, y = 44 }, { x = 70, y = 104, over = 54, ease = "out" },
+  { x = 166, y = 122, over = 56 },
+  { x = 262, y = 40, over = 58, ease = "in" } }
+local helix = path.def {
+  { x = 60, y = -20 }, { x = 180, y = 70, over = 60, ease = "both" },
+  { x = 60, y = 140, over = 60, ease = "both" }, { x = 180, y = 70, over = 60, ease = "both" },
+  { x = 60, y = -30, over = 60, ease = "both" } }
+local pounce = path.def {
+  { x = 40, y = -36 }, { x = 40, y = 92, over = 44, ease = "out" }, { wait = 84 },
+  { x = 40, y = -46, over = 80, ease = "in" } }
+local sink = path.def {
+  { x = 64, y = -36 }, { x = 64, y = 84, over = 66, ease = "out" }, { wait = 250 },
+  { x = 10, y = -60, over = 90, ease = "in" } }
+local hang = path.def {
+  { x = 120, y = -40 }, { x = 120, y = 76, over = 70, ease = "out" }, { wait = 330 },
+  { x = 120, y = -60, over = 90, ease = "in" } }
+local patrol = path.def {
+  { x = -36, y = 60 }, { x = 80, y = 92, over = 70, ease = "out" },
+  { x = 170, y = 70, over = 90, ease = "both" },
+  { x = 76, y = 110, over = 90, ease = "both" }, { x = 290, y = 40, over = 110, ease = "in" } }
+local moor = path.def {
+  { x = 62, y = -50 }, { x = 62, y = 92, over = 110, ease = "out" }, { wait = 320 },
+  { x = 62, y = -100, over = 120, ease = "in" } }
+local dart = path.def {
+  { x = 120, y = -80 }, { x = 120, y = 110, over = 60, ease = "out" }, { wait = 90 },
+  { x = 120, y = -140, over = 90, ease = "in" } }
+
+local ROSE <const> = 1 -- the other glass
+local wave = stage.wave
+
+-- The same wave from both sides.
+local function both(w)
+  wave(w)
+  w.mirror = true
+  wave(w)
+end
+
+local function lone(w)
+  w.n, w.every = 1, 1
+  wave(w)
+end
+
+local function pair(w)
+  w.n, w.every = 1, 1
+  both(w)
+end
+
+-- Down between the columns.
+local function descent()
+  stage.at(80)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
+  stage.at(230)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
+                        run = habits.spit }
+  stage.at(390)  wave { kind = "viper", n = 4, every = 16, path = pounce, dx = 52,
+                        run = habits.bite }
+  stage.at(590)  pair { kind = "squid", path = sink, run = habits.ink }
+  stage.at(720)  wave { kind = "mite", n = 10, every = 11, path = helix, run = habits.litter }
+  stage.at(960)  lone { kind = "comb", path = hang, run = habits.lights }
+  stage.at(1090) both { kind = "viper", n = 2, every = 18, path = pounce, dx = 34,
+                        run = habits.bite }
+  stage.at(1290) wave { kind = "spider", n = 2, every = 50, path = sink, dx = 112,
+                        run = habits.web }
+  stage.at(1440) both { kind = "mite", n = 6, every = 14, path = swoop, run = habits.spit }
+  stage.at(1620)
+  stage.clear(150)
+end
+
+-- The floor of the sea rushes by.
+local function trench()
+  stage.at(1830) both { kind = "mite", n = 6, every = 10, path = swoop, run = habits.litter }
+  stage.at(1950) wave { kind = "shark", n = 2, every = 110, path = patrol, dy = 10,
+                        run = habits.hunt }
+  stage.at(2160) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 30, path = dart,
+                        run = habits.bite }
+  stage.at(2340) lone { kind = "chain_head", path = hang, run = habits.chain }
+  stage.at(2760)
+  stage.clear(120)
+end
+
+-- Behind the lamp: all of them, in company.
+local function deep()
+  stage.at(3110) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
+  stage.at(3280) lone { kind = "gulper", path = hang, run = habits.gulp }
+  stage.at(3440) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
+                        run = habits.bite }
+  stage.at(3620) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
+  stage.at(3740) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
+                        path = helix, run = habits.spit }
+  stage.at(3920) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
+                 lone { kind = "spider", bank = ROSE, path = hang, run = habits.web }
+  stage.at(4080) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
+                        run = habits.hunt }
+  stage.at(4260) pair { kind = "chain_head", path = moor, run = habits.chain }
+                 pair { kind = "squid", bank = ROSE, path = sink, run = habits.ink }
+  stage.at(4500) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
+  stage.at(4740)
+  stage.clear(180)
+end
+
+-- She is seen from afar before she comes: a shape in the dark water, which rises and goes.
+local function omen()
+  local shape = sprite.put { sprite = "queen_afar", x = 120, y = 250, layer = "back", bank = 1 }
+  for _ = 1, 220 do
+    shape.y = shape.y - 1.6
+    wait(1)
+  end
+  shape:remove()
+end
+
+stage.def("three", function()
+  palette.load("three")
+  bg.show("abyss", { over = 0 })
+  sea.speed(1.6)
+  descent()
+  stage.at(1775)
+  stage.mark("trench")
+  bg.show("trench")
+  sea.speed(3.6)
+  trench()
+  stage.mark("angler")
+  sea.speed(0.7)
+  bg.show("lightless", { over = 60 })
+  wait(70)
+  boss.fight("angler")
+  wait(100) -- its light goes out
+  bg.show("abyss", { over = 50 })
+  sea.speed(2.2)
+  stage.at(3060)
+  stage.mark("deep")
+  deep()
+  bg.show("court", { over = 60 })
+  sea.speed(0.5)
+  stage.mark("queen")
+  task.go(omen)
+  wait(180)
+  queen.fight()
+  music.stop { fade = 140 }
+  wait(fx.COLLAPSE)
+  if moon.open() then moon.dive() end
+end, { music = "abyss" })

@@ -1,0 +1,181 @@
+-- stages/three/habits.lua - what each creature of the abyss does while it swims its route. All are
+-- `run` functions: they end with their creature.
+local by = require "stages/three/by"
+local habits = {}
+
+local NEAR = 44 -- px: nobody fires into a face
+
+local function face_to_face(e)
+  local p = player.nearest(e.x, e.y)
+  if not p then return false end
+  local dx, dy = p.x - e.x, p.y - e.y
+  return dx * dx + dy * dy < NEAR * NEAR
+end
+
+-- Mites spit a spark of cyan, on abyss a short whip of them.
+function habits.spit(e)
+  wait(rng.int(20, 50))
+  if face_to_face(e) then return end
+  pattern.aimed { from = e, kind = "pellet", bank = 5, every = 8, delay = 14,
+                  n = by(1, 2, 3, 5), speed = by(1.6, 1.9, 2.1, 2.2) }
+end
+
+-- Those that come in crowds let glass fall behind them.
+function habits.litter(e)
+  wait(26)
+  while true do
+    bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = by(1.1, 1.3, 1.5, 1.2) }
+    wait(by(52, 34, 24, 15))
+  end
+end
+
+-- A viperfish bites: the jaw it was seen with comes flying, both rows of teeth.
+local JAW = { { 0, -16 }, { 9, -12 }, { 15, -5 }, { 15, 5 }, { 9, 12 }, { 0, 16 } }
+local WIDE_JAW = { { -8, -24 }, { 0, -16 }, { 9, -12 }, { 15, -5 }, { 15, 5 }, { 9, 12 }, { 0, 16 },
+                   { -8, 24 } }
+
+function habits.bite(e)
+  wait(58)
+  for _ = 1, by(1, 1, 2, 3) do
+    if not face_to_face(e) then
+      pattern.points { from = e, dy = 14, kind = "kunai", bank = 1, aim = true, turns = true,
+                       delay = 22, speed = by(1.6, 2, 2.2, 2.2),
+                       list = by(JAW, JAW, WIDE_JAW, WIDE_JAW) }
+    end
+    wait(34)
+  end
+end
+
+-- A squid puffs its ink: pearls that hang in a cloud, sink, and hide the star that comes after.
+motion.def { name = "ink", { speed = 0.25, over = 46 }, { wait = 24 }, { dir = 90 },
+             { speed = 1.1, over = 70 } }
+
+function habits.ink(e)
+  wait(70)
+  while true do
+    pattern.scatter { from = e, dy = 12, kind = "orb", bank = 0, dir = 90, spread = 150,
+                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 26) }
+    wait(40)
+    if not face_to_face(e) then
+      pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
+                    speed = by(1.5, 1.8, 2, 2), n = by(1, 3, 3, 5) }
+    end
+    wait(by(130, 100, 84, 70))
+  end
+end
+
+-- The lights of a comb jelly run down its sides, and each lets go when it has come to the end: two
+-- fans that cross, open and close.
+function habits.lights(e)
+  wait(60)
+  for k = 0, forever do
+    local open = 46 + 40 * angle.sin(9 * k)
+    for side = -1, 1, 2 do
+      bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "petal", bank = 2,
+                    dir = 90 + open * side, speed = by(1.2, 1.4, 1.5, 1.1) }
+      if k % by(9, 4, 2, 1) == 0 then
+        bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "rice", bank = 3,
+                      dir = 90 - 0.6 * open * side, speed = by(1, 1.1, 1.2, 0.9) }
+      end
+    end
+    wait(by(12, 8, 6, 5))
+  end
+end
+
+-- A sea spider hangs up a web, which stands for a while and then comes down, turning.
+motion.def { name = "web", { speed = 0, over = 44 }, { wait = 22 }, { dir = 90 },
+             { speed = 0.9, over = 50 } }
+
+function habits.web(e)
+  wait(76)
+  for k = 0, forever do
+    for row = 1, by(2, 3, 3, 4) do
+      pattern.polygon { from = e, kind = "pellet", bank = 0, sides = 6, dir = 30 * (k % 2),
+                        n = 6 * (row + by(0, 0, 1, 1)), speed = 0.7 + 0.75 * row, motion = "web" }
+      wait(6)
+    end
+    pattern.ring { from = e, kind = "drop", bank = 1, n = 6, dir = 30 * (k % 2), motion = "web",
+                   speed = 4.2 }
+    wait(by(150, 124, 104, 96))
+  end
+end
+
+-- Bells in a row that turns about its head, as a hand about a clock; each sheds drops to one side.
+local function shed(bell)
+  wait(50)
+  while true do
+    if not face_to_face(bell) then
+      bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
+                    speed = by(0.9, 1.1, 1.2, 0.9) }
+    end
+    wait(by(40, 28, 20, 13))
+  end
+end
+
+function habits.chain(e)
+  local arms = by(2, 2, 3, 3)
+  local way = e.x < 120 and 1 or -1
+  wait(40)
+  for row = 1, 3 do
+    for arm = 1, arms do
+      local bell = enemy.spawn { kind = "bell", from = e, run = shed }
+      bell:orbit { around = e, radius = 4, radius_to = 22 * row + 8, spin = 0.9 * way, over = 40,
+                   dir = 360 * arm / arms }
+      task.own(bell, function(me)
+        wait(40)
+        me:orbit { around = e, spin = 0.9 * way }
+      end)
+    end
+    wait(24)
+  end
+  while true do
+    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 18), dir = rng.dir(),
+                   speed = by(1, 1.2, 1.3, 1) }
+    wait(by(120, 96, 80, 64))
+  end
+end
+
+motion.def { name = "round the back", { wait = 16 }, { home = 2.2, over = 46 } }
+
+-- A lantern shark shows its lamp, and lances come along the line of its light.
+function habits.hunt(e)
+  wait(64)
+  while true do
+    if not face_to_face(e) then
+      sound.play("lamp", { from = e })
+      spark.burst { kind = "glint", from = e, dy = 26, n = 8, speed = 2 }
+      pattern.fan { from = e, dy = 24, kind = "lance", bank = 3, aim = true, delay = 30,
+                    spread = by(0, 26, 40, 64), speed = by(2.4, 2.8, 3.1, 3), n = by(1, 3, 5, 7) }
+    end
+    for _ = 1, 4 do
+      wait(by(26, 20, 16, 14))
+      pattern.fan { from = e, dy = -20, kind = "needle", bank = 5, n = 2, dir = 270, spread = 150,
+                    speed = 1.3, motion = "round the back" }
+    end
+  end
+end
+
+-- A gulper draws water in, swallows, and gives back bubbles that break open.
+motion.def { name = "gulp", { speed = 0.5, over = 70 },
+  { emit = { pattern = "ring", n = 8, kind = "orb", bank = 2, speed = 1.1 } }, { die = true } }
+motion.def { name = "great gulp", { speed = 0.5, over = 70 },
+  { emit = { pattern = "ring", n = 16, kind = "orb", bank = 2, speed = 1 } },
+  { emit = { pattern = "ring", n = 10, kind = "pellet", bank = 1, speed = 0.7 } }, { die = true } }
+
+function habits.gulp(e)
+  wait(80)
+  while true do
+    for i = 1, 12 do
+      local a = 137.5 * i
+      spark.burst { kind = "fizz", x = e.x + 40 * angle.cos(a), y = e.y + 14 + 40 * angle.sin(a),
+                    dir = a + 180, spread = 0, speed = 1.6 }
+      wait(3)
+    end
+    pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 5),
+                  spread = by(60, 90, 90, 140), speed = 2.3, delay = 20,
+                  motion = by("gulp", "gulp", "great gulp", "great gulp") }
+    wait(by(100, 84, 70, 62))
+  end
+end
+
+return habits

@@ -1,0 +1,254 @@
+-- stages/three/queen.lua - the floor of the sea: the Queen of the Glass Tide, five phases and the
+-- one she comes back with.
+local sea = require "sea"
+local by = require "stages/three/by"
+local scene = require "stages/three/scene"
+local figures = require "stages/three/queen_figures"
+local meeting = require "stages/three/meeting"
+local fx = require "fx"
+
+local function wander(e, over)
+  e:move { x = rng.int(80, 160), y = rng.int(74, 98), over = over, ease = "both" }
+end
+
+-- 1. Moons circle her and throw orbs outward, rice turns against them; a volley of blades looks for
+-- a way between both. On abyss all of it is slow, and a curtain.
+motion.def { name = "moon",
+  { orbit = 0, radius_to = 64, spin = -1.7, over = 50 },
+  { orbit = 64, spin = -1.7, over = forever } }
+
+local function moon(e, dir)
+  local b = bullet.fire { kind = "moon", bank = 0, from = e, dir = dir, speed = 0, around = e,
+                          motion = "moon" }
+  task.own(b, function()
+    wait(50)
+    while true do
+      bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b),
+                    speed = by(1.3, 1.4, 1.5, 0.9) }
+      wait(by(22, 16, 13, 12))
+    end
+  end)
+end
+
+local function wheels(e)
+  scene.court()
+  local moons = by(2, 4, 5, 6)
+  for i = 1, moons do moon(e, 360 * i / moons) end
+  task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
+                            every = by(11, 7, 6, 6), speed = by(1.4, 1.7, 1.8, 0.9),
+                            arms = by(3, 5, 7, 13) })
+  while true do
+    wait(110)
+    pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
+                  speed = by(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
+                  each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
+    wander(e, 90)
+  end
+end
+
+-- 2. The water stands still, and all that is in it. Lances gather round you, which start when it
+-- flows again; half of the orbs then look at you, and half go home: each has written on it where.
+motion.def { name = "home",
+  { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
+motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.2, over = 40 } }
+
+local function gather(n)
+  for i = 1, n do
+    player.each(function(p)
+      if not p.alive then return end
+      local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
+      bullet.fire { kind = "lance", bank = 3, from = p, aim = true, speed = 3,
+                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = 4 * (n - i) + 30 }
+    end)
+    wait(4)
+  end
+  wait(30)
+end
+
+local function let_go(e)
+  local odd = false
+  bullet.each("breath", function(b)
+    odd = not odd
+    b.tag = "let go"
+    if odd then
+      b.kind, b.motion = "drop", by("creep", "pounce", "pounce", "creep")
+      b.bank = 1 -- after kind, which brings its own
+      b:aim(rng.number(-14, 14))
+    else
+      b.bank, b.home_x, b.home_y, b.motion = 5, e.x, e.y, "home"
+    end
+  end)
+end
+
+local function held(e)
+  scene.court()
+  local breath = bullet.group("breath")
+  for k = 1, forever do
+    local n = by(14, 20, 27, 40)
+    for i = 1, by(5, 6, 6, 10) do
+      pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
+                     dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
+      wait(10)
+    end
+    wait(18)
+    do
+      local still <close> = sea.still()
+      sound.play("still", { from = e })
+      bullet.group().frozen = forever
+      breath.bank = 0
+      gather(by(4, 7, 11, 14))
+      bullet.group().frozen = 0
+      sound.play("flow", { from = e })
+    end
+    let_go(e)
+    wander(e, 60)
+    wait(by(110, 90, 84, 84))
+  end
+end
+
+-- 3. Rain from the surface sways with the tide, all of it as one; walls of water come down, and the
+-- gap in them goes to and fro.
+value.def("sway") -- degrees of the tide's to and fro when a drop began to fall
+local TIDE = 160  -- frames of it
+motion.def { name = "sway", { wave = 16, every = TIDE, phase = "sway", over = forever } }
+
+local function tide() return 360 * (board.frame() % TIDE) / TIDE end
+
+-- Each drop falls as far as may be from those before: steps of the golden section.
+local function rain_over(e)
+  local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
+  local every, many = by(6, 4, 3, 1), by(1, 1, 1, 2)
+  for k = 0, forever do
+    for i = 1, many do
+      drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
+      drop.speed = by(1.2, 1.4, 1.5, 0.8) + 0.1 * (k % 3)
+      drop.sway = tide()
+      bullet.fire(drop)
+    end
+    wait(every)
+    if not e.alive then return end
+  end
+end
+
+local function wall(first)
+  local wide = by(7, 5, 4, 5)
+  for row = 0, 2 do
+    pattern.line { x = 120 + 6 * (row % 2), y = -10, kind = "rice", bank = 1, n = 28, width = 324,
+                   dir = 90, speed = by(1.2, 1.3, 1.4, 0.9), motion = "sway", sway = tide(),
+                   skip = { first + row, first + row + wide } }
+    wait(10)
+  end
+end
+
+local function ebb(e)
+  scene.court()
+  task.go(rain_over, e)
+  for k = 1, forever do
+    wait(by(60, 50, 46, 60))
+    wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
+    pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
+                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
+    wait(by(50, 40, 36, 60))
+    pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 22),
+                   motion = "sway", sway = tide() }
+    wander(e, 80)
+  end
+end
+
+-- 5. A flower a thousand fathoms deep: petals in stacks that open, hang, turn aside to both sides
+-- and go on. When she cracks, roses of stars fall out of her.
+local function unfold(name, turn, bank, speed)
+  motion.def { name = name,
+    { speed = 0.5, over = 34 }, { bank = bank }, { wait = 10 }, { turn = turn, over = 40 },
+    { speed = speed, over = 60 } }
+end
+unfold("bloom left", 1.7, 2, 2.1)
+unfold("bloom right", -1.7, 1, 2.1)
+unfold("slow flower left", 1.7, 2, 1)
+unfold("slow flower right", -1.7, 1, 1)
+local swell = motion.def {
+  { speed = 0.6, over = 40 }, { home = 1.2, over = 50 }, { speed = 2.2, over = 30 } }
+
+local function petals(e, turn, motion_name, bank)
+  pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 18), motion = motion_name,
+                 each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
+end
+
+local function flower(e, full)
+  scene.court()
+  local left = by("bloom left", "bloom left", "bloom left", "slow flower left")
+  local right = by("bloom right", "bloom right", "bloom right", "slow flower right")
+  for k = 1, forever do
+    local turn = 23 * k
+    petals(e, turn, left, 3)
+    wait(12)
+    petals(e, turn + 12, right, 5)
+    if k % 3 == 0 then
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 7), aim = true,
+                     speed = 1.8, delay = 24, motion = swell }
+      wander(e, 60)
+    end
+    wait(by(80, 62, 46, 44))
+    if e.hp * 2 < full then
+      pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
+                     speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
+                     n = by(10, 20, 30, 40) }
+    end
+  end
+end
+
+local FOAM = { items = "foam", spark = "pop" } -- what is left of her bullets when a phase is beaten
+
+local function window(e)
+  scene.court()
+  figures.window(e)
+end
+
+local function again(e)
+  scene.court()
+  figures.again(e)
+end
+
+boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
+                    portrait = "queen_face", music = "queen", warning = 120, phases = {
+  { talk = meeting },
+  { id = "wheels", hp = 1150, time = 45 * 60, run = wheels, clear = FOAM,
+    drops = { pearl = 8 } },
+  { id = "held", spell = "Glass Sign: Held Breath", hp = 1300, time = 50 * 60, bonus = 30000,
+    run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1350, time = 50 * 60, bonus = 30000,
+    run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
+  { id = "window", spell = "Pane Sign: Rose Window", hp = 1400, time = 50 * 60, bonus = 40000,
+    run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1700, time = 60 * 60, bonus = 60000,
+    run = function(e) flower(e, 1700) end, clear = FOAM } } })
+
+-- Outlasting her is not enough: she comes back until she breaks.
+boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
+  music = "queen",
+  phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
+               run = again } } })
+
+local broken -- she was, as she came back
+
+on.phase(function(_, id, won)
+  if id == "again" then broken = won end
+end)
+
+local queen = {}
+
+-- Returns when she is broken. What breaks the first time is only what she wore.
+function queen.fight()
+  boss.fight("queen")
+  if not stage.skipping() then wait(fx.COLLAPSE) end
+  repeat
+    broken = false
+    boss.fight("undertow")
+    wait(2) -- on.phase comes at the end of the frame
+  until broken or stage.skipping()
+end
+
+return queen

@@ -1,0 +1,88 @@
+-- stages/three/queen_figures.lua - phases of the Queen that stand by themselves: the rose window,
+-- and the tide she comes back with.
+local by = require "stages/three/by"
+local figures = {}
+
+-- 4. A window of coloured glass, ring by ring out of her: arches stand over arches, and the way
+-- leads through them. It turns; on the harder tides light falls through it.
+local GLASS <const> = { 5, 3, 1, 0 } -- colours of the panes, side by side
+
+-- One ring of n panes in `arches` pieces, each with an opening of `open` bullets.
+local function ring_of_panes(e, n, arches, open, dir, speed, way)
+  local each = n // arches
+  local turning = motion.def { { polar = speed, spin = 0.1 * way, over = forever } }
+  pattern.ring { from = e, dy = -4, kind = "orb", n = n, dir = dir, speed = speed, motion = turning,
+                 each = function(a, i)
+                   local place = (i - 1) % each
+                   if place >= each - open then return end
+                   local sill = place == 0 or place == each - open - 1
+                   a.kind = sill and "star" or "orb"
+                   a.bank = sill and 3 or GLASS[(i - 1) // each % 4 + 1]
+                   bullet.fire(a)
+                 end }
+end
+
+local function light_through(e)
+  while true do
+    wait(by(forever, 260, 220, 240))
+    local p = player.nearest(e.x, e.y)
+    local dir = p and angle.to(e, p) or 90
+    sound.play("charge", { from = e })
+    for side = -1, 1, 2 do
+      laser.beam { kind = "ray", bank = 2, from = e, dy = -4, dir = dir + 20 * side, length = 380,
+                   warn = 70, hold = 60, fade = 20, spin = -0.05 * side }
+    end
+    wait(70)
+    sound.play("beam", { from = e })
+  end
+end
+
+function figures.window(e)
+  task.go(light_through, e)
+  e:move { x = 120, y = 84, over = 50, ease = "both" }
+  wait(50)
+  local arches = by(6, 6, 8, 8)
+  local n = arches * by(6, 8, 8, 10)
+  local turn, step = 90, 0
+  for k = 0, forever do
+    if k % 6 == 0 then step = by(5, 6, 6, 5) * (k // 6 % 2 == 0 and 1 or -1) end
+    turn = turn + step
+    if k % 12 == 0 then sound.play("chord", { from = e }) end
+    local way = k // 12 % 2 == 0 and 1 or -1
+    ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), way)
+    wait(by(34, 27, 23, 21))
+  end
+end
+
+-- The tide returns: arms of kelp hang from her through all of the field and sway. What flows in
+-- them leaves a channel between two, which sways along; now and then an arm has a hole.
+local function kelp(e)
+  local arms = by(12, 14, 16, 20)
+  local speed = by(1.3, 1.4, 1.5, 0.95)
+  local period, lean = by(420, 380, 340, 420), by(8, 11, 13, 12)
+  for k = 0, forever do
+    if k % 14 < 10 then
+      local t = 360 * (by(9, 7, 6, 7) * k % period) / period
+      pattern.ring { from = e, dy = -4, kind = "rice", bank = k % 14 < 5 and 5 or 0, n = arms,
+                     dir = 90 + 180 / arms + lean * angle.sin(t), speed = speed }
+    end
+    wait(by(9, 7, 6, 7))
+  end
+end
+
+local bloom = motion.def { { speed = 0.4, over = 40 }, { bank = 2 }, { wait = 14 },
+                           { speed = 1.6, over = 60 } }
+
+function figures.again(e)
+  e:move { x = 120, y = 84, over = 40, ease = "both" }
+  wait(40)
+  task.go(kelp, e)
+  for k = 1, forever do
+    wait(by(120, 100, 88, 100))
+    pattern.rose { from = e, dy = -4, kind = "petal", bank = 1, petals = 5, dir = 37 * k,
+                   aim = k % 2 == 0, n = by(15, 20, 30, 40),
+                   speed = 2.4, speed_to = 1.3, motion = bloom }
+  end
+end
+
+return figures

@@ -1,0 +1,65 @@
+-- stages/three/scene.lua - what the abyss looks like: the way down between columns of basalt, the
+-- trench that rushes by, water without light, and the court of the Queen.
+local sea = require "sea"
+
+-- Dark water, far below all.
+local function depths()
+  local water = bg.layer(1)
+  water.map, water.x = "depths", -8
+  bg.lines(1, { wave = 7, every = 96, speed = 0.3 })
+  return { water, 0.35 }
+end
+
+local function strip(n, map, part)
+  local l = bg.layer(n)
+  l.map, l.x = map, -8
+  return { l, part }
+end
+
+local function ground(horizon, height, far)
+  local floor = bg.plane()
+  floor.map, floor.x = "trench", 70
+  floor.horizon, floor.height, floor.dir = horizon, height, 270
+  floor.fog = { to = 0x060a14, far = far }
+  return { floor, -2 }
+end
+
+bg.def("abyss", function()
+  palette.load("three")
+  sea.flow { depths(), strip(2, "walls", 1), strip(3, "snow", 0.7), strip(4, "chains", 1.6) }
+  bg.lines(4, { wave = 4, every = 200, speed = 0.5 })
+end)
+
+bg.def("trench", function()
+  palette.load("three")
+  sea.flow { depths(), ground(64, 52, 620), strip(3, "snow", 1.4), strip(4, "chains", 2.4) }
+end)
+
+-- Nothing but water here, so that what the lamp shows is its own light.
+bg.def("lightless", function()
+  palette.load("dark")
+  sea.flow { depths() }
+end)
+
+bg.def("court", function()
+  palette.load("three")
+  local floor = ground(34, 74, 900)
+  sea.flow { depths(), floor, strip(2, "walls", 0.9), strip(3, "snow", 0.6) }
+end)
+
+local scene = {}
+
+-- Where a phase begins that is tried alone, nobody has shown its scene yet.
+function scene.lightless()
+  if bg.layer(1).map ~= "depths" or bg.layer(2).map or bg.plane().map then
+    bg.show("lightless", { over = 0 })
+  end
+end
+
+function scene.court()
+  if bg.plane().map ~= "trench" or bg.layer(2).map ~= "walls" then
+    bg.show("court", { over = 0 })
+  end
+end
+
+return scene

@@ -1,0 +1,135 @@
+-- stages/two.lua - the drowned glassworks, where the furnace still burns.
+local habits = require "stages/two/habits"
+local sea = require "sea"
+require "stages/two/creatures"
+require "stages/two/bellows"
+require "stages/two/eels"
+
+local sweep = path.def {
+  { x = -16, y = 60 }, { x = 80, y = 40, over = 50, ease = "out" }, { x = 180, y = 96, over = 60 },
+  { x = 260, y = 150, over = 60, ease = "in" } }
+local hook = path.def {
+  { x = 40, y = -20 }, { x = 60, y = 110, over = 70, ease = "out" }, { x = 150, y = 130, over = 50 },
+  { x = 200, y = -30, over = 80, ease = "in" } }
+local sink = path.def {
+  { x = 30, y = -24 }, { x = 30, y = 90, over = 90, ease = "out" },
+  { x = 30, y = 350, over = 230, ease = "in" } }
+local rush = path.def {
+  { x = 120, y = -40 }, { x = 120, y = 96, over = 70, ease = "out" }, { wait = 30 },
+  { x = 120, y = 380, over = 120, ease = "in" } }
+local scuttle = path.def {
+  { x = 40, y = -24 }, { x = 40, y = 78, over = 54, ease = "out" }, { wait = 40 },
+  { x = 100, y = 88, over = 50, ease = "both" }, { wait = 50 },
+  { x = 60, y = -34, over = 70, ease = "in" } }
+local hang = path.def {
+  { x = 66, y = -34 }, { x = 66, y = 72, over = 80, ease = "out" }, { wait = 230 },
+  { x = 66, y = -44, over = 80, ease = "in" } }
+local wind = path.def {
+  { x = 44, y = -34 }, { x = 84, y = 70, over = 80, ease = "out" },
+  { x = 40, y = 110, over = 90, ease = "both" }, { x = 84, y = 70, over = 90, ease = "both" },
+  { x = 20, y = -40, over = 80, ease = "in" } }
+local glide = path.def {
+  { x = -40, y = 60 }, { x = 110, y = 96, over = 110, ease = "both" }, { wait = 40 },
+  { x = 284, y = 60, over = 110, ease = "both" } }
+local berth = path.def {
+  { x = 120, y = -40 }, { x = 120, y = 70, over = 90, ease = "out" }, { wait = 440 },
+  { x = 120, y = -60, over = 90, ease = "in" } }
+
+local wave = stage.wave
+
+-- The same wave from both sides.
+local function both(w)
+  wave(w)
+  w.mirror = true
+  wave(w)
+end
+
+-- The wall of arches: who works here.
+local function arches()
+  stage.at(80)   wave { kind = "drone", n = 7, every = 13, path = sweep, run = habits.blink }
+  stage.at(220)  wave { kind = "drone", n = 7, every = 13, path = sweep, mirror = true,
+                        run = habits.blink }
+  stage.at(370)  wave { kind = "bottle", n = 5, every = 12, path = sink, dx = 24,
+                        run = habits.cork }
+  stage.at(470)  wave { kind = "bottle", n = 5, every = 12, path = sink, dx = 24, mirror = true,
+                        run = habits.cork }
+  stage.at(640)  wave { kind = "puffer", n = 2, every = 20, path = hang, dx = 108,
+                        run = habits.puff }
+  stage.at(880)  both { kind = "tongs", n = 2, every = 30, path = scuttle, dx = 24,
+                        run = habits.nip }
+  stage.at(1060) wave { kind = "drone", n = 8, every = 11, path = hook, run = habits.beads }
+  stage.at(1160) wave { kind = "drone", n = 8, every = 11, path = hook, mirror = true,
+                        run = habits.beads }
+  stage.at(1290) wave { kind = "crucible", n = 1, every = 1, path = hang, dx = 0,
+                        run = habits.spill }
+  stage.at(1330) wave { kind = "crucible", n = 1, every = 1, path = hang, mirror = true,
+                        run = habits.spill }
+  stage.clear(240)
+end
+
+-- The street: everything comes faster, and in formation.
+local function street()
+  stage.at(1740) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 22,
+                        run = habits.cork }
+  stage.at(1880) both { kind = "drone", n = 6, every = 9, path = sweep, run = habits.blink }
+  stage.at(2000) wave { kind = "bottle", n = 6, every = 0, path = rush, formation = "line",
+                        gap = 34,
+                        run = habits.cork }
+  stage.at(2120) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
+  stage.at(2260) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
+                        run = habits.cork }
+  stage.at(2360) both { kind = "drone", n = 6, every = 9, path = hook, run = habits.beads }
+  stage.at(2480)
+  stage.clear(200)
+end
+
+-- Behind the Bellows: all of them together.
+local function halls()
+  stage.at(2820) both { kind = "drone", n = 7, every = 10, path = sweep, run = habits.beads }
+  stage.at(2960) both { kind = "worm", n = 1, every = 1, path = wind, run = habits.vent }
+  stage.at(3140) wave { kind = "bottle", n = 6, every = 12, path = sink, dx = 36,
+                        run = habits.cork }
+  stage.at(3330) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
+  stage.at(3400) wave { kind = "gear_ray", n = 1, every = 1, path = glide, dy = -10, mirror = true,
+                        run = habits.mesh }
+  stage.at(3600) both { kind = "tongs", n = 3, every = 24, path = scuttle, dx = 20,
+                        run = habits.nip }
+  stage.at(3780) wave { kind = "kiln", n = 1, every = 1, path = berth, run = habits.bake }
+  stage.at(3960) both { kind = "drone", n = 8, every = 10, path = hook, run = habits.blink }
+  stage.at(4180) both { kind = "puffer", n = 1, every = 1, path = hang, run = habits.puff }
+  stage.at(4300) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
+                        run = habits.cork }
+  stage.at(4440)
+  stage.clear(260)
+end
+
+stage.def("two", function()
+  bg.show("works", { over = 0 })
+  sea.speed(1.6)
+  text.put { col = 15, row = 16, text = "The Drowned Glassworks", align = "center", bank = 0 }
+  wait(70)
+  text.clear { col = 0, row = 16, w = 30, h = 1 }
+  arches()
+  stage.at(1690)
+  stage.mark("street")
+  bg.show("street")
+  sea.speed(2.6)
+  street()
+  stage.mark("bellows")
+  bg.show("hearth")
+  sea.speed(1)
+  wait(40)
+  boss.fight("bellows")
+  bg.show("works")
+  sea.speed(1.9)
+  stage.at(2780)
+  stage.mark("halls")
+  halls()
+  stage.mark("eels")
+  bg.show("hearth")
+  sea.speed(0.6)
+  wait(60)
+  boss.fight("eels")
+  sea.speed(2.2)
+  wait(90)
+end, { music = "works" })

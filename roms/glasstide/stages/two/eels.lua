@@ -1,0 +1,272 @@
+-- stages/two/eels.lua - the two who run the works: Cinder, who melts, and Quench, who cools. Where
+-- each has a bar of its
+-- own, the one that is left is angry.
+local meeting = require "stages/two/meeting"
+
+local duel = {} -- the two of them, by name, while a phase runs
+
+local function other(e) return e == duel.cinder and duel.quench or duel.cinder end
+
+-- Is the other one down? Then by so much less is waited.
+local function angry(e)
+  local o = other(e)
+  return o and (not o.alive or o.hp == 0)
+end
+
+local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
+
+-- The functions of a phase in which each has a bar.
+local function pair(cinder, quench)
+  return { cinder = function(e) duel.cinder = e cinder(e) end,
+           quench = function(e) duel.quench = e quench(e) end }
+end
+
+-- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
+local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 0 } } }
+
+local function sparks(e)
+  wait(20)
+  local dir = 40
+  for k = 1, forever do
+    local arms = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 } + (angry(e) and 2 or 0)
+    pattern.ring { from = e, dy = 14, kind = "petal", bank = 7, dir = dir, n = arms, speed = 1.6 }
+    dir = dir + 11 + 6 * angle.sin(3 * k)
+    if k % 24 == 0 then e:move { x = rng.int(44, 90), y = rng.int(62, 88), over = 60,
+                                 ease = "both" } end
+    wait(by_difficulty { easy = 11, normal = 8, hard = 7, abyss = 6 })
+  end
+end
+
+local function bars(e)
+  wait(50)
+  for k = 1, forever do
+    pattern.fan { from = e, dy = 16, kind = "ingot", bank = 5, dir = 96 + 20 * angle.sin(77 * k),
+                  spread = 120, speed = 2, motion = rebound,
+                  n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
+    rest(e, by_difficulty { easy = 66, normal = 52, hard = 44, abyss = 36 })
+    if angry(e) then
+      pattern.stack { from = e, dy = 16, kind = "kunai", bank = 6, aim = true, speed = 1.6,
+                      speed_to = 2.6,
+                      n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 6 } }
+    end
+    if k % 3 == 0 then e:move { x = rng.int(150, 196), y = rng.int(62, 88), over = 60,
+                                ease = "both" } end
+  end
+end
+
+-- 2. Cinder leads: it pours. The glass winds down in streams; in the abyss it drips on its way.
+-- Quench only steams.
+local weave = motion.def { { wave = 15, every = 110, over = forever } }
+local weave_back = motion.def { { wave = 15, every = 110, phase = 180, over = forever } }
+
+local function pour(e)
+  wait(46)
+  for k = 1, forever do
+    local n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 }
+    local left = k % 2 == 0
+    sound.play("beam", { from = e })
+    pattern.fan { from = e, dy = 18, fire = "curve", kind = "pour", bank = left and 7 or 6, n = n,
+                  spread = 130,
+                  dir = 90 + (left and 9 or -9), points = by_difficulty { easy = 36, normal = 44,
+                                                                          hard = 54,
+                                                                         abyss = 60 },
+                  speed = 1.7, motion = left and weave or weave_back, tag = "poured" }
+    wait(34)
+    for i = 1, by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 5 } do
+      pattern.ring { from = e, dy = 18, kind = "pellet", bank = 5, dir = 7 * (k + i), speed = 1.25,
+                     n = by_difficulty { easy = 10, normal = 14, hard = 18, abyss = 24 } }
+      wait(12)
+    end
+    e:move { x = rng.int(90, 150), y = rng.int(60, 76), over = 50, ease = "both" }
+    wait(by_difficulty { easy = 70, normal = 50, hard = 36, abyss = 20 })
+  end
+end
+
+local function simmer(e)
+  e:move { x = 196, y = 46, over = 50, ease = "both" }
+  wait(80)
+  for k = 1, forever do
+    sound.play("steam", { from = e })
+    pattern.fan { from = e, dy = 16, kind = "steam", bank = 0, dir = 122, spread = 84, speed = 0.9,
+                  n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 7 } }
+    if k % 2 == 0 then e:move { x = k % 4 == 0 and 196 or 44, y = 46, over = 90, ease = "both" } end
+    wait(by_difficulty { easy = 130, normal = 110, hard = 90, abyss = 70 })
+  end
+end
+
+local function furnace(cinder, quench)
+  cinder:move { x = 120, y = 64, over = 46, ease = "both" }
+  task.go(simmer, quench)
+  pour(cinder)
+end
+
+-- 3. Quench leads: it casts panes, row by row, with a way through; whoever breaks one has its
+-- shards about him. Between
+-- the rows hangs steam. Cinder spits from the side, where the way is not.
+local function cast(k)
+  local count <const>, step <const> = 7, 36
+  local wide = by_difficulty { easy = 2, normal = 1, hard = 1, abyss = 1 }
+  local gap = (3 + 3 * angle.sin(104 * k) + 0.5) // 1
+  for i = 0, count - 1 do
+    if i < gap or i >= gap + wide then
+      bullet.fire { kind = "pane", bank = 5, x = 12 + step * i, y = 22, dir = 90, delay = 30,
+                    tag = "pane",
+                    speed = by_difficulty { easy = 0.75, normal = 0.85, hard = 0.95, abyss = 0.9 } }
+    end
+  end
+end
+
+local function temper(e)
+  e:move { x = 120, y = 66, over = 46, ease = "both" }
+  wait(50)
+  for k = 1, forever do
+    sound.play("gear", { from = e })
+    cast(k)
+    wait(by_difficulty { easy = 60, normal = 46, hard = 40, abyss = 36 })
+    pattern.ring { from = e, kind = "steam", bank = 0, dir = 11 * k, speed = 0.85,
+                   n = by_difficulty { easy = 7, normal = 11, hard = 14, abyss = 20 } }
+    e:move { x = rng.int(84, 156), y = rng.int(58, 76), over = 50, ease = "both" }
+    wait(by_difficulty { easy = 70, normal = 54, hard = 44, abyss = 34 })
+  end
+end
+
+local function spit(e)
+  e:move { x = 44, y = 44, over = 50, ease = "both" }
+  wait(110)
+  for k = 1, forever do
+    pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
+                   speed_to = 2.2,
+                   bend = k % 2 == 0 and 34 or -34,
+                   n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
+    wait(by_difficulty { easy = 110, normal = 90, hard = 70, abyss = 60 })
+    if k % 3 == 0 then e:move { x = k % 2 == 0 and 44 or 196, y = 44, over = 80, ease = "both" } end
+  end
+end
+
+local function panes(cinder, quench)
+  task.go(spit, cinder)
+  temper(quench)
+end
+
+-- 4. Crossing: what the one throws the other throws back, and they change places.
+local FLIGHT <const> = 46 -- frames from the one to the other
+
+local function throw(from, to, k, back)
+  local list, out = {}, 90 + 78 * angle.sin(19 * k + (back and 90 or 0))
+  local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
+  local dx, dy = to.x - from.x, to.y - from.y
+  for i = 1, n do
+    list[i] = bullet.fire { from = from, dy = 10, kind = back and "orb" or "rice", bank = 7,
+                            dir = angle.to(from, to), speed = math.sqrt(dx * dx + dy * dy) / FLIGHT,
+                            delay = 3 * i }
+  end
+  wait(FLIGHT + 3)
+  for i, b in ipairs(list) do
+    if b.alive then
+      b.bank, b.dir, b.speed = back and 6 or 5, out + 34 * (i - (n + 1) / 2), back and 1.3 or 1.5
+    end
+    wait(3)
+  end
+end
+
+local function volleys(cinder, quench)
+  wait(60)
+  for k = 1, forever do
+    task.go(throw, cinder, quench, k)
+    if by_difficulty { easy = k % 2 == 0, normal = true } then task.go(throw, quench, cinder, k,
+                                                                       true) end
+    wait(by_difficulty { easy = 22, normal = 15, hard = 12, abyss = 9 })
+  end
+end
+
+local function crossing(cinder, quench)
+  task.go(volleys, cinder, quench)
+  for k = 1, forever do
+    local left, right = cinder, quench
+    if k % 2 == 0 then left, right = quench, cinder end
+    left:move { x = 46, y = 74 + 24 * angle.sin(90 * k), over = 60, ease = "both" }
+    right:move { x = 194, y = 74 - 24 * angle.sin(90 * k), over = 60, ease = "both" }
+    wait(60)
+    left:move { dx = 0, dy = 26, over = 70, ease = "both" }
+    right:move { dx = 0, dy = -10, over = 70, ease = "both" }
+    wait(90)
+    left:move { x = 120, y = 52, over = 60, ease = "in" }
+    right:move { x = 120, y = 104, over = 60, ease = "in" }
+    wait(60)
+    sound.play("gear", { from = left })
+    pattern.ring { x = 120, y = 84, kind = "steam", bank = 0, dir = 8 * k, speed = 1.1,
+                   n = by_difficulty { easy = 10, normal = 16, hard = 22, abyss = 30 } }
+  end
+end
+
+-- 5. Both at last: Cinder shuts the press, out of bars that wait at the walls; a way stays open in
+-- it. Quench lets down
+-- a slow curtain, through which one has to come there.
+local STEP <const>, LOW <const> = 13, 312
+local shut = motion.def {
+  { speed = 0, over = 1 }, { wait = 30 }, { speed = 1.5, over = 20 }, { wait = 58 }, { speed = 0,
+                                                                                       over = 8 },
+  { wait = 20 }, { turn = 180, speed = 0.6 }, { speed = 3, over = 40 } }
+
+local function press(e)
+  wait(90)
+  while true do
+    local open = by_difficulty { easy = 6, normal = 5, hard = 4,
+                                 abyss = 3 } -- bars that are left out
+    local first = rng.int(2, 8)
+    sound.play("charge", { from = e })
+    for row = 0, 15 do
+      if row < first or row >= first + open then
+        local y = LOW - STEP * row
+        bullet.fire { kind = "ingot", bank = 7, x = 4, y = y, dir = 0, speed = 0, delay = 40,
+                      motion = shut }
+        bullet.fire { kind = "ingot", bank = 7, x = 236, y = y, dir = 180, speed = 0, delay = 40,
+                      motion = shut }
+      end
+    end
+    wait(150)
+    sound.play("gear", { from = e })
+    screen.shake { size = 2, over = 12 }
+    rest(e, by_difficulty { easy = 190, normal = 150, hard = 120, abyss = 110 })
+    e:move { x = rng.int(50, 100), y = rng.int(56, 84), over = 50, ease = "both" }
+  end
+end
+
+local function curtain(e)
+  wait(30)
+  for k = 1, forever do
+    local n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 36 }
+    pattern.ring { from = e, dy = 8, kind = k % 3 == 0 and "steam" or "orb",
+                   bank = k % 3 == 0 and 0 or 5 + k % 2,
+                   dir = 137.5 * k, n = n + (angry(e) and 4 or 0),
+                   speed = by_difficulty { easy = 1, normal = 1, hard = 1, abyss = 0.9 } }
+    rest(e, by_difficulty { easy = 54, normal = 40, hard = 34, abyss = 26 })
+    if k % 4 == 0 then e:move { x = rng.int(140, 190), y = rng.int(54, 80), over = 60,
+                                ease = "both" } end
+  end
+end
+
+local FOAM = { items = "foam",
+               spark = "pop" } -- what is left of their bullets when a phase is beaten
+
+boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
+  cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 74 },
+           { name = "quench", title = "Quench", kind = "quench", x = 172, y = 74 } },
+  phases = {
+    { talk = meeting },
+    { id = "both", hp = { cinder = 420, quench = 420 }, time = 30 * 60, run = pair(sparks, bars),
+      clear = FOAM,
+      drops = { pearl = 6 } },
+    { id = "furnace", spell = "Furnace Sign: Poured Glass", hp = { cinder = 760 }, time = 34 * 60,
+      bonus = 20000,
+      run = furnace, clear = FOAM, drops = { pearl = 8 } },
+    { id = "panes", spell = "Temper Sign: Panes in Rows", hp = { quench = 700 }, time = 36 * 60,
+      bonus = 20000,
+      run = panes, clear = FOAM, drops = { conch = 1 } },
+    { id = "crossing", spell = "Alloy Sign: Thrown Back", hp = 800, time = 36 * 60, bonus = 25000,
+      run = crossing,
+      clear = FOAM, drops = { pearl = 8 } },
+    { id = "press", spell = "Last Sign: The Press", hp = { cinder = 460, quench = 460 },
+      time = 44 * 60,
+      bonus = 40000, run = pair(press, curtain), clear = FOAM, drops = { pearl = 8,
+                                                                         heart = 1 } } } })

@@ -1,0 +1,153 @@
+-- stages/two/habits.lua - what each creature of the works does on its route. All are `run`
+-- functions: they end with
+-- their creature. Who is close to a craft does not aim at it.
+local habits = {}
+
+local CLOSE <const> = 40 -- px
+
+local function far(e)
+  local p = player.nearest(e.x, e.y)
+  local dx, dy = p and p.x - e.x or CLOSE, p and p.y - e.y or CLOSE
+  return dx * dx + dy * dy > CLOSE * CLOSE
+end
+
+-- Out, nearly to a stand, and on: a ring that breathes.
+local breathe = motion.def { { speed = 0.35, over = 40 }, { speed = 1.9, over = 70 } }
+
+-- Teeth of a wheel that opens, one way round and the other.
+local wheel_left  = motion.def { { polar = 0.95, spin = 0.9, over = 300 } }
+local wheel_right = motion.def { { polar = 0.95, spin = -0.9, over = 300 } }
+
+-- What runs over an edge falls faster and faster.
+local drip = motion.def { { accel = 0.02, over = 70 } }
+
+-- Steam goes out to the sides, stands, and sinks.
+local sink = motion.def { { speed = 0.12, over = 54 }, { dir = 90 }, { speed = 1.05, over = 50 } }
+
+-- A bar of glass that the walls throw back.
+local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 7 } } }
+
+-- A gob stands still and falls apart.
+local halve = motion.def {
+  { speed = 0.3, over = 44 }, { wait = 8 },
+  { emit = { pattern = "ring", n = 8, kind = "orb", bank = 5, speed = 1.3 } }, { die = true } }
+
+-- A drone blinks at whoever is near: a few pellets, a wedge of them.
+function habits.blink(e)
+  wait(rng.int(14, 40))
+  if not far(e) then return end
+  pattern.fan { from = e, kind = "pellet", bank = 7, aim = true, spread = 14, speed = 1.9,
+                delay = 14, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 5 } }
+end
+
+-- Drones of the second half: pellets in a row, as a string of beads.
+function habits.beads(e)
+  wait(rng.int(20, 44))
+  if not far(e) then return end
+  pattern.stack { from = e, kind = "pellet", bank = 5, aim = true, speed = 1.4, speed_to = 2.4,
+                  delay = 14, n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } }
+end
+
+-- A bottle loses its cork, and what is in it, straight ahead.
+function habits.cork(e)
+  wait(40)
+  if not far(e) then return end
+  pattern.fan { from = e, dy = 12, kind = "kunai", bank = 5, spread = 34, dir = 90, speed = 2.1,
+                delay = 10, n = by_difficulty { easy = 1, normal = 1, hard = 3, abyss = 3 } }
+  if by_difficulty { easy = false, abyss = true } then
+    wait(30)
+    pattern.ring { from = e, kind = "orb", bank = 6, n = 6, speed = 1 }
+  end
+end
+
+-- The tongs close: two whips that bend towards each other, and cross.
+function habits.nip(e)
+  wait(56)
+  for _ = 1, 2 do
+    if not far(e) then return end
+    for side = -1, 1, 2 do
+      pattern.whip { from = e, dx = 9 * side, dy = 12, kind = "rice", bank = 7, speed = 1.3,
+                     speed_to = 2.5, dir = 90 - 38 * side, bend = 46 * side,
+                     n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 9 } }
+    end
+    wait(58)
+  end
+end
+
+-- It blows itself up, and breathes out in rings.
+function habits.puff(e)
+  wait(70)
+  for k = 1, forever do
+    sound.play("steam", { from = e })
+    pattern.ring { from = e, kind = "orb", bank = k % 2 == 0 and 6 or 5, dir = 13 * k, speed = 2.1,
+                   motion = breathe,
+                   n = by_difficulty { easy = 9, normal = 13, hard = 18, abyss = 26 } }
+    wait(by_difficulty { easy = 84, normal = 70, hard = 58, abyss = 52 })
+  end
+end
+
+-- The pot runs over on both sides, and now and then a whole gob goes.
+function habits.spill(e)
+  wait(60)
+  for k = 1, forever do
+    local lean = 34 * angle.sin(31 * k)
+    pattern.fan { from = e, dy = -2, kind = "drop", bank = 5, dir = 90 + lean, spread = 96,
+                  speed = 0.7,
+                  motion = drip, n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 7 } }
+    if k % 5 == 0 then
+      bullet.fire { from = e, dy = 8, kind = "gob", bank = 7, aim = true, speed = 1.8, delay = 20,
+                    motion = halve }
+    end
+    wait(by_difficulty { easy = 30, normal = 22, hard = 17, abyss = 14 })
+  end
+end
+
+-- Steam from both ends of the valve: a bar of it, which sinks.
+function habits.vent(e)
+  wait(50)
+  while true do
+    sound.play("steam", { from = e })
+    local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
+    for side = 0, 180, 180 do
+      pattern.stack { from = e, dy = 6, kind = "steam", bank = 0, dir = side, speed = 1,
+                      speed_to = 3,
+                      n = n, motion = sink }
+    end
+    wait(by_difficulty { easy = 110, normal = 84, hard = 66, abyss = 56 })
+  end
+end
+
+-- Two wheels on its wings let their teeth go; they mesh on the way.
+function habits.mesh(e)
+  wait(50)
+  for k = 1, forever do
+    local n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 15 }
+    pattern.ring { from = e, dx = -13, kind = "rice", bank = 7, dir = 360 / n * k / 2, speed = 1,
+                   n = n,
+                   motion = wheel_left }
+    pattern.ring { from = e, dx = 13, kind = "rice", bank = 5, dir = 360 / n * k / 2, speed = 1,
+                   n = n,
+                   motion = wheel_right }
+    wait(by_difficulty { easy = 96, normal = 74, hard = 60, abyss = 50 })
+  end
+end
+
+-- The kiln's door opens: bars that come back from the walls, and rings out of the stack.
+function habits.bake(e)
+  wait(80)
+  task.go(function()
+    for k = 1, forever do
+      pattern.ring { from = e, dy = -20, kind = "steam", bank = 0, dir = 9 * k, speed = 0.9,
+                     n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 18 } }
+      wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 60 })
+    end
+  end)
+  for k = 1, forever do
+    pattern.fan { from = e, dy = 14, kind = "ingot", bank = 6, dir = 90 + 12 * angle.sin(70 * k),
+                  spread = 120, speed = 1.9, motion = rebound,
+                  n = by_difficulty { easy = 4, normal = 6, hard = 8, abyss = 11 } }
+    wait(by_difficulty { easy = 60, normal = 46, hard = 38, abyss = 32 })
+  end
+end
+
+return habits

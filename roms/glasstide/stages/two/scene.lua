@@ -1,0 +1,50 @@
+-- stages/two/scene.lua - the drowned glassworks: a wall of arches with fires behind it, and the
+-- street of the works,
+-- which rushes by.
+local sea = require "sea"
+
+-- Embers rise by themselves; where, follows from the frame, so that no chance is drawn for them.
+local function embers(every, top, bottom)
+  for k = 1, forever do
+    spark.burst { kind = "ember", x = 97 * k % 240, y = top + 61 * k % (bottom - top), dir = 250,
+                  spread = 70, speed = 0.7 }
+    wait(every)
+  end
+end
+
+bg.def("works", function()
+  palette.load("two")
+  bg.layer(1).map = "works"
+  bg.layer(2).map = "pipes"
+  bg.layer(3).map, bg.layer(3).x = "stacks", -16
+  sea.flow { { bg.layer(1), 0.7 }, { bg.layer(2), 1.15 }, { bg.layer(3), 1.9 } }
+  embers(11, 60, 340)
+end)
+
+bg.def("street", function()
+  palette.load("two")
+  local street, skyline, stacks = bg.plane(), bg.layer(1), bg.layer(3)
+  local haze = bg.layer(2)
+  street.map, street.horizon, street.height, street.dir = "street", 74, 46, 270
+  street.x = 77 -- between the rails
+  skyline.map, skyline.wrap, skyline.y = "skyline", false, -5
+  haze.map, haze.wrap, haze.y = "haze", false, 70 -- where the street ends, and would glitter
+  stacks.map, stacks.x = "stacks", -16
+  sea.flow { { street, -2.2 }, { stacks, 2.6 } }
+  embers(4, 100, 330)
+end)
+
+-- Where the bosses are: the wall shimmers in the heat, and there are more sparks.
+bg.def("hearth", function()
+  palette.load("two")
+  bg.layer(1).map = "works"
+  bg.layer(3).map, bg.layer(3).x = "stacks", -16
+  bg.lines(1, { wave = 2, every = 44, speed = 0.8 })
+  sea.flow { { bg.layer(1), 0.6 }, { bg.layer(3), 1.4 } }
+  embers(5, 60, 340)
+end)
+
+-- A boss that is practised comes to where no stage has set the scene.
+return function()
+  if bg.layer(1).map ~= "works" then bg.show("hearth", { over = 0 }) end
+end

@@ -1,0 +1,35 @@
+-- modes.lua - the caravan ends at 2:00 sharp, with what is left paid for; the rush has all who guard something, in the
+-- order of the dive.
+local MINUTES <const> = 2 * 60 * 60 -- frames
+
+local run = test.run { stage = "caravan", seed = 1, invincible = true, pads = "fire" }
+
+-- Frames of the stage, without those in which all stood for a moment.
+local function clock() return run:eval "game.frames" end
+
+run:step(MINUTES - 120)
+while clock() < MINUTES do run:step(MINUTES - clock()) end
+test.expect(run:live("enemies") > 0, "creatures swim by until the end")
+test.expect(run:live("bullets") > 0, "and something flies")
+run:step(2)
+local points = run.score
+test.equal(run:live("enemies"), 0, "then nothing swims")
+test.equal(run:live("bullets"), 0, "and nothing flies")
+test.expect(points > 55000, "lives and bombs have been paid for")
+run:step(120)
+test.equal(run:live("enemies"), 0, "nothing comes after it")
+test.shot("caravan-over")
+test.expect(run:wait(function(r) return r:moment("clear", "caravan") end, 180), "it is over")
+
+local ORDER <const> = { "nautilus", "crab", "angler", "queen", "moon" }
+local rush = test.run { stage = "rush", seed = 1, invincible = true, difficulty = "easy",
+                        pads = "fire" }
+for i, name in ipairs(ORDER) do
+  test.expect(rush:wait(function(r) return r:moment("boss", name) end, 20000), name .. " comes")
+  local count = 0
+  for _, m in ipairs(rush.moments) do
+    if m.kind == "boss" then count = count + 1 end
+  end
+  test.equal(count, i, name .. " comes as number " .. i)
+end
+test.expect(rush:wait(function(r) return r:moment("clear", "rush") end, 20000), "and then it is over")

@@ -1,0 +1,112 @@
+-- boot/mission.lua - a mission, from its first frame to its result, as often as somebody tries it.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local ROW <const> = (rom.field.y + rom.field.h) // 8 - 2
+local COL <const>, COLS <const> = (rom.field.x + 7) // 8, rom.field.w // 8
+local FEW <const> = 10 * 60 -- frames left from which on the clock is in the colour of alarm
+
+-- What a goal or a measure counts, of the player or of the run.
+local function count(name, p, age)
+  if name == "kills" then return sys.missions.killed end
+  if name == "frames" or name == "time" then return age end
+  if name == "score" then return hud.score(1) end
+  local n = sys.value(1, name)
+  if n == nil then n = sys.run(name) end
+  if n == nil and (name == "grazes" or name == "lives") then n = p[name] end
+  return n or 0
+end
+
+local function reached(m, p, age)
+  if type(m.goal) == "function" then return m.goal(p) == true end
+  for name, n in pairs(m.goal or {}) do
+    if count(name, p, age) < n then return false end
+  end
+  return true
+end
+
+-- "34/60" of the goal that is first by name, and the time that is left.
+local function progress(m, p, age)
+  local first
+  for name in pairs(type(m.goal) == "table" and m.goal or {}) do
+    if not first or name < first then first = name end
+  end
+  local words = {}
+  if first and first ~= "frames" then
+    words[1] = ("%d/%d"):format(math.min(count(first, p, age), m.goal[first]), m.goal[first])
+  elseif first then
+    words[1] = ("%d"):format(math.max(0, m.goal[first] - age + 59) // 60)
+  end
+  local left = m.limit and m.limit - age
+  if left then words[#words + 1] = ("%d:%02d"):format((left + 59) // 3600, (left + 59) // 60 % 60) end
+  return table.concat(words, "  "), left and left <= FEW
+end
+
+local function draw(m, p, age, seen)
+  local words, late = progress(m, p, age)
+  if words == seen then return words end
+  local n = sys.cells(words)
+  if seen and sys.cells(seen) > n then text.clear { col = COL, row = ROW, w = COLS, h = 1 } end
+  hud.put(COL + (COLS - n) // 2, ROW, words, late and hud.banks.alarm or hud.banks.bright)
+  return words
+end
+
+-- Watches a mission until it is over. Returns whether it was done, and its age then.
+local function watch(m, game, stopped)
+  local p, age, cleared, seen = player.get(1), 0, nil, nil
+  local piece = m.start(game, function(won) cleared = won end)
+  local stop <close> = setmetatable({}, { __close = function() task.stop(piece) end })
+  while not stopped() do
+    local there = reached(m, p, age)
+    seen = draw(m, p, age, seen)
+    if m.bombs and sys.missions.bombed > m.bombs then break end
+    if there and not m.clear then return true, age end
+    if not task.alive(piece) then return m.clear and there and (cleared or m.stage ~= nil), age end
+    if m.limit and age >= m.limit then break end
+    wait(1)
+    age = age + 1
+  end
+  return false, age
+end
+
+local function begin(m, run, enter)
+  local game = enter(run.ships, false)
+  local p = player.get(1)
+  sys.missions.killed, sys.missions.bombed = 0, 0
+  p.lives = m.lives - 1
+  for name, n in pairs(m.registers or {}) do
+    if sys.value(1, name) then p[name] = n else sys.run_set(name, n) end
+  end
+  sys.mark("game", run.ships[1], nil, nil, 1)
+  hud.banner({ text.lang(m.title), text.lang(m.text or "") }, 150)
+  return game
+end
+
+-- Tries it once. Returns the item of the pause menu by which it was left, or what the result's screen says.
+local function try(m, run, host)
+  local game = begin(m, run, host.enter)
+  local done, age = watch(m, game, host.stopped)
+  local left, ship = host.left(), run.ships[1]
+  local result = { mission = m.name, title = m.title, done = done, by = m.by, value = count(m.by, player.get(1), age) }
+  if done then
+    result.stars = sys.missions.stars(m, result.value)
+    result.new = sys.missions.enter(m, result.value, ship)
+  end
+  result.best, result.most, result.ship = sys.missions.best(m)
+  sys.mark("over", done and "clear" or left and "quit" or "over", nil, nil, 0)
+  local answer = left
+  if not left then
+    host.quieten()
+    hud.banner()
+    sys.cue(done and "mission" or "failed")
+    answer = host.show("mission", result)
+  end
+  host.leave(game, 1)
+  return answer
+end
+
+-- run: mission and ships; host: enter, leave, show, quieten, stopped, left of boot.lua.
+return function(run, host)
+  local m = sys.missions.get(run.mission)
+  local answer
+  repeat answer = try(m, run, host) until answer ~= "again" and answer ~= "START OVER"
+end

@@ -1,0 +1,32 @@
+-- boot/piece.lua - a part of a game that is played by itself: by practice, and by missions.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+
+local function fight(owner, f, ended)
+  local scope = task.scope(owner)
+  task.own(scope, function()
+    local won = f()
+    if ended then ended(won) end
+    task.stop(scope)
+  end)
+  return scope
+end
+
+-- what: stage, and if wanted mark, where it begins, and to, the mark that ends it; or boss, and if wanted phase. Returns
+-- a function that starts that part in a scope owned by `owner` and returns the scope; ended(won) is called when a fight
+-- is over. Names of stages, bosses and phases are checked at once, while the game loads; api: whose error it is.
+return function(api, what)
+  if what.boss then
+    local name = what.boss
+    local f = what.phase and boss.practice(api, name, what.phase)
+    if not f then
+      boss.expect(api, name)
+      f = function() return boss.fight(name) end
+    end
+    return function(owner, ended) return fight(owner, f, ended) end
+  end
+  stage.expect(api, what.stage)
+  return function(owner)
+    if not what.mark then sys.mark("start", "") end -- with a mark, stage.mark says so when the stage is there
+    return stage.play(what.stage, owner, what.mark, what.to)
+  end
+end

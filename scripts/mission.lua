@@ -1,0 +1,92 @@
+-- mission.lua - mission.def: short tasks of their own, made of what can be practised. How well each was done is kept as
+-- a save "mission/NAME", by the same rule as scores. boot.lua shows and plays them: boot/mission.lua, screens/missions.
+local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local mission = {}
+
+local list, named = {}, {} -- definitions, in the order they were declared, and by name
+local names = {}           -- of these
+
+local STARS <const> = 3 -- of the best medal: one for the goal, one for each value of `medals`
+
+local function key(name) return "mission/" .. name end
+
+-- Is a the better of two values of what the mission measures?
+local function better(m, a, b)
+  if m.by == "time" then return a < b end
+  return a > b
+end
+
+-- The stars that a value is worth.
+local function stars(m, value)
+  local n = 1
+  for _, least in ipairs(m.medals or {}) do
+    if not better(m, least, value) then n = n + 1 end
+  end
+  return n
+end
+
+local function best(m)
+  local value, ship = tostring(save.get(key(m.name)) or ""):match("^(%-?%d+) (.+)$")
+  value = math.tointeger(value)
+  if not value then return nil, 0 end
+  return value, stars(m, value), ship
+end
+
+local function find(api, name)
+  local m = named[sys.check(api, name).name]
+  if not m then sys.unknown(api, "mission", name, names) end
+  return m
+end
+
+function mission.def(name, args)
+  local m = sys.read("mission/def")(sys.check("mission.def", name, args), STARS)
+  if named[m.name] then sys.fail("mission.def", ('mission "%s" is declared twice'):format(m.name)) end
+  if #list == 0 then
+    on.bomb(function() sys.missions.bombed = sys.missions.bombed + 1 end)
+    on.kill(function(_, p) if p then sys.missions.killed = sys.missions.killed + 1 end end)
+  end
+  list[#list + 1], named[m.name], names[#names + 1] = m, m, m.name
+end
+
+function mission.best(name) return best(find("mission.best", name)) end
+
+function mission.stars() return sys.missions.total() end
+
+-- ---- for boot.lua and the screens ----
+
+-- bombed, killed: since the mission that is played began.
+sys.missions = { bombed = 0, killed = 0, stars = stars, best = best }
+
+function sys.missions.total()
+  local n = 0
+  for _, m in ipairs(list) do n = n + select(2, best(m)) end
+  return n, STARS * #list
+end
+
+function sys.missions.any() return #list > 0 end
+
+function sys.missions.get(name) return named[name] end
+
+-- The number of a mission in the list, and how many there are.
+function sys.missions.place(name)
+  for i, m in ipairs(list) do
+    if m.name == name then return i, #list end
+  end
+end
+
+function sys.missions.each(f)
+  for i, m in ipairs(list) do f(m, i) end
+end
+
+-- Keeps a value if it is the best; true: it is.
+function sys.missions.enter(m, value, ship)
+  local old = best(m)
+  if old and not better(m, value, old) then return false end
+  save.set(key(m.name), ("%d %s"):format(value, ship))
+  return true
+end
+
+-- Fails unless all is declared that missions name; a is boot.run's.
+function sys.missions.expect(a) sys.read("mission/expect")(list, a) end
+
+return mission

@@ -1,0 +1,324 @@
+/*
+ * test_missions.c - missions: from the title's list to the result, what is kept, what ends them; ships that have forms,
+ * for one player and two, and practised by name; what of both is refused.
+ */
+#include "rig.h"
+
+static struct rig_game g;
+static struct rig r;
+
+static const char kinds[] =
+    "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+    "enemy.def('crab', { sprite = 'dot', hit = { circle = 6 }, hp = 50, score = 100 })\n"
+    "local function ship(name, lives, needs) player.def(name, { sprite = 'dot', hit = { circle = 2 }, lives = lives,\n"
+    "  needs = needs, registers = { bombs = { start = 3 }, chain = 0 } }) end\n"
+    "ship('heron', 2) ship('lens', 3) ship('tern', 4)\n"
+    "stage.def('reef', function() local p = player.get(1)\n"
+    "  for i = 1, 20 do wait(5) p.chain = p.chain + 1 score.add(100) if i == 10 then stage.mark('deep') end end end)\n"
+    "boss.def('king', { title = 'King', kind = 'crab', x = 120, y = 60, phases = { { id = 'bow', hp = 10, time = 300,\n"
+    "  run = function(e) wait(30) e:hurt(99) wait(900) end } } })\n";
+
+static void open_game(const char *text)
+{
+    static char full[1 << 13];
+
+    snprintf(full, sizeof full, "%s%s", kinds, text);
+    rig_script(&g, NULL, full);
+    rig_power_any(&r, &g, NULL);
+}
+
+static void close_game(void)
+{
+    if (rig_fault(&r))
+        fail_msg("%s", rig_fault(&r)->message);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* Does the text stand anywhere in the cells? */
+static bool at(const char *text)
+{
+    const struct fix *f = &r.b->fix;
+    char row[128];
+
+    for (uint32_t y = 0; y < f->rows; y++) {
+        for (uint32_t x = 0; x < f->cols; x++)
+            row[x] = (char)(f->code[y * f->cols + x] > 32 ? f->code[y * f->cols + x] : ' ');
+        row[f->cols] = 0;
+        if (strstr(row, text))
+            return true;
+    }
+    return false;
+}
+
+static void frames(int n)
+{
+    static const uint16_t none[PADS];
+
+    for (; n > 0 && !rig_fault(&r); n--)
+        board_tick(r.b, none);
+}
+
+static void press(uint16_t first, uint16_t second)
+{
+    if (rig_fault(&r))
+        fail_msg("%s", rig_fault(&r)->message);
+    const uint16_t down[PADS] = { first, second };
+
+    rig_tick(&r, down);
+    rig_tick(&r, down);
+    frames(2);
+}
+
+static void soon(const char *text, int most)
+{
+    for (int i = 0; !at(text); i++) {
+        if (i == most || rig_fault(&r))
+            fail_msg("frame %u: no \"%s\"%s%s", board_frame(r.b), text, rig_fault(&r) ? ": " : "",
+                     rig_fault(&r) ? rig_fault(&r)->message : "");
+        frames(1);
+    }
+}
+
+static int32_t reg(const char *name)
+{
+    const int i = api_player_register(r.b->vm.L, r.b, 0, name);
+
+    assert_true(i >= 0);
+    return board_register(r.b, 0, (uint32_t)i);
+}
+
+static const char three[] =
+    "mission.def('chain', { title = 'Chain', text = 'Chain seven.', stage = 'reef', goal = { chain = 7 },\n"
+    "  registers = { chain = 2 }, medals = { 30, 20 } })\n"
+    "mission.def('far', { title = 'Far', stage = 'reef', mark = 'deep', goal = { score = 5000 }, limit = 40 })\n"
+    "mission.def('fight', { title = 'Fight', boss = 'king', phase = 'bow', clear = true, bombs = 0, by = 'score' })\n"
+    "mission.def('part', { title = 'Part', stage = 'reef', to = 'deep', clear = true })\n"
+    "boot.run { stages = { 'reef' }, players = { 'heron' } }\n";
+
+static void to_list(void)
+{
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    soon("MISSIONS", 20);
+    soon("2 PLAYERS", 20);
+    press(PAD_DOWN, 0);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("Chain", 20);
+}
+
+/* The first is done, with one star for its goal and one for its time: 5 rises of 5 frames each. */
+static void test_done(void **state)
+{
+    (void)state;
+    open_game(three);
+    to_list();
+    soon("0/12", 10);
+    soon("Chain seven.", 10);
+    press(PAD_FIRE, 0);
+    soon("2/7", 10);
+    assert_int_equal(reg("chain"), 2);
+    assert_int_equal(r.b->player.lives[0], 0);
+    soon("MISSION CLEAR", 60);
+    assert_int_equal(reg("chain"), 7);
+    soon("NEW BEST", 30);
+    soon("TIME 0.43", 30);
+    soon("AGAIN", 60);
+    press(PAD_FIRE, 0); /* the list is chosen after what went well */
+    soon("2/12", 30);
+    soon("BEST: TIME 0.43", 30);
+    press(PAD_FIRE, 0);
+    soon("MISSION CLEAR", 60);
+    soon("BEST: TIME 0.43", 60); /* as good is no new best */
+    assert_false(at("NEW BEST"));
+    close_game();
+}
+
+/* The second cannot be done in its time; the third ends when the phase does, the fourth at its mark. */
+static void test_ends(void **state)
+{
+    (void)state;
+    open_game(three);
+    to_list();
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("0:01", 10);
+    soon("MISSION FAILED", 60);
+    soon("AGAIN", 60);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("0/12", 30);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("King", 120);
+    soon("MISSION CLEAR", 120);
+    assert_int_equal(r.b->enemies.s.live, 0);
+    soon("SCORE 100", 30);
+    soon("AGAIN", 60);
+    press(PAD_FIRE, 0);
+    soon("1/12", 30);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("MISSION CLEAR", 60);
+    assert_int_equal(reg("chain"), 10);
+    close_game();
+}
+
+/* Left from the pause menu, it leads back to the list; and a bomb too many ends it. */
+static void test_left(void **state)
+{
+    (void)state;
+    open_game("bomb.def('flare', { over = 5, run = function() end })\n"
+              "player.def('gull', { sprite = 'dot', hit = { circle = 2 }, registers = { bombs = 3, chain = 0 }, bomb = "
+              "'flare' })\n"
+              "mission.def('calm', { title = 'Calm', stage = 'reef', clear = true, bombs = 0 })\n"
+              "boot.run { stages = { 'reef' }, players = { 'gull' } }\n");
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    soon("2 PLAYERS", 20);
+    press(PAD_DOWN, 0);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("0/3", 20);
+    press(PAD_FIRE, 0);
+    frames(30);
+    press(PAD_START, 0);
+    soon("PAUSE", 10);
+    press(PAD_UP, 0);
+    press(PAD_FIRE, 0);
+    soon("0/3", 30);
+    press(PAD_FIRE, 0);
+    frames(20);
+    press(PAD_BOMB, 0);
+    soon("MISSION FAILED", 20);
+    close_game();
+}
+
+static const char forms[] =
+    "boot.run { stages = { 'reef' }, players = { 'heron', 'tern' }, ships = { heron = { text = 'Fast.', forms = {\n"
+    "  { kind = 'heron', title = 'DARTS', text = 'Two darts.' }, { kind = 'lens', text = 'A ray.' } } } } }\n";
+
+/* Ship, then form, each player for itself; bomb goes from the form back to the ship. */
+static void test_forms(void **state)
+{
+    (void)state;
+    open_game(forms);
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    soon("2 PLAYERS", 20);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
+    soon("YOUR SHIP?", 30);
+    soon("Fast.", 10);
+    press(PAD_FIRE, PAD_RIGHT);
+    soon("DARTS", 10);
+    soon("TERN", 10);
+    press(PAD_BOMB, PAD_FIRE); /* the tern has no forms: ready */
+    soon("Fast.", 10);
+    soon("READY", 10);
+    press(PAD_FIRE, 0);
+    soon("Two darts.", 10);
+    press(PAD_RIGHT, 0);
+    soon("A ray.", 10);
+    press(PAD_FIRE, 0);
+    soon("STAGE", 60);
+    assert_int_equal(r.b->player.lives[0], 2);
+    assert_int_equal(r.b->player.lives[1], 3);
+    close_game();
+}
+
+/* A practice start says with which ship; the first form without. */
+static void test_practised(void **state)
+{
+    static const struct {
+        const char *section;
+        int lives;
+    } starts[] = { { "reef", 1 }, { "reef:deep@lens", 2 }, { "king/bow@tern", 3 } };
+    char full[1 << 13];
+
+    (void)state;
+    snprintf(full, sizeof full, "%s%s", kinds, forms);
+    for (size_t i = 0; i < sizeof starts / sizeof *starts; i++) {
+        struct board_start start = { .practice = { .section = "" } };
+
+        snprintf(start.practice.section, sizeof start.practice.section, "%s", starts[i].section);
+        rig_script(&g, NULL, full);
+        rig_power_any(&r, &g, &start);
+        frames(3);
+        assert_int_equal(r.b->player.lives[0], starts[i].lives);
+        close_game();
+    }
+}
+
+static void says(const char *text, const char *want)
+{
+    open_game(text);
+    frames(2);
+    if (!rig_fault(&r) || !strstr(rig_fault(&r)->message, want))
+        fail_msg("%s: \"%s\" does not say \"%s\"", text, rig_fault(&r) ? rig_fault(&r)->message : "", want);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+static void mission_says(const char *args, const char *want)
+{
+    char text[600];
+
+    snprintf(text, sizeof text,
+             "mission.def('a', { title = 'A', %s })\nboot.run { stages = { 'reef' }, players = { 'heron' } }", args);
+    says(text, want);
+}
+
+static void forms_say(const char *list, const char *want)
+{
+    char text[600];
+
+    snprintf(text, sizeof text,
+             "boot.run { stages = { 'reef' }, players = { 'heron' }, ships = { heron = { forms = %s } } }", list);
+    says(text, want);
+}
+
+static void test_mistakes(void **state)
+{
+    (void)state;
+    mission_says("clear = true", "mission.def: expected either stage (and mark, to) or boss (and phase)");
+    mission_says("stage = 'reef', boss = 'king', clear = true", "mission.def: expected either stage");
+    mission_says("stage = 'reef', phase = 'bow', clear = true", "mission.def: phase: only with boss");
+    mission_says("boss = 'king', to = 'bow', clear = true", "mission.def: to: only with stage");
+    mission_says("stage = 'reef'", "mission.def: expected a goal, or clear = true");
+    mission_says("stage = 'reef', goal = {}", "mission.def: goal: expected { NAME = n, .. }, got none");
+    mission_says("stage = 'reef', goal = 5", "mission.def: goal: expected { NAME = n, .. } or a function, got integer");
+    mission_says("stage = 'reef', goal = { chain = 1.5 }",
+                 "mission.def: goal: expected { NAME = n, .. }, whole numbers");
+    mission_says("stage = 'reef', goal = { chian = 5 }",
+                 "mission.def: count \"chian\" is not declared (did you mean \"chain\"?)");
+    mission_says("stage = 'reef', clear = true, medals = { 5 }", "mission.def: medals: expected 2 values, got 1");
+    mission_says("stage = 'reef', clear = true, by = 'tim'", "mission.def: count \"tim\" is not declared");
+    mission_says("stage = 'rief', clear = true",
+                 "mission.def: stage \"rief\" is not declared (did you mean \"reef\"?)");
+    mission_says("boss = 'kong', clear = true", "mission.def: boss \"kong\" is not declared (did you mean \"king\"?)");
+    mission_says("boss = 'king', phase = 'bew', clear = true", "bew");
+    mission_says("stage = 'reef', clear = true, ship = 'tern'", "mission.def: ship \"tern\" is not declared");
+    mission_says("stage = 'reef', clear = true, needs = 'x'", "unlock \"x\" is not declared");
+    mission_says("stage = 'reef', clear = true, registers = { bmobs = 1 }",
+                 "mission.def: register \"bmobs\" is not declared");
+    says("mission.def('a', { title = 'A', stage = 'reef', clear = true })\n"
+         "mission.def('a', { title = 'A', stage = 'reef', clear = true })",
+         "mission.def: mission \"a\" is declared twice");
+    forms_say("{}", "boot.run: ship heron: forms: expected a list of at least one, got none");
+    forms_say("{ 'heron' }", "boot.run: ship heron: form 1: expected a table, got string");
+    forms_say("{ { kind = 'hreon' } }", "boot.run: ship heron: form 1: player \"hreon\" is not declared");
+    forms_say("{ { kind = 'heron', name = 'X' } }", "boot.run: unknown argument of ship heron: form 1: \"name\"");
+    forms_say("{ { kind = 'lens', figures = { 'x' } } }", "boot.run: ship heron: form 1: figures: expected a list of");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_done),  cmocka_unit_test(test_ends),      cmocka_unit_test(test_left),
+        cmocka_unit_test(test_forms), cmocka_unit_test(test_practised), cmocka_unit_test(test_mistakes),
+    };
+
+    return cmocka_run_group_tests_name("missions", tests, NULL, NULL);
+}
