@@ -186,7 +186,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
-LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) src/cab/demo/demo.c src/cab/demo/demo_read.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
+LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
 LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 
 $(OUT)/lib/gen/std.o: $(OUT)/gen/std.c

@@ -93,7 +93,7 @@ static void offer_choices(void)
             if (strcmp(text, s.value))
                 add_word(n - 1, text);
     }
-    add_choice(&n, "keep_run", "Keep the run as a file on exit", "no|yes");
+    add_choice(&n, "keep_run", "Keep the run as a demo on exit", "no|yes");
     core.variable[n] = (struct retro_variable){ NULL, NULL };
     core.environment(RETRO_SET_VARIABLES, core.variable);
 }
@@ -313,24 +313,23 @@ bool retro_load_game_special(unsigned type, const struct retro_game *games, size
     return false;
 }
 
-/* The run as a state beside the save RAM, which `curtain` reads like a demo. */
+/* The run as a demo beside the save RAM. */
 static void keep_run(void)
 {
     const char *keep = chosen("keep_run"), *folder = NULL;
-    const size_t size = retro_serialize_size();
-    char err[TEXT];
-    void *state = keep && !strcmp(keep, "yes") ? malloc(size) : NULL;
+    char err[TEXT] = "the run could not be written";
+    size_t size;
 
-    if (!state)
+    if (!keep || strcmp(keep, "yes") != 0)
         return;
-    const size_t n = curtain_save(core.c, state, size, err, sizeof err);
+    void *demo = curtain_demo(core.c, &size, err, sizeof err);
     core.environment(RETRO_GET_SAVE_DIRECTORY, &folder);
-    snprintf(core.path, sizeof core.path, "%s/%s.run", folder ? folder : ".", curtain_id(core.c));
-    FILE *f = n ? fopen(core.path, "wb") : NULL;
-    const bool good = f && fwrite(state, 1, n, f) == n;
+    snprintf(core.path, sizeof core.path, "%s/%s.demo", folder ? folder : ".", curtain_id(core.c));
+    FILE *f = demo ? fopen(core.path, "wb") : NULL;
+    const bool good = f && fwrite(demo, 1, size, f) == size;
     if (!f || fclose(f) != 0 || !good)
-        say(RETRO_ERROR, n ? "the run could not be written" : err);
-    free(state);
+        say(RETRO_ERROR, err);
+    curtain_demo_free(demo);
 }
 
 void retro_unload_game(void)

@@ -12,7 +12,7 @@
  *     curtain_close(c);
  *
  * Any number of them at once, of one game or of several, each used by one thread at a time. The library takes no memory
- * but what it is given (and malloc's for a demo), opens no file, reads no clock, prints nothing, and has no variable of
+ * but what it is given (and malloc's for demos), opens no file, reads no clock, prints nothing, and has no variable of
  * its own. The same ROM,
  * configuration and pads give the same run on every machine; curtain_hash tells whether they did.
  *
@@ -172,6 +172,11 @@ CURTAIN_API size_t curtain_save(struct curtain *c, void *state, size_t size, cha
 
 /* Goes to that state. False: all is as it was. */
 CURTAIN_API bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size);
+
+/* The run as a demo, which every Curtain plays and verifies: it is played once more for it, and the board is then as it
+ * was. Memory of malloc's, for curtain_demo_free; NULL as curtain_save gives 0. */
+CURTAIN_API void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size);
+CURTAIN_API void curtain_demo_free(void *demo);
 
 #ifdef __cplusplus
 }

@@ -86,6 +86,9 @@ bool lib_tick(struct curtain *c, const uint16_t pads[PADS]);
 /* The board of frame c->log.frames of the log, from the nearest snapshot or from power-on. */
 void lib_again(struct curtain *c);
 
+/* Counts instructions from now on, or not, as the host wanted. */
+void lib_set_counting(struct curtain *c);
+
 /* Keeps the frame that is, if one is due on the way. */
 void lib_keep_key(struct curtain *c);
 

@@ -134,7 +134,7 @@ static bool set_out(struct curtain *c, const struct from *from, char *err, size_
     return true;
 }
 
-static void set_counting(struct curtain *c)
+void lib_set_counting(struct curtain *c)
 {
     if (!board_last(c->board)->fault)
         board_count(c->board, c->counts);
@@ -171,7 +171,7 @@ static bool go(struct curtain *c, struct pads_run pads, const struct from *from,
             }
             pads_log_add(&c->log, pads.pads);
         }
-    set_counting(c);
+    lib_set_counting(c);
     return true;
 }
 
@@ -280,7 +280,7 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
     swap_starts(c);
     board_restore(c->board, c->before);
     board_output_restore(c->board, c->before_out);
-    set_counting(c);
+    lib_set_counting(c);
     c->drawn = c->sounding = false;
     return false;
 }
