@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive
+         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive library
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -92,6 +92,7 @@ help:
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
+	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/library.md"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
@@ -208,6 +209,14 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)$(CC) -r -nostdlib -Wl,--gc-sections $(patsubst %,-Wl$(comma)-u$(comma)%,$(LIB_NAMES)) $^ -o $(OUT)/lib/curtain.o
 	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
+
+library: say-null
+	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
+build/libcurtain.a build/libcurtain.so build/curtain_libretro.so: build/%: $(OUT)/%
+	@cp $< $@
+VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host/version.h)
+build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
+	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
 $(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
