@@ -2,7 +2,7 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive patterns
+.PHONY: fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive patterns library
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -53,6 +53,8 @@ BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
+LIB_NAMES := $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
+OBJCOPY   ?= objcopy
 GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
 
 UNIT      := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
@@ -91,6 +93,7 @@ help:
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
+	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/library.md"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
@@ -182,6 +185,44 @@ $(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/
 $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
+
+# ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
+
+LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
+LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
+
+$(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (library)"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -c $< -o $@
+$(OUT)/lib/%.o: %.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (library)"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -MMD -MP -c $< -o $@
+
+$(OUT)/libcurtain.so: $(LIB_OBJ)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-soname,libcurtain.so.1 -Wl,--gc-sections -Wl,-z,defs $^ \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+	$(Q)ln -sf $(@F) $@.1
+$(OUT)/libcurtain.a: $(LIB_OBJ)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) -r -nostdlib -Wl,--gc-sections $(patsubst %,-Wl$(comma)-u$(comma)%,$(LIB_NAMES)) $^ -o $(OUT)/lib/curtain.o
+	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
+	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
+
+library: say-null
+	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
+build/libcurtain.a build/libcurtain.so build/curtain_libretro.so: build/%: $(OUT)/%
+	@cp $< $@
+VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host/version.h)
+build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
+	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
+
+$(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
