@@ -68,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
