@@ -372,7 +372,8 @@ says 'a stage that waits for ever on the way to its mark' 2 \
 # by_difficulty: by names, by a list, both; the nearest easier one, else the easiest.
 game d <<'LUA'
 task.go(function()
-  print(by_difficulty { easy = 1, hard = 3 }, by_difficulty { hard = 3 }, by_difficulty { 7, 8 }, by_difficulty { 4, 5, 6 })
+  print(by_difficulty { easy = 1, hard = 3 }, by_difficulty { hard = 3 }, by_difficulty { 7, 8 },
+    by_difficulty { 4, 5, 6 })
   wait(1)
   print(by_difficulty { 1, 2, 3, 4 })
 end)
@@ -385,7 +386,7 @@ easy 1 3 7 4
 normal 1 3 8 5
 hard 3 3 8 6
 DIFFICULTIES
-refuse "more values than difficulties" "main.lua:4: by_difficulty: 4 values for 3 difficulties" "$curtain" \
+refuse "more values than difficulties" "main.lua:5: by_difficulty: 4 values for 3 difficulties" "$curtain" \
     hash d --frames 3
 
 bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
