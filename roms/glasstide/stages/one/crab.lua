@@ -197,10 +197,11 @@ boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, mu
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,
-    run = grotto, clear = FOAM, drops = { pearl = 8 } },
+    bonus_to = 5000, run = grotto, clear = FOAM, drops = { pearl = 8 } },
   { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 1100, time = 35 * 60,
-    bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
+    bonus = 15000, bonus_to = 5000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
   { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 40 * 60,
-    bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
+    bonus = 20000, bonus_to = 6000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
   { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
-    bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })
+    bonus = 30000, bonus_to = 10000, run = harbour, clear = FOAM,
+    drops = { pearl = 8, heart = 1 } } } })

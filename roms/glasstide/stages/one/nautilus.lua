@@ -99,4 +99,4 @@ boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x 
                        music = "lantern", portrait = "lantern_nautilus", phases = {
   { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
-    bonus = 12000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })
+    bonus = 12000, bonus_to = 4000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

@@ -230,6 +230,6 @@ boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, mus
   phases = {
   { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,
-    run = match, clear = FOAM, drops = { pearl = 6 } },
+    bonus_to = 6000, run = match, clear = FOAM, drops = { pearl = 6 } },
   { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 740, time = 30 * 60, bonus = 20000,
-    run = teeth, clear = FOAM } } })
+    bonus_to = 6000, run = teeth, clear = FOAM } } })

@@ -222,19 +222,19 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1050, time = 50 * 60, bonus = 30000,
-    run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+    bonus_to = 10000, run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
   { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1100, time = 50 * 60, bonus = 30000,
-    run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
+    bonus_to = 10000, run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
   { id = "window", spell = "Pane Sign: Rose Window", hp = 1150, time = 50 * 60, bonus = 40000,
-    run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60, bonus = 60000,
-    run = function(e) flower(e, 1350) end, clear = FOAM } } })
+    bonus_to = 13000, run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60,
+    bonus = 60000, bonus_to = 20000, run = function(e) flower(e, 1350) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen",
   phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
-               run = again } } })
+               bonus = 30000, bonus_to = 5000, run = again } } })
 
 local broken -- she was, as she came back
 

@@ -133,8 +133,6 @@ boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, 
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,
-    run = draught,
-    clear = FOAM, drops = { pearl = 6 } },
+    bonus_to = 4000, run = draught, clear = FOAM, drops = { pearl = 6 } },
   { id = "wheels", spell = "Gear Sign: Meshing Wheels", hp = 700, time = 26 * 60, bonus = 15000,
-    run = wheels,
-    clear = FOAM, drops = { conch = 1 } } } })
+    bonus_to = 5000, run = wheels, clear = FOAM, drops = { conch = 1 } } } })
