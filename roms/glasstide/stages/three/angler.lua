@@ -132,7 +132,7 @@ local function strike(lamp)
   for i = 1, by(1, 1, 2, 3) do
     pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24),
                    dir = dir + 5 * i, aim = aims,
-                   speed = by(1.3, 1.6, 1.8, 1.3) - 0.22 * (i - 1), delay = 20 }
+                   speed = by(1.3, 1.6, 1.8, 1.5) - 0.22 * (i - 1), delay = 20 }
   end
 end
 
@@ -159,7 +159,7 @@ local function match(e)
       wait(6)
     end
     strike(lamp)
-    wait(by(86, 70, 58, 50))
+    wait(by(96, 72, 56, 44))
     swing(e, 60)
   end
 end

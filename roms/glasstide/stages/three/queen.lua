@@ -52,8 +52,8 @@ end
 -- flows again; half of the orbs then look at you, and half go home: each has written on it where.
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
-motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
-motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
+motion.def { name = "pounce", { speed = 0 }, { speed = 1.8, over = 26 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.5, over = 34 } }
 
 local function gather(n)
   local apart = by(4, 4, 4, 2) -- frames
@@ -61,7 +61,8 @@ local function gather(n)
     player.each(function(p)
       if not p.alive then return end
       local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
-      bullet.fire { kind = "lance", bank = 3, from = p, aim = true, speed = 3,
+      bullet.fire { kind = "lance", bank = 3, from = p, aim = true,
+                    speed = by(2.4, 2.6, 2.8, 3),
                     dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = apart * (n - i) + 30 }
     end)
     wait(apart)
@@ -88,8 +89,8 @@ local function held(e)
   scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
-    local n = by(14, 20, 27, 40)
-    for i = 1, by(5, 6, 7, 10) do
+    local n = by(14, 20, 25, 42)
+    for i = 1, by(5, 6, 6, 11) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
       wait(by(10, 10, 12, 6))
@@ -100,7 +101,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 8, 16))
+      gather(by(4, 6, 7, 18))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -121,7 +122,7 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 2), by(1, 1, 1, 2)
+  local every, many = by(6, 4, 3, 3), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
@@ -190,7 +191,7 @@ local function flower(e, full)
     wait(12)
     petals(e, turn + 12, right, 5)
     if k % 3 == 0 then
-      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 5), aim = true,
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 4), aim = true,
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
@@ -198,7 +199,7 @@ local function flower(e, full)
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 30) }
+                     n = by(10, 20, 30, 25) }
     end
   end
 end

@@ -19,7 +19,7 @@ local function sparks(e)
     if k % 24 == 0 then
       e:move { x = rng.int(44, 90), y = rng.int(82, 104), over = 60, ease = "both" }
     end
-    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, hard = 7, abyss = 5 }))
+    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, hard = 7, abyss = 6 }))
   end
 end
 
@@ -137,8 +137,8 @@ local function spit(e)
   for k = 1, forever do
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
                    speed_to = 2.2, bend = k % 2 == 0 and 34 or -34,
-                   n = by_difficulty { easy = 2, normal = 5, hard = 7, abyss = 9 } }
-    wait(by_difficulty { easy = 120, normal = 84, hard = 56, abyss = 40 })
+                   n = by_difficulty { easy = 2, normal = 5, hard = 8, abyss = 11 } }
+    wait(by_difficulty { easy = 120, normal = 76, hard = 48, abyss = 34 })
     if k % 3 == 0 then e:move { x = k % 2 == 0 and 44 or 196, y = 68, over = 80, ease = "both" } end
   end
 end
@@ -235,13 +235,13 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 10, normal = 18, hard = 24, abyss = 46 }
+    local n = by_difficulty { easy = 10, normal = 18, hard = 24, abyss = 38 }
     local thick = k % 3 == 0 -- steam: fewer, and wider
     if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
-    rest(e, by_difficulty { easy = 60, normal = 40, hard = 32, abyss = 20 })
+    rest(e, by_difficulty { easy = 60, normal = 40, hard = 32, abyss = 24 })
     if k % 4 == 0 then
       e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
     end
