@@ -23,7 +23,7 @@ end
 local function snapping(speed)
   return motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = speed, over = 24 } }
 end
-local snap = { easy = snapping(2.4), normal = snapping(2.6), hard = snapping(2.5),
+local snap = { easy = snapping(2.4), normal = snapping(2.6), hard = snapping(2.4),
                abyss = snapping(2.2) }
 
 local function sweep(e, side)
@@ -33,7 +33,8 @@ local function sweep(e, side)
     if claw and claw.alive then
       pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
                     spread = 20, dir = dir, n = by_difficulty { easy = 2, normal = 3 },
-                    speed = rank.faster(by_difficulty { easy = 1.8, normal = 1.9, abyss = 1.5 }) }
+                    speed = rank.faster(by_difficulty { easy = 1.6, normal = 1.8, hard = 1.7,
+                                                        abyss = 1.5 }) }
     elseif k % 8 == 0 then
       pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
                      bank = side < 0 and MAGENTA or RUBY, dir = dir, speed = 1.3,
@@ -134,7 +135,7 @@ local function falling(every, n, times)
 end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
-               normal = falling(30, 2, 2), hard = falling(20, 3, 3), abyss = falling(12, 4, 5) }
+               normal = falling(24, 2, 3), hard = falling(16, 3, 3), abyss = falling(12, 4, 5) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
@@ -191,7 +192,7 @@ local function harbour(e)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
-                   n = by_difficulty { easy = 12, normal = 20, hard = 30, abyss = 40 },
+                   n = by_difficulty { easy = 12, normal = 22, hard = 32, abyss = 40 },
                    dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
     wait(by_difficulty { easy = 28, normal = 20, hard = 14, abyss = 12 })
   end

@@ -97,7 +97,7 @@ local function bait(e)
     end
   end)
   while true do
-    wait(soon(130, 110, 96, 90))
+    wait(soon(140, 122, 94, 90))
     flare()
     sound.play("angler", { from = e })
     wait(24)

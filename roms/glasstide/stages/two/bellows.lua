@@ -16,7 +16,7 @@ local function bubble(n, after)
                motion = after } },
     { die = true } }
 end
-local bubbles = { easy = bubble(7), normal = bubble(11), hard = bubble(14),
+local bubbles = { easy = bubble(7), normal = bubble(10), hard = bubble(15),
                   abyss = bubble(10, "crumble") }
 
 local function breath(e)
@@ -30,13 +30,13 @@ local function breath(e)
                   motion = by_difficulty(bubbles) }
     wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 34, abyss = 38 }))
     pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44,
-                  speed = by_difficulty { easy = 1.6, normal = 1.7, abyss = 1.4 },
+                  speed = by_difficulty { easy = 1.6, hard = 1.8, abyss = 1.5 },
                   n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
       a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4 }, a.speed + 0.9
       pattern.stack(a)
     end }
     wander(e, 50)
-    wait(rank.sooner(by_difficulty { easy = 76, normal = 52, hard = 42, abyss = 44 }))
+    wait(rank.sooner(by_difficulty { easy = 76, normal = 56, hard = 40, abyss = 42 }))
   end
 end
 
@@ -125,9 +125,9 @@ local function wheels(e)
     end
     wait(40)
     pattern.fan { from = e, dy = 26, kind = "orb", bank = 5, aim = true, spread = 90, speed = 1.5,
-                  n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
+                  n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 8 } }
     wander(e, 50)
-    wait(by_difficulty { easy = 90, normal = 66, hard = 58, abyss = 54 })
+    wait(by_difficulty { easy = 90, normal = 66, hard = 60, abyss = 52 })
   end
 end
 
