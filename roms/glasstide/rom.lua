@@ -422,5 +422,5 @@ return {
   },
   dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
-  players = 2, extends = { 300000, 1000000, 2500000 },
+  players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }

@@ -177,7 +177,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 16), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 17), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -191,15 +191,15 @@ local function flower(e, full)
     wait(12)
     petals(e, turn + 12, right, 5)
     if k % 3 == 0 then
-      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 3), aim = true,
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 4), aim = true,
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
-    wait(by(80, 58, 45, 52))
+    wait(by(80, 58, 45, 50))
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 20) }
+                     n = by(10, 20, 30, 25) }
     end
   end
 end

@@ -117,7 +117,7 @@ end
 local function wheels(e)
   wait(30)
   for k = 1, forever do
-    local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 1, abyss = 1 }
+    local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
     local n = by_difficulty { easy = 2, normal = 3, hard = 3, abyss = 4 }
     sound.play("gear", { from = e })
     for i = 1, n do
