@@ -51,7 +51,7 @@ static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_
         return under;
     over = to ? to[over] : over;
     over = shade && b->bg.flags[i] & BG_FRONT ? shade[over] : over;
-    return blend ? b->cart.blend[blend - 1][under * 256 + over] : over;
+    return blend ? b->cart.main.blend[blend - 1][under * 256 + over] : over;
 }
 
 static const uint8_t *black(const struct board *b)
