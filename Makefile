@@ -2,7 +2,8 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive patterns
+         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
+         patterns library ports
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -53,6 +54,8 @@ BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
+LIB_NAMES := $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
+OBJCOPY   ?= objcopy
 GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
 
 UNIT      := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
@@ -65,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -91,6 +94,7 @@ help:
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
+	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/library.md"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
@@ -183,6 +187,49 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
 
+# ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
+
+LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
+LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
+
+$(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (library)"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -c $< -o $@
+$(OUT)/lib/%.o: %.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (library)"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -MMD -MP -c $< -o $@
+
+$(OUT)/libcurtain.so: $(LIB_OBJ)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-soname,libcurtain.so.1 -Wl,--gc-sections -Wl,-z,defs $^ \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+	$(Q)ln -sf $(@F) $@.1
+$(OUT)/libcurtain.a: $(LIB_OBJ)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) -r -nostdlib -Wl,--gc-sections $(patsubst %,-Wl$(comma)-u$(comma)%,$(LIB_NAMES)) $^ -o $(OUT)/lib/curtain.o
+	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
+	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
+
+# Each port's test: build and play it where it is at home.
+ports: deps-play-ports
+	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so
+	@OUT=$(OUT) ports/libretro/test.sh
+
+library: say-null
+	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
+build/libcurtain.a build/libcurtain.so build/curtain_libretro.so: build/%: $(OUT)/%
+	@cp $< $@
+VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host/version.h)
+build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
+	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
+
+$(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
 $(OUT)/short/%.o: src/%.c
@@ -241,7 +288,8 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
+          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [--say] [null] [play] [test] [docs] [fuzz] [nightly] [bench] [cross]
+#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [cross]
 #
 # null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
 # too. Without arguments: all but nightly and cross. With --say
@@ -69,10 +69,15 @@ for what; do
         have gio || need libglib2.0-bin
         have appstreamcli || need appstream
         have mandoc || need mandoc
+        have valgrind || need valgrind
         have pcf2bdf || need pcf2bdf
         [ -e /usr/share/fonts/X11/misc/f12.pcf.gz ] || need xfonts-efont-unicode
         ;;
     docs) pages ;;
+    ports)
+        have retroarch || need retroarch
+        have python3 || need python3
+        ;;
     fuzz)
         have clang || need clang
         header cmocka.h || need libcmocka-dev

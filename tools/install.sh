@@ -4,7 +4,7 @@
 #     DESTDIR=... PREFIX=/usr/local tools/install.sh install|uninstall
 #
 # One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own. The
-# documents as one file are there after `make docs` only.
+# documents as one file are there after `make docs` only, the library after `make library`.
 set -eu
 cd "$(dirname "$0")/.."
 root=${DESTDIR:-}${PREFIX:-/usr/local}
@@ -22,6 +22,12 @@ list() {
     for size in 48 128 256; do
         echo "644 share/icons/$size.png share/icons/hicolor/${size}x$size/apps/curtain.png"
     done
+    echo "644 src/lib/curtain.h include/curtain.h"
+    echo "644 build/curtain.pc lib/pkgconfig/curtain.pc"
+    echo "644 build/libcurtain.a lib/libcurtain.a"
+    echo "755 build/libcurtain.so lib/libcurtain.so.1"
+    echo "755 build/curtain_libretro.so lib/libretro/curtain_libretro.so"
+    echo "644 ports/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
     for page in README.md CHANGELOG.md LICENSE docs/*.md docs/*.txt; do
         echo "644 $page $doc/${page##*/}"
     done
@@ -42,16 +48,20 @@ look_up() {
 case ${1:-} in
 install)
     list | while read -r mode file target; do
-        [ "$file" != build/curtain.html ] || [ -e "$file" ] || continue
+        [ -e "$file" ] || case $file in build/curtain.html | build/*.so | build/*.a | build/*.pc) continue ;; esac
         install -d "$root/${target%/*}"
         install -m "$mode" "$file" "$root/$target"
     done
+    pc=$root/lib/pkgconfig/curtain.pc
+    [ ! -e "$pc" ] || sed -i "s,^prefix=.*,prefix=${PREFIX:-/usr/local}," "$pc"
+    [ ! -e build/libcurtain.so ] || ln -sf libcurtain.so.1 "$root/lib/libcurtain.so"
     look_up
     ;;
 uninstall)
     list | while read -r mode file target; do
         rm -f "$root/$target"
     done
+    rm -f "$root/lib/libcurtain.so"
     for own in "$root/$doc" "$root/$data"; do
         [ ! -d "$own" ] || find "$own" -depth -type d -exec rmdir --ignore-fail-on-non-empty {} +
     done

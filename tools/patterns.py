@@ -75,6 +75,14 @@ def table_at(text, at):
     return text[at:i]
 
 
+def numbered(text):
+    """Comments of a boss's file that begin with the number of a phase: `-- 3. It turns its lamps on you`."""
+    found = {}
+    for one in re.finditer(r"^-- (\d+)\. .*(?:\n--.*)*", text, re.M):
+        found.setdefault(int(one[1]), sentence([line for line in one[0].split("\n")]))
+    return {n: words.split(". ", 1)[1] for n, words in found.items()}
+
+
 def phases(files):
     """BOSS/PHASE: (the boss's title, spell or "", words)."""
     found = {}
@@ -82,12 +90,21 @@ def phases(files):
         for boss in re.finditer(r'boss\.(?:def|cast)\("(\w+)"\s*,\s*', text):
             body = table_at(text, text.index("{", boss.start()))
             title = re.search(r'title *= *"([^"]*)"', body)
-            for one in re.finditer(r'\{ *id *= *"(\w+)"', body):
+            beside = {}
+            for other in files: # a long boss is in several
+                if other != path and os.path.dirname(other) == os.path.dirname(path):
+                    beside.update(numbered(files[other]))
+            first = not re.search(r"boss\.(?:def|cast)\(", text[:boss.start()])
+            beside = {**beside, **numbered(text)} if first else {} # the numbers are those of the file's first boss
+            for n, one in enumerate(re.finditer(r'\{ *id *= *"(\w+)"', body), 1):
                 phase = table_at(body, one.start())
                 spell, said = re.search(r'spell *= *"([^"]*)"', phase), re.search(r'\btext *= *"([^"]*)"', phase)
                 run = re.search(r"run *= *(.*?)(?=, *\w+ *=|\}\s*$)", phase, re.S)
                 names = re.findall(r"[A-Za-z_][\w.]*", run[1]) if run else []
-                words = [said[1]] if said else [w for w in (of_function(files, path, n) for n in names) if w]
+                words = [said[1]] if said else [w for w in (of_function(files, path, f) for f in names) if w]
+                if not said and n in beside:
+                    words = [beside[n]]
+                words = [re.sub(r"^\d+\. ", "", w) for w in words]
                 found["%s/%s" % (boss[1], one[1])] = (title[1] if title else boss[1].title(), spell[1] if spell else "",
                                                       " ".join(dict.fromkeys(words)))
     return found
@@ -206,7 +223,7 @@ script, and two pictures, of a whole game on normal and of one on abyss, from th
                 yield "**%s**%s\n" % (head, ": " + words if words else "")
             yield pictures(stage, kind, name, shown) + "\n"
             n += 1
-    yield "\n%d in all." % n
+    yield "\n%d of them." % n
     for d, demo in games.items():
         draw(demo, list(met[d].values()), [file_name(*key, d) for key in met[d]])
 

@@ -110,8 +110,8 @@ def survive_page(folder):
 
 Written by `make survive`: what `curtain survive` finds in every stage and every phase of a boss of *Glass Tide*, at
 every difficulty, and on every page of the cookbook. [Chapter 29 of the manual](manual.md#29-can-it-be-survived) says
-what the columns mean, and what they cannot say. Each run that was found is a demo that `curtain verify` was given; those
-of phases are in `tests/demos/phases`. [game.md](game.md) has the curves.
+what the columns mean, and what they cannot say. Each run that was found is a demo that `curtain verify` was given;
+those of phases are in `tests/demos/phases`. [game.md](game.md) has the curves.
 
 `gap px` is the width of a ship that could still fly through, as far as that was tried (36 px); `last` is how many
 seconds sixteen simple bots last, on average; `reaction` is in frames.
@@ -169,7 +169,8 @@ def curve(told, sections, difficulties):
         yield '<text transform="translate(%.1f %d) rotate(-60)" text-anchor="end">%s</text>' % (x(i) + 4, below + 14, s)
     for d, colour in zip(difficulties, COLOURS):
         at = [(x(i), y(rate(told[s][d]))) for i, s in enumerate(sections) if d in told.get(s, {})]
-        yield '<path fill="none" stroke="%s" stroke-width="2" d="M%s"/>' % (colour, "L".join("%.1f %.1f" % p for p in at))
+        way = "L".join("%.1f %.1f" % p for p in at)
+        yield '<path fill="none" stroke="%s" stroke-width="2" d="M%s"/>' % (colour, way)
         yield from ('<circle cx="%.1f" cy="%.1f" r="2.5" fill="%s"/>' % (*p, colour) for p in at)
     for i, (d, colour) in enumerate(zip(difficulties, COLOURS)):
         yield '<text x="%d" y="%d" fill="%s" font-weight="bold">%s</text>' % (left + 8 + 62 * i, top + 10, colour, d)
@@ -212,18 +213,18 @@ def game_page(folder):
     write("docs/images/game-curve.svg", curve(told, order, difficulties))
     yield """# How hard the game is
 
-Written by `make survive`, with [survive.md](survive.md): stages and bosses' phases of *Glass Tide* in the order in which
-a game meets them, a curve a difficulty.
+Written by `make survive`, with [survive.md](survive.md): stages and bosses' phases of *Glass Tide* in the order in
+which a game meets them, a curve a difficulty.
 
 ![Hits a minute, a curve for each difficulty, over the sections of the game](images/game-curve.svg)
 
 **The measure is hits a minute:** sixteen simple bots (four stand, six wander, six dodge with a reaction of a fifth of a
 second) fly each section until they are hit, and the hits are divided by the time that all of them flew. A bot that
-comes through flew, and was not hit. Of what `survive` measures it is the one that a player feels. The narrowest gap says
-how exact a way must be, but nothing of how often, and is not known beyond 36 px. Bullets a second say nothing of where
-they fly: a phase of nine aimed ones a second hits sooner than a slow curtain of fifty. The seconds that bots last are
-the same as hits a minute in a long section, but end where a short one ends. What the bots cannot say: they neither learn
-a pattern nor fear it, so what is hard to read is easier for them than for you.
+comes through flew, and was not hit. Of what `survive` measures it is the one that a player feels. The narrowest gap
+says how exact a way must be, but nothing of how often, and is not known beyond 36 px. Bullets a second say nothing of
+where they fly: a phase of nine aimed ones a second hits sooner than a slow curtain of fifty. The seconds that bots last
+are the same as hits a minute in a long section, but end where a short one ends. What the bots cannot say: they neither
+learn a pattern nor fear it, so what is hard to read is easier for them than for you.
 
 Of stages the first two minutes were looked at. A section counts from where the ship can be steered.
 """

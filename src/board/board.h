@@ -184,8 +184,9 @@ struct view {
 /* The colour (0xRRGGBB) shown for one. Greys stay as they are. */
 uint32_t view_colour(enum view_colours colours, uint32_t rgb);
 
-/* Bytes board_draw needs to build its lists in. */
+/* Bytes board_draw needs to build its lists in, for a board, and for one of that ROM. */
 size_t board_scratch(const struct board *b);
+size_t board_scratch_of(const struct cart *cart);
 
 /* Draws the picture and its 256 colours (0xRRGGBB) as the view says, NULL: as it is; returns how many sprites it drew.
  * Reads b and view, writes only fb, rgb and scratch. fb is fb_init'ed w x h. */

@@ -95,6 +95,6 @@ bool video_bg_covers(const struct board *b);
 void video_lasers(struct draw_target *c, bool shoot);
 
 /* Bytes of scratch that video_bullets needs. */
-size_t video_bullets_scratch(const struct board *b);
+size_t video_bullets_scratch(const struct manifest *m);
 
 #endif

@@ -1,5 +1,6 @@
 /*
- * game.c - sections "game", the built-in game as its demo plays it, "games", all its whole games, and "memory", what boards and bullets take.
+ * game.c - sections "game", the built-in game as its demo plays it, "games", all its whole games, and "memory", what
+ * boards and bullets take.
  */
 #include <math.h>
 #include <stdio.h>

@@ -45,6 +45,7 @@ struct work {
     int places;
     struct forecast forecast;
     uint16_t guess[AHEAD][PADS];
+    bool eager; /* to be under what can be shot */
     uint32_t taste, back, tried, furthest, special;
 };
 
@@ -134,7 +135,7 @@ static void plan_for(struct work *w, int p, const struct trial_mark *at, uint32_
         w->guess[f][p] = 0;
     if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, ship.way.x, ship.way.y)) {
         reach_back(&r);
-        plan_make(&plan, &r, ship.way.x, ship.way.y, WAYS, w->taste, true);
+        plan_make(&plan, &r, ship.way.x, ship.way.y, WAYS, w->taste, w->eager ? 2 : 1);
         for (uint32_t f = 0; f < plan.frames && f < AHEAD; f++)
             w->guess[f][p] = plan.pads[f];
     }
@@ -166,6 +167,7 @@ static void look(struct work *w, const struct trial_mark *at, uint32_t frames, u
     best->n = 0;
     memset(w->guess, 0, sizeof w->guess);
     for (int k = 0; k < TURNS && best->n < frames; k++) {
+        w->eager = k + 1 < TURNS && !w->tried;
         trial_restore(w->t, at);
         const bool both[PADS] = { steers(w->t->b, 0), steers(w->t->b, 1) };
         for (int p = 0; p < PADS; p++)

@@ -272,7 +272,9 @@ static const struct api_entry entries[] = {
     { "wait_for", NULL, NULL, 0, 0, API_LUA | API_GLOBAL | API_MORE, NULL,
       "waits until every given task has ended and every given thing is dead" },
     LUA("by_difficulty", values, 1, API_GLOBAL, "value",
-        "the value for the difficulty being played, else the nearest easier one, else the easiest given"),
+        "the value for the difficulty being played, else the nearest easier one, else the easiest given; by their "
+        "names, or a "
+        "list from the easiest on"),
     LUA("pattern.ring", ring, 0, API_FIRE, NULL, "n bullets over the full circle, the first at dir"),
     LUA("pattern.fan", fan, 0, API_FIRE, NULL, "n bullets over spread degrees, centred on dir, both ends included"),
     LUA("pattern.arc", arc, 0, API_FIRE, NULL, "n bullets from dir through sweep, both ends included"),

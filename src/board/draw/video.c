@@ -118,12 +118,12 @@ static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_
     video_clip_field(c);
 }
 
-/* The layers in which there may be sprites. What is dead may be in one too. */
+/* The layers in which there are sprites. */
 static unsigned sprite_layers(const struct sprites *s)
 {
     unsigned layers = 0;
 
-    for (uint32_t i = 0; i < s->s.top; i++)
+    EACH_LIVE (i, &s->s)
         layers |= 1u << (s->layer[i] & 31);
     return layers;
 }
@@ -518,7 +518,12 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
 
 size_t board_scratch(const struct board *b)
 {
-    return video_bullets_scratch(b);
+    return video_bullets_scratch(&b->cart.m);
+}
+
+size_t board_scratch_of(const struct cart *cart)
+{
+    return video_bullets_scratch(&cart->m);
 }
 
 uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)

@@ -66,16 +66,15 @@ static size_t aligned(size_t n)
     return (n + 63) / 64 * 64;
 }
 
-static size_t most_bullets(const struct board *b)
+static size_t most_bullets(const struct manifest *m)
 {
-    return b->bullets.s.cap > b->shots.s.cap ? b->bullets.s.cap : b->shots.s.cap;
+    return (size_t)(m->bullets > m->shots ? m->bullets : m->shots);
 }
 
-size_t video_bullets_scratch(const struct board *b)
+size_t video_bullets_scratch(const struct manifest *m)
 {
-    return aligned(sizeof(struct lists)) + 2 * aligned(most_bullets(b) * sizeof(uint32_t)) +
-           aligned(stamp_layer_size(b->cart.m.field_w, b->cart.m.field_h)) +
-           stamp_cells_size(b->cart.m.field_w, b->cart.m.field_h) + 64;
+    return aligned(sizeof(struct lists)) + 2 * aligned(most_bullets(m) * sizeof(uint32_t)) +
+           aligned(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
 }
 
 static struct lists *open_lists(const struct draw_target *c)
@@ -84,8 +83,8 @@ static struct lists *open_lists(const struct draw_target *c)
     struct lists *l = (struct lists *)at;
 
     l->list = (uint32_t *)(at + aligned(sizeof *l));
-    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(most_bullets(c->b) * sizeof *l->list));
-    l->layer = (uint8_t *)l->slots + aligned(most_bullets(c->b) * sizeof *l->slots);
+    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(most_bullets(&c->b->cart.m) * sizeof *l->list));
+    l->layer = (uint8_t *)l->slots + aligned(most_bullets(&c->b->cart.m) * sizeof *l->slots);
     l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.m.field_w, c->b->cart.m.field_h));
     return l;
 }

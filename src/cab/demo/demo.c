@@ -1,15 +1,12 @@
 /*
- * demo.c - see demo.h. What a demo says; reading is in demo_read.c, recording in demo_write.c.
+ * demo.c - see demo.h. What a demo says; reading is in demo_read.c and demo_load.c, recording in demo_write.c.
  */
 #include "demo.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../../platform/platform.h"
 #include "demo_parts.h"
-#include "demo_text.h"
-#include "../host/files.h"
 
 /* ---- room ---- */
 
@@ -73,24 +70,6 @@ const char *const demo_prints_words[] = { "auto", "every", "seconds", NULL };
 uint64_t *demo_row(const struct demo *d, uint32_t i)
 {
     return d->track + (size_t)i * (size_t)d->parts;
-}
-
-bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
-{
-    char why[256], shown[FILES_PATH];
-    uint8_t *data;
-    size_t size;
-
-    memset(d, 0, sizeof *d);
-    if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
-        return false;
-    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) /* a report, maybe */
-        demo_text_decode(data, &size);
-    bool ok = demo_read(d, data, size, why, sizeof why);
-    if (!ok)
-        snprintf(err, err_size, "%s: %s", files_shown(path, shown), why);
-    free(data);
-    return ok;
 }
 
 void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS])

@@ -63,7 +63,8 @@ struct demo_sink {
     size_t n, room;
     size_t record; /* where the open one starts */
     bool fixed;    /* p is all the memory there is: nothing is allocated */
-    bool bad;      /* no memory */
+    bool bad;      /* no memory: bytes go into waste */
+    uint8_t waste[256];
 };
 
 /* With what stands before the first record. */

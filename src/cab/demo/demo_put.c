@@ -9,14 +9,12 @@
 
 static uint8_t *put(struct demo_sink *s, size_t n)
 {
-    static uint8_t waste[256]; /* where bytes go when there is no memory for them */
-
     if (s->n + n > s->room) {
         size_t room = s->room * 2 + n + 1024;
         uint8_t *grown = s->bad || s->fixed ? NULL : realloc(s->p, room);
         if (!grown) {
             s->bad = true;
-            return waste;
+            return s->waste;
         }
         s->p = grown;
         s->room = room;

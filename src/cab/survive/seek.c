@@ -213,7 +213,7 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
     if (good && !decided) {
         reach_back(&r);
         s->plans++;
-        good = plan_make(&p, &r, x, y, WAYS_ALL, 0, true);
+        good = plan_make(&p, &r, x, y, WAYS_ALL, 0, 1);
         trial_restore(s->t, start);
         const enum trial_end end = fly(w, &p, s->begin, &lived);
         const bool kept = decided;
@@ -223,7 +223,7 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
     } else if (good) { /* as far as it goes */
         const uint32_t last = s->last;
         reach_back(&r);
-        if (plan_make(&p, &r, x, y, WAYS_ALL / 8, 0, true)) {
+        if (plan_make(&p, &r, x, y, WAYS_ALL / 8, 0, 1)) {
             trial_restore(s->t, start);
             fly(w, &p, s->begin, &lived);
             note(w, s->begin + lived);
@@ -297,7 +297,7 @@ static enum trial_end turn(struct work *w, uint32_t *best, uint16_t keep[AHEAD])
     s->plans++;
     if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, x, y)) {
         reach_back(&r);
-        plan_make(&p, &r, x, y, WAYS_PIECE, w->taste, true);
+        plan_make(&p, &r, x, y, WAYS_PIECE, w->taste, 1);
         trial_restore(s->t, &at->mark);
         end = fly(w, &p, at->frame, &lived);
         note(w, at->frame + lived);

@@ -1,0 +1,472 @@
+/*
+ * core.c - Curtain as a libretro core: a packed game (.rom) is the content; pads, options, save RAM and states are the
+ * front end's.
+ *
+ * The game is powered up at the first frame and not when it is loaded, for the front end reads the save RAM in between.
+ * States are libcurtain's portable ones, of one size: run-ahead, rewind and netplay go back to frames that the library
+ * has kept, and a state loaded in another process, or sent over a network, is played from the start of its run.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/lib/curtain.h"
+#include "abi.h"
+
+enum { TEXT = 256, CHOICES = 24, SAVED = 4 /* bytes before the image of save RAM: how many it has */ };
+
+/* A libretro core is one of its kind: the interface has no handle. */
+static struct {
+    retro_environment *environment;
+    retro_video *video;
+    retro_audio *audio;
+    retro_poll *poll;
+    retro_input_state *state;
+    struct retro_log log;
+    void *rom, *memory;
+    size_t rom_size;
+    struct curtain *c;
+    bool powered; /* a frame was played: save RAM has been read */
+    uint8_t *saved;
+    size_t saved_size;
+    uint32_t *pixels;
+    struct retro_variable variable[CHOICES + 1];
+    char key[CHOICES][TEXT], value[CHOICES][4 * TEXT];
+    char path[1024], version[16];
+    unsigned loads; /* states loaded */
+} core;
+
+/* The game inside, of a core that was exported with one; weak, so that core.c links without. */
+extern const unsigned char game_rom[];
+extern const unsigned long game_rom_size;
+__attribute__((weak)) const unsigned char game_rom[1] = { 0 };
+__attribute__((weak)) const unsigned long game_rom_size = 0;
+
+static void say(enum retro_level level, const char *text)
+{
+    if (core.log.print)
+        core.log.print(level, "Curtain: %s\n", text);
+    else
+        fprintf(stderr, "Curtain: %s\n", text);
+}
+
+static void show(const char *text)
+{
+    struct retro_message message = { text, 240 };
+
+    say(RETRO_ERROR, text);
+    core.environment(RETRO_SET_MESSAGE, &message);
+}
+
+/* ---- options: difficulty, language-independent switches, what is kept ---- */
+
+static void add_choice(int *n, const char *key, const char *description, const char *first)
+{
+    snprintf(core.key[*n], TEXT, "curtain_%s", key);
+    snprintf(core.value[*n], sizeof core.value[*n], "%s; %s", description, first);
+    core.variable[*n] = (struct retro_variable){ core.key[*n], core.value[*n] };
+    ++*n;
+}
+
+static void add_word(int n, const char *word)
+{
+    size_t used = strlen(core.value[n]);
+
+    snprintf(core.value[n] + used, sizeof core.value[n] - used, "|%s", word);
+}
+
+static void offer_choices(void)
+{
+    const char *usual = curtain_difficulty(core.c, -1), *word;
+    struct curtain_switch s;
+    char text[TEXT];
+    int n = 0;
+
+    if (curtain_difficulty(core.c, 1)) {
+        add_choice(&n, "difficulty", "Difficulty", usual);
+        for (int i = 0; (word = curtain_difficulty(core.c, i)) != NULL; i++)
+            if (strcmp(word, usual))
+                add_word(n - 1, word);
+    }
+    for (int i = 0; n < CHOICES - 1 && curtain_switches(core.c, i, &s); i++) {
+        add_choice(&n, s.name, s.name, s.value);
+        for (int k = 0; curtain_switch_value(core.c, i, k, text, sizeof text); k++)
+            if (strcmp(text, s.value))
+                add_word(n - 1, text);
+    }
+    add_choice(&n, "keep_run", "Keep the run as a demo on exit", "no|yes");
+    core.variable[n] = (struct retro_variable){ NULL, NULL };
+    core.environment(RETRO_SET_VARIABLES, core.variable);
+}
+
+static const char *chosen(const char *key)
+{
+    char full[TEXT];
+    struct retro_variable v = { full, NULL };
+
+    snprintf(full, sizeof full, "curtain_%s", key);
+    return core.environment(RETRO_GET_VARIABLE, &v) && v.value ? v.value : NULL;
+}
+
+static void read_switches(char *out, size_t size)
+{
+    struct curtain_switch s;
+    size_t n = 0;
+
+    out[0] = 0;
+    for (int i = 0; curtain_switches(core.c, i, &s); i++) {
+        const char *value = chosen(s.name);
+        if (value && n < size)
+            n += (size_t)snprintf(out + n, size - n, "%s=%s ", s.name, value);
+    }
+}
+
+/* ---- powering up ---- */
+
+static uint32_t get32(const uint8_t *p)
+{
+    return p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
+}
+
+/* Another one for other save RAM, so that no two sessions are the same; the same on every machine. */
+static uint64_t seed_of(const uint8_t *bytes, size_t n)
+{
+    uint64_t h = 0xcbf29ce484222325u;
+
+    while (n-- > 0)
+        h = (h ^ *bytes++) * 0x100000001b3u;
+    return h;
+}
+
+static void close_game(void)
+{
+    curtain_close(core.c);
+    free(core.memory);
+    core.c = NULL;
+    core.memory = NULL;
+}
+
+/* Powers the game up with what the front end has now. */
+static bool power(void)
+{
+    struct curtain_config how = { .rom = core.rom, .rom_size = core.rom_size };
+    char err[TEXT], switches[TEXT] = "", difficulty[TEXT] = "";
+
+    if (core.c) {
+        read_switches(switches, sizeof switches);
+        snprintf(difficulty, sizeof difficulty, "%s", chosen("difficulty") ? chosen("difficulty") : "");
+        how.difficulty = difficulty[0] ? difficulty : NULL;
+        how.switches = switches;
+    }
+    close_game();
+    if (core.saved && get32(core.saved) > 0 && get32(core.saved) <= core.saved_size - SAVED) {
+        how.nvram = core.saved + SAVED;
+        how.nvram_size = get32(core.saved);
+    }
+    how.seed = how.nvram ? seed_of(how.nvram, how.nvram_size) : 1;
+    size_t size = curtain_memory(&how, err, sizeof err);
+    core.memory = size ? malloc(size) : NULL;
+    core.c = core.memory ? curtain_open(&how, core.memory, size, err, sizeof err) : NULL;
+    if (!core.c) {
+        show(size && !core.memory ? "there is too little memory" : err);
+        close_game();
+    }
+    return core.c != NULL;
+}
+
+static bool ready(void)
+{
+    if (!core.powered && core.c)
+        core.powered = power();
+    return core.powered;
+}
+
+/* ---- the interface: what a core is ---- */
+
+void retro_set_environment(retro_environment *f)
+{
+    core.environment = f;
+}
+
+void retro_set_video_refresh(retro_video *f)
+{
+    core.video = f;
+}
+
+void retro_set_audio_sample(retro_sample *f)
+{
+    (void)f;
+}
+
+void retro_set_audio_sample_batch(retro_audio *f)
+{
+    core.audio = f;
+}
+
+void retro_set_input_poll(retro_poll *f)
+{
+    core.poll = f;
+}
+
+void retro_set_input_state(retro_input_state *f)
+{
+    core.state = f;
+}
+
+void retro_set_controller_port_device(unsigned port, unsigned device)
+{
+    (void)port;
+    (void)device;
+}
+
+void retro_init(void)
+{
+    if (!core.environment(RETRO_GET_LOG, &core.log))
+        core.log.print = NULL;
+}
+
+void retro_deinit(void)
+{
+}
+
+unsigned retro_api_version(void)
+{
+    return RETRO_API_VERSION;
+}
+
+void retro_get_system_info(struct retro_system_info *info)
+{
+    snprintf(core.version, sizeof core.version, "core %d", curtain_core());
+    *info = (struct retro_system_info){ "Curtain", core.version, "rom", false, false };
+}
+
+void retro_get_system_av_info(struct retro_av_info *info)
+{
+    unsigned w = (unsigned)curtain_width(core.c), h = (unsigned)curtain_height(core.c);
+
+    *info = (struct retro_av_info){ { w, h, w, h, (float)w / (float)h }, { 60.0, 48000.0 } };
+}
+
+unsigned retro_get_region(void)
+{
+    return RETRO_REGION_NTSC;
+}
+
+void retro_cheat_reset(void)
+{
+}
+
+void retro_cheat_set(unsigned index, bool on, const char *code)
+{
+    (void)index;
+    (void)on;
+    (void)code;
+}
+
+/* ---- a game ---- */
+
+static void tell_buttons(void)
+{
+    static const struct {
+        unsigned id;
+        const char *what;
+    } buttons[] = { { RETRO_UP, "Up" },   { RETRO_DOWN, "Down" },   { RETRO_LEFT, "Left" },    { RETRO_RIGHT, "Right" },
+                    { RETRO_B, "Fire" },  { RETRO_A, "Bomb" },      { RETRO_Y, "Focus" },      { RETRO_X, "Special" },
+                    { RETRO_R, "Focus" }, { RETRO_START, "Start" }, { RETRO_SELECT, "Select" } };
+    enum { N = sizeof buttons / sizeof buttons[0] };
+    struct retro_input inputs[CURTAIN_PADS * N + 1];
+
+    for (unsigned i = 0; i < CURTAIN_PADS * N; i++)
+        inputs[i] = (struct retro_input){ i / N, RETRO_DEVICE_JOYPAD, 0, buttons[i % N].id, buttons[i % N].what };
+    inputs[CURTAIN_PADS * N] = (struct retro_input){ 0 };
+    core.environment(RETRO_SET_INPUTS, inputs);
+}
+
+bool retro_load_game(const struct retro_game *game)
+{
+    const int format = RETRO_PIXEL_FORMAT_XRGB8888;
+    const void *data = game_rom_size ? game_rom : game ? game->data : NULL;
+
+    core.rom_size = game_rom_size ? game_rom_size : game ? game->size : 0;
+    core.rom = data ? malloc(core.rom_size + 1) : NULL;
+    if (!core.rom || !core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format))
+        return false;
+    memcpy(core.rom, data, core.rom_size);
+    if (!power()) {
+        free(core.rom);
+        core.rom = NULL;
+        return false;
+    }
+    core.saved_size = SAVED + curtain_nvram_room(core.c);
+    core.saved = calloc(1, core.saved_size);
+    core.pixels = calloc((size_t)curtain_width(core.c) * (size_t)curtain_height(core.c), sizeof *core.pixels);
+    core.loads = 0;
+    tell_buttons();
+    offer_choices();
+    return core.saved && core.pixels;
+}
+
+bool retro_load_game_special(unsigned type, const struct retro_game *games, size_t n)
+{
+    (void)type;
+    (void)games;
+    (void)n;
+    return false;
+}
+
+/* The run as a demo beside the save RAM. */
+static void keep_run(void)
+{
+    const char *keep = chosen("keep_run"), *folder = NULL;
+    char err[TEXT] = "the run could not be written";
+    size_t size;
+
+    if (!keep || strcmp(keep, "yes") != 0)
+        return;
+    void *demo = curtain_demo(core.c, &size, err, sizeof err);
+    core.environment(RETRO_GET_SAVE_DIRECTORY, &folder);
+    snprintf(core.path, sizeof core.path, "%s/%s.demo", folder ? folder : ".", curtain_id(core.c));
+    FILE *f = demo ? fopen(core.path, "wb") : NULL;
+    const bool good = f && fwrite(demo, 1, size, f) == size;
+    if (!f || fclose(f) != 0 || !good)
+        say(RETRO_ERROR, err);
+    curtain_demo_free(demo);
+}
+
+void retro_unload_game(void)
+{
+    char text[TEXT];
+
+    if (core.powered) {
+        keep_run();
+        snprintf(text, sizeof text, "%u frames, hash %016llx, %u states loaded", (unsigned)curtain_frames(core.c),
+                 (unsigned long long)curtain_hash(core.c), core.loads);
+        say(RETRO_INFO, text);
+    }
+    close_game();
+    free(core.rom);
+    free(core.saved);
+    free(core.pixels);
+    core.rom = core.saved = NULL;
+    core.pixels = NULL;
+    core.powered = false;
+}
+
+void retro_reset(void)
+{
+    core.powered = power();
+}
+
+/* ---- a frame ---- */
+
+static uint16_t read_pad(unsigned port)
+{
+    static const uint16_t map[RETRO_BUTTONS] = {
+        [RETRO_B] = CURTAIN_FIRE,      [RETRO_Y] = CURTAIN_FOCUS,     [RETRO_SELECT] = CURTAIN_SELECT,
+        [RETRO_START] = CURTAIN_START, [RETRO_UP] = CURTAIN_UP,       [RETRO_DOWN] = CURTAIN_DOWN,
+        [RETRO_LEFT] = CURTAIN_LEFT,   [RETRO_RIGHT] = CURTAIN_RIGHT, [RETRO_A] = CURTAIN_BOMB,
+        [RETRO_X] = CURTAIN_SPECIAL,   [RETRO_R] = CURTAIN_FOCUS,
+    };
+    uint16_t pad = 0;
+
+    for (unsigned i = 0; i < RETRO_BUTTONS; i++)
+        if (map[i] && core.state(port, RETRO_DEVICE_JOYPAD, 0, i))
+            pad |= map[i];
+    return pad;
+}
+
+static void save_ram(void)
+{
+    size_t n;
+    const void *image = curtain_nvram(core.c, &n);
+
+    for (int i = 0; i < SAVED; i++)
+        core.saved[i] = (uint8_t)(n >> 8 * i);
+    memcpy(core.saved + SAVED, image, n);
+}
+
+static void show_picture(void)
+{
+    const int w = curtain_width(core.c), h = curtain_height(core.c);
+    const uint8_t *from = curtain_picture(core.c);
+    const uint32_t *rgb = curtain_palette(core.c);
+
+    for (int i = 0; i < w * h; i++)
+        core.pixels[i] = rgb[from[i]];
+    core.video(core.pixels, (unsigned)w, (unsigned)h, (size_t)w * sizeof *core.pixels);
+}
+
+void retro_run(void)
+{
+    uint16_t pads[CURTAIN_PADS];
+    int16_t lr[2 * 800];
+    bool changed = false;
+
+    core.poll();
+    if (!ready()) {
+        core.environment(RETRO_SHUTDOWN, NULL);
+        return;
+    }
+    if (core.environment(RETRO_GET_VARIABLE_UPDATE, &changed) && changed && curtain_frames(core.c) > 0)
+        say(RETRO_INFO, "what was chosen is there after a reset");
+    for (unsigned i = 0; i < CURTAIN_PADS; i++)
+        pads[i] = read_pad(i);
+    const bool was = curtain_fault(core.c)[0] != 0;
+    const unsigned events = curtain_frame(core.c, pads);
+    if (events & CURTAIN_LOG)
+        say(RETRO_INFO, curtain_log(core.c));
+    if (events & CURTAIN_SAVED)
+        save_ram();
+    if (events & CURTAIN_FAULT && !was)
+        show(curtain_fault(core.c));
+    if (events & CURTAIN_QUIT)
+        core.environment(RETRO_SHUTDOWN, NULL);
+    show_picture();
+    core.audio(lr, curtain_sound(core.c, lr, 800));
+}
+
+/* ---- states and save RAM ---- */
+
+size_t retro_serialize_size(void)
+{
+    return core.c ? curtain_state_size(core.c) : 0;
+}
+
+bool retro_serialize(void *data, size_t size)
+{
+    char err[TEXT];
+
+    if (!ready())
+        return false;
+    const size_t n = curtain_save(core.c, data, size, err, sizeof err);
+    if (n == 0) {
+        say(RETRO_WARN, err);
+        return false;
+    }
+    memset((uint8_t *)data + n, 0, size - n); /* the same state is the same bytes */
+    return true;
+}
+
+bool retro_unserialize(const void *data, size_t size)
+{
+    char err[TEXT];
+
+    if (!ready())
+        return false;
+    core.loads++;
+    if (curtain_load(core.c, data, size, err, sizeof err)) {
+        save_ram();
+        return true;
+    }
+    show(err);
+    return false;
+}
+
+void *retro_get_memory_data(unsigned id)
+{
+    return id == RETRO_MEMORY_SAVE_RAM ? core.saved : NULL;
+}
+
+size_t retro_get_memory_size(unsigned id)
+{
+    return id == RETRO_MEMORY_SAVE_RAM && core.saved ? core.saved_size : 0;
+}

@@ -1,0 +1,387 @@
+/*
+ * curtain.c - see curtain.h: opening, frames, what is seen and heard.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../base/err.h"
+#include "lib.h"
+
+static uint8_t *aligned(uint8_t *p)
+{
+    return (uint8_t *)(((uintptr_t)p + LIB_ALIGN - 1) & ~(uintptr_t)(LIB_ALIGN - 1));
+}
+
+/* ---- memory ---- */
+
+/* Hands out pieces of a block; `at` NULL: counts only. */
+struct pieces {
+    uint8_t *at;
+    size_t n;
+};
+
+static void *piece(struct pieces *p, size_t size)
+{
+    uint8_t *out = p->at ? p->at + p->n : NULL;
+
+    p->n += (size + LIB_ALIGN - 1) / LIB_ALIGN * LIB_ALIGN;
+    return out;
+}
+
+static uint32_t snapshots_of(const struct curtain_config *config)
+{
+    return config->snapshots == 0 ? LIB_SNAPSHOTS : config->snapshots;
+}
+
+/* Lays out everything behind *c. board: bytes of its RAM. */
+static void lay_out(struct curtain *c, struct pieces *p, const struct curtain_config *config, size_t board)
+{
+    const struct manifest *m = &c->cart.m;
+    const size_t nvram = (size_t)m->nvram_kib << 10, room = config->state_room ? config->state_room : LIB_STATE_ROOM;
+
+    c->n = snapshots_of(config);
+    c->keys = c->n / 4;
+    c->ram_size = board;
+    c->ram = piece(p, board);
+    c->before = piece(p, board);
+    c->before_out = piece(p, board_output_size());
+    c->snapshot = piece(p, c->n * sizeof *c->snapshot);
+    for (uint32_t i = 0; i < c->n; i++) {
+        uint8_t *at = piece(p, board);
+        if (p->at)
+            c->snapshot[i] = (struct lib_snapshot){ .at = at };
+    }
+    c->begin = (struct lib_start){ .nvram = piece(p, nvram), .room = nvram };
+    c->spare = (struct lib_start){ .nvram = piece(p, nvram), .room = nvram };
+    c->log = (struct pads_log){ .bytes = piece(p, room), .room = room };
+    c->other = (struct pads_log){ .bytes = piece(p, room), .room = room };
+    c->scratch = piece(p, board_scratch_of(&c->cart));
+    c->tables = m->sound ? piece(p, board_sound_tables()) : NULL;
+    uint8_t *pixels = piece(p, fb_size(m->screen_w, m->screen_h));
+    if (p->at)
+        fb_init(&c->fb, pixels, m->screen_w, m->screen_h);
+}
+
+/* Opens the ROM, and tells how much memory all takes; c->rom and c->cart are good then. */
+static bool look_at(struct curtain *c, const struct curtain_config *config, size_t *board, size_t *all, char *err,
+                    size_t err_size)
+{
+    if (!config->rom)
+        return err_set(err, err_size, "there is no ROM");
+    if (config->snapshots > LIB_MOST_SNAPSHOTS)
+        return err_set(err, err_size, "snapshots: %lu, expected at most %d", (unsigned long)config->snapshots,
+                       LIB_MOST_SNAPSHOTS);
+    if (config->state_room > SIZE_MAX / 4)
+        return err_set(err, err_size, "state_room: more than there can be");
+    if (!rom_open(&c->rom, config->rom, config->rom_size, err, err_size) ||
+        !cart_open(&c->cart, &c->rom, err, err_size) || !board_size(&c->rom, board, err, err_size))
+        return false;
+    struct curtain as_if = *c;
+    struct pieces p = { NULL, 0 };
+    const uint64_t slots = (uint64_t)*board * ((uint64_t)snapshots_of(config) + 2);
+    if (slots > SIZE_MAX / 2)
+        return err_set(err, err_size, "snapshots: more than there is memory for");
+    piece(&p, sizeof *c);
+    lay_out(&as_if, &p, config, *board);
+    *all = p.n + LIB_ALIGN; /* the block may begin anywhere */
+    return true;
+}
+
+size_t curtain_memory(const struct curtain_config *config, char *err, size_t err_size)
+{
+    struct curtain c;
+    size_t board, all;
+
+    memset(&c, 0, sizeof c);
+    return look_at(&c, config, &board, &all, err, err_size) ? all : 0;
+}
+
+bool lib_power(struct curtain *c, char *err, size_t err_size)
+{
+    c->board = board_power(c->ram, c->ram_size, &c->rom, &c->begin.start, true, err, err_size);
+    c->drawn = c->sounding = false;
+    if (!c->board)
+        return false;
+    if (!board_last(c->board)->fault)
+        board_count(c->board, c->counts);
+    board_nvram(c->board, &(size_t){ 0 }, &c->writes);
+    return true;
+}
+
+struct curtain *curtain_open(const struct curtain_config *config, void *memory, size_t size, char *err, size_t err_size)
+{
+    struct curtain *c = (struct curtain *)aligned(memory);
+    size_t board, need;
+    struct curtain found;
+
+    memset(&found, 0, sizeof found);
+    if (!look_at(&found, config, &board, &need, err, err_size))
+        return NULL;
+    if (!memory || size < need) {
+        err_set(err, err_size, "%zu bytes of memory, expected %zu", memory ? size : 0, need);
+        return NULL;
+    }
+    memset(c, 0, sizeof *c);
+    if (!rom_open(&c->rom, config->rom, config->rom_size, err, err_size) ||
+        !cart_open(&c->cart, &c->rom, err, err_size))
+        return NULL;
+    struct pieces p = { (uint8_t *)c, 0 };
+    piece(&p, sizeof *c);
+    c->game_hash = rom_game_hash(&c->rom);
+    lay_out(c, &p, config, board);
+    c->counts = !config->alarm;
+    const bool plays = config->demo != NULL;
+    if (plays && !demo_read(&c->demo, config->demo, config->demo_size, err, err_size))
+        return NULL;
+    if (!lib_start_of(&c->begin, &c->cart, config, plays ? &c->demo : NULL, err, err_size) ||
+        !lib_power(c, err, err_size)) {
+        demo_free(&c->demo);
+        return NULL;
+    }
+    pads_log_begin(&c->log, c->begin.hash);
+    if (c->tables)
+        board_sound_open(c->tables);
+    return c;
+}
+
+void curtain_close(struct curtain *c)
+{
+    if (!c)
+        return;
+    demo_free(&c->demo);
+    c->board = NULL;
+}
+
+/* ---- a frame ---- */
+
+bool lib_tick(struct curtain *c, const uint16_t pads[PADS])
+{
+    const struct board_fault *fault = board_tick(c->board, pads)->fault;
+
+    if (!fault || fault->kind != FAULT_INTERRUPTED)
+        return !fault;
+    /* It took long. Once more, from a frame before it, and counted: then it ends, or is found to be endless. */
+    const bool counts = c->counts;
+    c->counts = true;
+    lib_again(c);
+    const bool good = !board_tick(c->board, pads)->fault;
+    c->counts = counts;
+    if (good)
+        board_count(c->board, counts);
+    return good;
+}
+
+static unsigned events_of(struct curtain *c)
+{
+    const struct board_out *out = board_last(c->board);
+    uint32_t writes;
+    size_t size;
+    unsigned events = out->fault ? CURTAIN_FAULT : 0;
+
+    board_nvram(c->board, &size, &writes);
+    if (writes != c->writes)
+        events |= CURTAIN_SAVED;
+    c->writes = writes;
+    events |= out->log_size > 0 ? CURTAIN_LOG : 0;
+    events |= out->menu ? CURTAIN_MENU : 0;
+    events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;
+    events |= out->request == REQUEST_ATTRACT ? CURTAIN_ATTRACT : 0;
+    events |= c->demo.frames > 0 && c->log.frames >= c->demo.frames ? CURTAIN_ENDED : 0;
+    return events | (out->request == REQUEST_ASK ? CURTAIN_ASK : 0);
+}
+
+unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
+{
+    uint16_t held[PADS];
+
+    if (board_last(c->board)->fault)
+        return CURTAIN_FAULT;
+    if (!pads)
+        demo_pads(&c->demo, c->log.frames, held);
+    for (int i = 0; i < PADS; i++)
+        held[i] = (pads ? pads : held)[i] & PAD_ALL;
+    lib_keep_key(c);
+    lib_tick(c, held);
+    pads_log_add(&c->log, held);
+    if (c->log.full && !c->counts) { /* there is no way back to a frame before one that takes long */
+        c->counts = true;
+        board_count(c->board, true);
+    }
+    c->drawn = c->sounding = false;
+    return events_of(c);
+}
+
+void curtain_interrupt(struct curtain *c)
+{
+    if (c->board && !c->counts)
+        board_interrupt(c->board);
+}
+
+const char *curtain_attract(const struct curtain *c)
+{
+    const struct board_out *out = board_last(c->board);
+
+    return out->request == REQUEST_ATTRACT ? out->attract : "";
+}
+
+const char *curtain_asked(const struct curtain *c)
+{
+    static const char *const names[ASKS] = { "settings", "replays", "practice", "keys" };
+    const struct board_out *out = board_last(c->board);
+
+    return out->request == REQUEST_ASK ? names[out->ask] : "";
+}
+
+const char *curtain_log(const struct curtain *c)
+{
+    const struct board_out *out = board_last(c->board);
+    struct curtain *to = (struct curtain *)c; /* the text alone, which is nothing's state */
+    const size_t n = out->log_size < sizeof to->log_text ? out->log_size : sizeof to->log_text - 1;
+
+    if (n > 0)
+        memcpy(to->log_text, out->log, n);
+    to->log_text[n] = 0;
+    return to->log_text;
+}
+
+const char *curtain_fault(const struct curtain *c)
+{
+    const struct board_fault *fault = board_last(c->board)->fault;
+    struct curtain *to = (struct curtain *)c;
+
+    if (!fault)
+        return "";
+    snprintf(to->fault, sizeof to->fault, "%s\n%s", fault->message, fault->trace);
+    return to->fault;
+}
+
+/* ---- what is seen and heard ---- */
+
+int curtain_width(const struct curtain *c)
+{
+    return c->fb.w;
+}
+
+int curtain_height(const struct curtain *c)
+{
+    return c->fb.h;
+}
+
+static void draw(struct curtain *c)
+{
+    if (c->drawn)
+        return;
+    board_draw(c->board, NULL, &c->fb, c->rgb, c->scratch);
+    for (int y = 0; y < c->fb.h; y++) /* rows close together: from the first one on, into what lies before */
+        memmove(c->fb.pix + (size_t)y * (size_t)c->fb.w, c->fb.pix + (size_t)y * (size_t)c->fb.pitch, (size_t)c->fb.w);
+    c->drawn = true;
+}
+
+const uint8_t *curtain_picture(struct curtain *c)
+{
+    draw(c);
+    return c->fb.pix;
+}
+
+const uint32_t *curtain_palette(struct curtain *c)
+{
+    draw(c);
+    return c->rgb;
+}
+
+size_t curtain_sound(struct curtain *c, int16_t *lr, size_t frames)
+{
+    if (!c->sounding) {
+        if (c->tables)
+            board_sound(c->board, c->tables, c->lr);
+        c->sounding = true;
+        c->taken = 0;
+    }
+    const size_t left = BOARD_SOUND - c->taken, n = frames < left ? frames : left;
+    memcpy(lr, c->lr + 2 * c->taken, n * 2 * sizeof *lr);
+    c->taken += n;
+    return n;
+}
+
+/* ---- what a run is ---- */
+
+int curtain_core(void)
+{
+    return CORE_VERSION;
+}
+
+const char *curtain_title(const struct curtain *c)
+{
+    return c->cart.m.title;
+}
+
+const char *curtain_id(const struct curtain *c)
+{
+    return c->cart.m.id;
+}
+
+int curtain_players(const struct curtain *c)
+{
+    return c->cart.m.players;
+}
+
+const char *curtain_difficulty(const struct curtain *c, int i)
+{
+    const struct manifest *m = &c->cart.m;
+
+    return m->n_difficulties == 0 || i >= m->n_difficulties ? NULL : m->difficulties[i < 0 ? m->difficulty : i];
+}
+
+/* The k-th word that a switch can be; false: there is none. */
+static bool word_of(const struct dip *dip, int32_t k, char *out, size_t size)
+{
+    if (k < 0 || (dip->number ? k > dip->hi - dip->lo : k >= dip->values))
+        return false;
+    if (dip->number)
+        snprintf(out, size, "%d", (int)(dip->lo + k));
+    else
+        snprintf(out, size, "%s", dip->value_name[k]);
+    return true;
+}
+
+bool curtain_switches(const struct curtain *c, int i, struct curtain_switch *out)
+{
+    const struct manifest *m = &c->cart.m;
+
+    if (i < 0 || i >= m->n_dips)
+        return false;
+    const struct dip *dip = &m->dips[i];
+    memcpy(out->name, dip->name, sizeof out->name);
+    return word_of(dip, c->begin.start.dip[i] - (dip->number ? dip->lo : 0), out->value, sizeof out->value);
+}
+
+bool curtain_switch_value(const struct curtain *c, int i, int k, char *value, size_t size)
+{
+    return i >= 0 && i < c->cart.m.n_dips && word_of(&c->cart.m.dips[i], k, value, size);
+}
+
+uint32_t curtain_demo_frames(const struct curtain *c)
+{
+    return c->demo.frames;
+}
+
+uint32_t curtain_frames(const struct curtain *c)
+{
+    return board_frame(c->board);
+}
+
+uint64_t curtain_hash(const struct curtain *c)
+{
+    return board_hash(c->board);
+}
+
+const void *curtain_nvram(const struct curtain *c, size_t *size)
+{
+    uint32_t writes;
+
+    return board_nvram(c->board, size, &writes);
+}
+
+size_t curtain_nvram_room(const struct curtain *c)
+{
+    return c->begin.room;
+}

@@ -1,0 +1,57 @@
+/*
+ * record.c - a run as a demo: played once more, hashed frame by frame. The board goes back to where it was.
+ */
+#include <stdlib.h>
+#include "../base/err.h"
+#include "lib.h"
+
+static bool play_recorded(struct curtain *c, struct demo_writer *w)
+{
+    struct pads_run pads = pads_log_read(&c->log);
+    bool good = demo_begin(w, NULL, &c->cart, c->board, &c->begin.start, 0);
+
+    while (good && pads_run_next(&pads))
+        for (uint32_t i = 0; good && i < pads.frames; i++) {
+            board_tick(c->board, pads.pads);
+            good = demo_frame(w, c->board, pads.pads);
+        }
+    return good && demo_end(w, c->board);
+}
+
+void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size)
+{
+    struct demo_writer *w = calloc(1, sizeof *w);
+    uint8_t *bytes = NULL;
+    char why[256];
+
+    if (c->log.full) {
+        free(w);
+        err_set(err, err_size, "the run has changed its pads more often than there is room for");
+        return NULL;
+    }
+    board_save(c->board, c->before);
+    board_output_save(c->board, c->before_out);
+    const uint32_t writes = c->writes;
+    struct board *was = c->board;
+    if (w && lib_power(c, why, sizeof why)) {
+        board_count(c->board, true);
+        if (play_recorded(c, w))
+            bytes = demo_bytes(&w->demo, size);
+    }
+    c->board = was;
+    c->writes = writes;
+    board_restore(c->board, c->before);
+    board_output_restore(c->board, c->before_out);
+    lib_set_counting(c);
+    if (w)
+        demo_drop(w);
+    free(w);
+    if (!bytes)
+        err_set(err, err_size, "out of memory");
+    return bytes;
+}
+
+void curtain_demo_free(void *demo)
+{
+    free(demo);
+}

@@ -1,0 +1,262 @@
+/*
+ * start.c - how a run begins: from a host's configuration, and as bytes of a state.
+ */
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "../base/hash.h"
+#include "lib.h"
+
+enum { TEXT = 64 /* bytes of a word in a configuration */ };
+
+static bool plain(const char *text)
+{
+    for (; *text; text++)
+        if (*text < 32 || *text > 126)
+            return false;
+    return true;
+}
+
+/* Copies a text of the host's. what: "section". */
+static bool take(char *out, size_t size, const char *text, const char *what, char *err, size_t err_size)
+{
+    if (!text)
+        return true;
+    if (!plain(text))
+        return err_set(err, err_size, "%s: expected plain letters", what);
+    if (strlen(text) >= size)
+        return err_set(err, err_size, "%s: longer than %zu characters", what, size - 1);
+    memcpy(out, text, strlen(text) + 1);
+    return true;
+}
+
+static bool difficulty_of(struct board_start *start, const struct manifest *m, const char *name, char *err,
+                          size_t err_size)
+{
+    if (!name)
+        return true;
+    for (int i = 0; i < m->n_difficulties; i++)
+        if (strcmp(m->difficulties[i], name) == 0) {
+            start->difficulty = i;
+            return true;
+        }
+    return err_set(err, err_size, "difficulty: the game has no \"%.32s\"", name);
+}
+
+/* A whole number that takes all of the text. */
+static bool number_of(const char *text, int32_t *out)
+{
+    const bool minus = *text == '-';
+    int64_t n = 0;
+
+    for (text += minus; *text >= '0' && *text <= '9' && n <= INT32_MAX; text++)
+        n = n * 10 + (*text - '0');
+    *out = (int32_t)(minus ? -n : n);
+    return *text == 0 && n <= INT32_MAX && (text[-1] >= '0' && text[-1] <= '9');
+}
+
+static bool value_of(const struct dip *dip, const char *text, int32_t *out, char *err, size_t err_size)
+{
+    int32_t n;
+
+    for (int i = 0; !dip->number && i < dip->values; i++)
+        if (strcmp(dip->value_name[i], text) == 0) {
+            *out = i;
+            return true;
+        }
+    if (!dip->number || *text == 0 || !number_of(text, &n) || n < dip->lo || n > dip->hi)
+        return err_set(err, err_size, "switches: %s cannot be \"%.32s\"", dip->name, text);
+    *out = n;
+    return true;
+}
+
+/* word: NAME=VALUE */
+static bool set_switch(struct board_start *start, const struct manifest *m, char *word, char *err, size_t err_size)
+{
+    char *equals = strchr(word, '=');
+
+    if (!equals)
+        return err_set(err, err_size, "switches: expected NAME=VALUE, got \"%s\"", word);
+    *equals = 0;
+    for (int i = 0; i < m->n_dips; i++)
+        if (strcmp(m->dips[i].name, word) == 0)
+            return value_of(&m->dips[i], equals + 1, &start->dip[i], err, err_size);
+    return err_set(err, err_size, "switches: the game has no \"%s\"", word);
+}
+
+/* "coins=one pace=3" */
+static bool switches_of(struct board_start *start, const struct manifest *m, const char *text, char *err,
+                        size_t err_size)
+{
+    char word[TEXT];
+
+    for (int i = 0; i < m->n_dips; i++)
+        start->dip[i] = m->dips[i].value;
+    for (size_t n = 0; text && *(text += strspn(text, " ")); text += n) {
+        n = strcspn(text, " ");
+        if (n >= sizeof word)
+            return err_set(err, err_size, "switches: \"%.32s...\" is too long", text);
+        memcpy(word, text, n);
+        word[n] = 0;
+        if (!set_switch(start, m, word, err, err_size))
+            return false;
+    }
+    return true;
+}
+
+static bool nvram_of(struct lib_start *out, const void *nvram, size_t size, char *err, size_t err_size)
+{
+    if (!nvram)
+        return true;
+    if (size > NVRAM_MOST)
+        return err_set(err, err_size, "nvram: %zu bytes, expected at most %d", size, NVRAM_MOST);
+    size = size < out->room ? size : out->room; /* what the game has no room for it never had */
+    memcpy(out->nvram, nvram, size);
+    out->start.nvram = out->nvram;
+    out->start.nvram_size = size;
+    return true;
+}
+
+static void set_hash(struct lib_start *s)
+{
+    uint8_t head[1024];
+    size_t n = lib_start_write(&(struct lib_start){ .start = s->start, .room = 0 }, head);
+
+    s->hash = hash_bytes(hash_bytes(HASH_START, head, n), s->nvram, s->start.nvram_size);
+}
+
+/* All that a demo began with. */
+static bool demo_start(struct lib_start *out, const struct demo *demo, const struct cart *cart, char *err,
+                       size_t err_size)
+{
+    if (!demo_fits(demo, cart, err, err_size))
+        return false;
+    out->start = demo->start;
+    out->start.nvram = NULL;
+    out->start.nvram_size = 0;
+    return nvram_of(out, demo->start.nvram, demo->start.nvram_size, err, err_size);
+}
+
+bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct curtain_config *config,
+                  const struct demo *demo, char *err, size_t err_size)
+{
+    struct board_start *start = &out->start;
+
+    if (demo) {
+        if (!demo_start(out, demo, cart, err, err_size))
+            return false;
+        set_hash(out);
+        return true;
+    }
+
+    *start = (struct board_start){ .seed = config->seed, .difficulty = -1 };
+    start->practice.lives = config->lives;
+    start->practice.invincible = config->invincible;
+    if (!take(start->lang, sizeof start->lang, config->lang, "lang", err, err_size) ||
+        !take(start->practice.section, sizeof start->practice.section, config->section, "section", err, err_size) ||
+        !difficulty_of(start, &cart->m, config->difficulty, err, err_size) ||
+        !switches_of(start, &cart->m, config->switches, err, err_size) ||
+        !nvram_of(out, config->nvram, config->nvram_size, err, err_size))
+        return false;
+    set_hash(out);
+    return true;
+}
+
+/* ---- as bytes ----
+ *
+ * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 invincible, u8
+ * registers, 16 of them (32 bytes name, i32 value), u32 bytes of nvram, and these. Texts end in zeroes.
+ */
+enum {
+    DIPS = sizeof((struct board_start *)0)->dip / sizeof(int32_t),
+    LANG = sizeof((struct board_start *)0)->lang,
+    SECTION = sizeof((struct practice *)0)->section,
+    NAME = sizeof((struct practice *)0)->reg[0].name,
+    HEAD = 8 + 4 + 4 * DIPS + LANG + SECTION + 4 + 1 + 1 + (NAME + 4) * PRACTICE_REGISTERS + 4
+};
+
+static void put_text(uint8_t *at, const char *text, size_t size)
+{
+    memset(at, 0, size);
+    memcpy(at, text, strlen(text));
+}
+
+/* False: no text that ends in zeroes. */
+static bool get_text(char *text, const uint8_t *at, size_t size)
+{
+    memcpy(text, at, size);
+    for (size_t n = strnlen(text, size); n < size; n++)
+        if (at[n] != 0)
+            return false;
+    return at[size - 1] == 0 && plain(text);
+}
+
+size_t lib_start_room(const struct lib_start *s)
+{
+    return HEAD + s->room;
+}
+
+size_t lib_start_write(const struct lib_start *s, uint8_t *out)
+{
+    const struct board_start *start = &s->start;
+    const struct practice *p = &start->practice;
+    const size_t nvram = s->room > 0 ? start->nvram_size : 0;
+    uint8_t *at = out;
+
+    bytes_put64(at, start->seed);
+    bytes_put32(at + 8, (uint32_t)start->difficulty);
+    at += 12;
+    for (size_t i = 0; i < DIPS; i++, at += 4)
+        bytes_put32(at, (uint32_t)start->dip[i]);
+    put_text(at, start->lang, LANG);
+    put_text(at + LANG, p->section, SECTION);
+    at += LANG + SECTION;
+    bytes_put32(at, (uint32_t)p->lives);
+    at[4] = p->invincible;
+    at[5] = (uint8_t)p->registers;
+    at += 6;
+    for (int i = 0; i < PRACTICE_REGISTERS; i++, at += NAME + 4) {
+        put_text(at, p->reg[i].name, NAME);
+        bytes_put32(at + NAME, (uint32_t)p->reg[i].value);
+    }
+    bytes_put32(at, (uint32_t)nvram);
+    if (nvram > 0)
+        memcpy(at + 4, start->nvram, nvram);
+    return HEAD + nvram;
+}
+
+static bool read_practice(struct practice *p, const uint8_t *at)
+{
+    bool good = at[SECTION + 4] <= 1 && at[SECTION + 5] <= PRACTICE_REGISTERS && get_text(p->section, at, SECTION);
+
+    p->lives = (int32_t)bytes_get32(at + SECTION);
+    p->invincible = at[SECTION + 4] == 1;
+    p->registers = at[SECTION + 5];
+    at += SECTION + 6;
+    for (int i = 0; good && i < PRACTICE_REGISTERS; i++, at += NAME + 4) {
+        good = get_text(p->reg[i].name, at, NAME);
+        p->reg[i].value = (int32_t)bytes_get32(at + NAME);
+    }
+    return good && strcmp(p->section, PRACTICE_LIST) != 0;
+}
+
+bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size)
+{
+    struct board_start *start = &out->start;
+    const uint8_t *at = bytes + 12;
+
+    if (size < HEAD)
+        return false;
+    *start = (struct board_start){ .seed = bytes_get64(bytes), .difficulty = (int32_t)bytes_get32(bytes + 8) };
+    for (size_t i = 0; i < DIPS; i++, at += 4)
+        start->dip[i] = (int32_t)bytes_get32(at);
+    const size_t nvram = bytes_get32(bytes + HEAD - 4);
+    if (start->difficulty < -1 || nvram != size - HEAD || nvram > out->room || !get_text(start->lang, at, LANG) ||
+        !read_practice(&start->practice, at + LANG))
+        return false;
+    memcpy(out->nvram, bytes + HEAD, nvram);
+    start->nvram = nvram > 0 ? out->nvram : NULL;
+    start->nvram_size = nvram;
+    set_hash(out);
+    return true;
+}

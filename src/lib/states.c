@@ -1,0 +1,286 @@
+/*
+ * states.c - states: how the run began and its pads, and the frames this process has kept.
+ *
+ *      0  "CURTAINS"                    24  u32 frames             48  u32 CRC32 of all from byte 56 on
+ *      8  u32 format (1)                28  u32 bytes of the start 52  u32 CRC32 of the first 52 bytes
+ *     12  u32 core version              32  u32 bytes of the pads  56  the start (start.c)
+ *     16  u64 game hash of the ROM      40  u64 state hash             the pads (pads_log.h)
+ *                                          (36: u32 zero)
+ *
+ * Little-endian. A snapshot is known by its frame and by the digest of start and pads up to there: the board is
+ * deterministic, so where both are equal it is that frame, whichever run it was kept in.
+ */
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "../base/hash.h"
+#include "lib.h"
+
+enum { HEAD = 56, FORMAT = 1 };
+static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 'S' };
+
+/* ---- snapshots ---- */
+
+static struct lib_snapshot *find(struct curtain *c, uint32_t frame, uint64_t digest)
+{
+    for (uint32_t i = 0; i < c->n; i++) {
+        struct lib_snapshot *s = &c->snapshot[i];
+        if (s->used > 0 && s->frame == frame && s->digest == digest)
+            return s;
+    }
+    return NULL;
+}
+
+/* The one wanted longest ago, of those from..to. */
+static struct lib_snapshot *oldest(struct curtain *c, uint32_t from, uint32_t to)
+{
+    struct lib_snapshot *best = NULL;
+
+    for (uint32_t i = from; i < to; i++)
+        if (!best || c->snapshot[i].used < best->used)
+            best = &c->snapshot[i];
+    return best;
+}
+
+/* Of the frames kept on the way, the one whose neighbours are nearest to each other, seen from the present: so gaps
+ * grow with age. The first one goes only when there is no other. */
+static struct lib_snapshot *least_missed(struct curtain *c, uint32_t present)
+{
+    struct lib_snapshot *best = NULL;
+    uint64_t best_gap = 0, best_far = 1;
+
+    for (uint32_t i = 0; i < c->keys; i++) {
+        struct lib_snapshot *s = &c->snapshot[i];
+        uint32_t before = 0, after = present;
+        if (s->used == 0 || s->frame > present)
+            return s;
+        for (uint32_t k = 0; k < c->keys; k++) {
+            const uint32_t frame = c->snapshot[k].frame;
+            before = frame < s->frame && frame > before ? frame : before;
+            after = frame > s->frame && frame < after ? frame : after;
+        }
+        const uint64_t gap = after - before, far = (uint64_t)(present - s->frame) + LIB_KEY;
+        if (!best || gap * best_far < best_gap * far) {
+            best = s;
+            best_gap = gap;
+            best_far = far;
+        }
+    }
+    return best;
+}
+
+static void keep(struct curtain *c, struct lib_snapshot *s)
+{
+    board_save(c->board, s->at);
+    s->frame = c->log.frames;
+    s->digest = c->log.digest;
+    s->used = ++c->clock;
+}
+
+void lib_keep_key(struct curtain *c)
+{
+    if (c->keys > 0 && c->log.frames > 0 && c->log.frames % LIB_KEY == 0 && !c->log.full &&
+        !find(c, c->log.frames, c->log.digest))
+        keep(c, least_missed(c, c->log.frames));
+}
+
+/* ---- going there ---- */
+
+/* Where to play from: the last frame of the pads that is kept, or that the board is at; else power-on. */
+struct from {
+    struct lib_snapshot *snapshot;
+    bool present;
+    uint32_t frame;
+};
+
+/* The pads of a run that began with that hash. now: the log that the board is at the end of; NULL: it is nowhere. */
+static struct from search(struct curtain *c, struct pads_run pads, uint64_t begin, const struct pads_log *now)
+{
+    struct pads_log empty = { 0 };
+    struct from from = { NULL, false, 0 };
+
+    pads_log_begin(&empty, begin);
+    uint64_t digest = empty.digest;
+    uint32_t frame = 0;
+    from.present = now && now->frames == 0 && now->digest == digest;
+    while (pads_run_next(&pads))
+        for (uint32_t i = 0; i < pads.frames; i++) {
+            digest = pads_log_fold(digest, pads.pads);
+            frame++;
+            const bool present = now && now->frames == frame && now->digest == digest;
+            struct lib_snapshot *s = present ? NULL : find(c, frame, digest);
+            if (present || s)
+                from = (struct from){ s, present, frame };
+        }
+    return from;
+}
+
+/* Brings the board to that frame. False: it cannot begin like that. */
+static bool set_out(struct curtain *c, const struct from *from, char *err, size_t err_size)
+{
+    c->drawn = c->sounding = false;
+    if (from->snapshot) {
+        from->snapshot->used = ++c->clock;
+        board_restore(c->board, from->snapshot->at);
+    } else if (!from->present) {
+        struct board *was = c->board;
+        if (!lib_power(c, err, err_size)) {
+            c->board = was; /* the same place: only what is restored there is good now */
+            return false;
+        }
+    }
+    if (!board_last(c->board)->fault)
+        board_count(c->board, true); /* no alarm is set for these frames */
+    return true;
+}
+
+void lib_set_counting(struct curtain *c)
+{
+    if (!board_last(c->board)->fault)
+        board_count(c->board, c->counts);
+}
+
+void lib_again(struct curtain *c)
+{
+    struct pads_run pads = pads_log_read(&c->log);
+    const struct from from = search(c, pads, c->begin.hash, NULL);
+    uint32_t frame = 0;
+    char err[256];
+
+    if (!set_out(c, &from, err, sizeof err)) /* it could when it was opened */
+        return;
+    while (pads_run_next(&pads))
+        for (uint32_t i = 0; i < pads.frames; i++)
+            if (frame++ >= from.frame)
+                board_tick(c->board, pads.pads);
+}
+
+/* Plays the pads from that frame on; c->log becomes theirs. */
+static bool go(struct curtain *c, struct pads_run pads, const struct from *from, char *err, size_t err_size)
+{
+    pads_log_begin(&c->log, c->begin.hash);
+    if (!set_out(c, from, err, err_size))
+        return false;
+    while (pads_run_next(&pads))
+        for (uint32_t i = 0; i < pads.frames; i++) {
+            if (c->log.frames >= from->frame) {
+                if (board_last(c->board)->fault)
+                    return err_set(err, err_size, "the state goes on after an error of the game");
+                lib_keep_key(c);
+                board_tick(c->board, pads.pads);
+            }
+            pads_log_add(&c->log, pads.pads);
+        }
+    lib_set_counting(c);
+    return true;
+}
+
+/* ---- states ---- */
+
+size_t curtain_state_size(const struct curtain *c)
+{
+    return HEAD + lib_start_room(&c->begin) + c->log.room + PADS_LOG_RUN;
+}
+
+size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size)
+{
+    uint8_t *out = state;
+
+    if (c->log.full) {
+        err_set(err, err_size, "the run has changed its pads more often than a state of %zu bytes holds",
+                curtain_state_size(c));
+        return 0;
+    }
+    if (size < HEAD + lib_start_room(&c->begin) + c->log.used + PADS_LOG_RUN) {
+        err_set(err, err_size, "%zu bytes for a state, expected %zu", size, curtain_state_size(c));
+        return 0;
+    }
+    const size_t start = lib_start_write(&c->begin, out + HEAD), pads = pads_log_write(&c->log, out + HEAD + start);
+    memcpy(out, magic, sizeof magic);
+    bytes_put32(out + 8, FORMAT);
+    bytes_put32(out + 12, CORE_VERSION);
+    bytes_put64(out + 16, c->game_hash);
+    bytes_put32(out + 24, c->log.frames);
+    bytes_put32(out + 28, (uint32_t)start);
+    bytes_put32(out + 32, (uint32_t)pads);
+    bytes_put32(out + 36, 0);
+    bytes_put64(out + 40, board_hash(c->board));
+    bytes_put32(out + 48, hash_crc32(out + HEAD, start + pads));
+    bytes_put32(out + 52, hash_crc32(out, 52));
+    if (c->n > c->keys && !board_last(c->board)->fault && !find(c, c->log.frames, c->log.digest))
+        keep(c, oldest(c, c->keys, c->n));
+    return HEAD + start + pads;
+}
+
+/* The pads of a state that can be loaded, and c->spare its start; false and a sentence for any other bytes. */
+static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct pads_run *pads, char *err,
+                       size_t err_size)
+{
+    if (size < HEAD || memcmp(in, magic, sizeof magic) != 0)
+        return err_set(err, err_size, "not a state of Curtain's");
+    if (hash_crc32(in, 52) != bytes_get32(in + 52))
+        return err_set(err, err_size, "a damaged state");
+    if (bytes_get32(in + 8) != FORMAT || bytes_get32(in + 36) != 0)
+        return err_set(err, err_size, "a state of another format (%u), expected %d", (unsigned)bytes_get32(in + 8),
+                       FORMAT);
+    if (bytes_get32(in + 12) != CORE_VERSION)
+        return err_set(err, err_size, "a state of core version %u, and this is %d", (unsigned)bytes_get32(in + 12),
+                       CORE_VERSION);
+    if (bytes_get64(in + 16) != c->game_hash)
+        return err_set(err, err_size, "a state of another game, or of another build of this one");
+    const size_t start = bytes_get32(in + 28), length = bytes_get32(in + 32);
+    if (start > size - HEAD || length > size - HEAD - start)
+        return err_set(err, err_size, "a state that is cut short");
+    if (hash_crc32(in + HEAD, start + length) != bytes_get32(in + 48))
+        return err_set(err, err_size, "a damaged state");
+    if (!lib_start_read(&c->spare, in + HEAD, start))
+        return err_set(err, err_size, "a state whose start is none");
+    *pads = (struct pads_run){ .at = in + HEAD + start, .end = in + HEAD + start + length };
+    struct pads_run all = *pads;
+    uint64_t frames = 0;
+    while (pads_run_next(&all))
+        frames += all.frames;
+    if (all.at != all.end || frames != bytes_get32(in + 24) || frames > PADS_LOG_FRAMES)
+        return err_set(err, err_size, "a state whose pads are none");
+    return length <= c->log.room ? true : err_set(err, err_size, "a state of a longer run than there is room for");
+}
+
+static void swap_starts(struct curtain *c)
+{
+    struct lib_start start = c->begin;
+
+    c->begin = c->spare;
+    c->spare = start;
+}
+
+static void swap_logs(struct curtain *c)
+{
+    struct pads_log log = c->log;
+
+    c->log = c->other;
+    c->other = log;
+}
+
+bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size)
+{
+    struct pads_run pads;
+    const uint8_t *in = state;
+
+    if (!read_state(c, in, size, &pads, err, err_size))
+        return false;
+    board_save(c->board, c->before);
+    board_output_save(c->board, c->before_out);
+    const struct from from = search(c, pads, c->spare.hash, board_last(c->board)->fault ? NULL : &c->log);
+    swap_starts(c);
+    swap_logs(c);
+    if (go(c, pads, &from, err, err_size) && (board_hash(c->board) == bytes_get64(in + 40) ||
+                                              err_set(err, err_size, "a state whose run ends in another hash")))
+        return true;
+    swap_logs(c);
+    swap_starts(c);
+    board_restore(c->board, c->before);
+    board_output_restore(c->board, c->before_out);
+    lib_set_counting(c);
+    c->drawn = c->sounding = false;
+    return false;
+}
