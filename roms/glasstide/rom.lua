@@ -290,7 +290,6 @@ return {
                  size = 8 },
     street   = { tiles = "art/street.png", bank = 13, palette = "two", file = "maps/street.csv" },
     skyline  = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/skyline.csv" },
-    haze     = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/haze.csv" },
     -- stage three
     trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
     chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
