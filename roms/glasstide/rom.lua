@@ -291,7 +291,6 @@ return {
                  size = 8 },
     street   = { tiles = "art/street.png", bank = 13, palette = "two", file = "maps/street.csv" },
     skyline  = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/skyline.csv" },
-    haze     = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/haze.csv" },
     -- stage three
     trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
     chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
@@ -423,5 +422,5 @@ return {
   },
   dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
-  players = 2, extends = { 300000, 1000000, 2500000 },
+  players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }

@@ -17,7 +17,7 @@ local MOST_CHAIN <const> = 200  -- beyond this a chain is worth no more
 local COUNT <const> = { show = "none" } -- nobody practises with more of it
 
 -- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second
--- part are for the tally.
+-- part are for the tally; brushes: grazes that paid in full.
 function scoring.registers()
   return {
     gauge = { max = scoring.FULL, show = "bar", at = "low", label = "GLASS", mark = scoring.NEED },
@@ -25,7 +25,8 @@ function scoring.registers()
                mark = 500 }, -- in hundredths
     chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
     worn = { drain = 1, every = 30, hold = 120, show = "none" },
-    prisms = COUNT, longest = COUNT, captures = COUNT, misses = COUNT, used = COUNT }
+    brushes = COUNT, prisms = COUNT, longest = COUNT, captures = COUNT, misses = COUNT,
+    used = COUNT }
 end
 
 -- A number that rises where it was won.
@@ -63,6 +64,7 @@ on.graze(function(p, _)
   p.worn = p.worn + 1
   fill(p, math.floor(FILLS * pays))
   score.add(math.floor(GRAZE * pays), p)
+  if pays == 1 then p.brushes = p.brushes + 1 end
   if pays > 0 then spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 } end
 end)
 
@@ -158,10 +160,10 @@ on.death(function(p)
   p.misses = p.misses + 1
 end)
 on.bomb(function(p) p.used = p.used + 1 end)
-on.phase(function(_, _, _, captured)
+on.phase(function(_, _, won, captured)
   game.minions = 0
   player.each(function(p)
-    p.worn = 0
+    if won then p.worn = 0 end -- who waits for the clock stays tired
     if captured then p.captures = p.captures + 1 end
   end)
 end)
@@ -171,7 +173,7 @@ on.stage(function(_, state)
 end)
 
 score.tally {
-  { label = "GRAZE", value = "grazes", points = 200, stage = true },
+  { label = "GRAZE", value = "brushes", points = 200, stage = true },
   { label = "SHARDS", value = "prisms", points = 100, stage = true },
   { label = "BEST CHAIN", value = "longest", points = 1000 },
   { label = "SIGNS BROKEN", value = "captures", points = 20000, stage = true },

@@ -2,7 +2,8 @@
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
  *     background, back sprites, items, enemies, shots, players' lasers, sparks of the layer middle, middle sprites,
- *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
+ *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites
+ *     over it, text, lines
  *
  * Options are drawn over the sprites of their layer. A view (board.h) may dim backgrounds and back sprites, before
  * anything else is drawn over them.
@@ -30,9 +31,8 @@ void video_paint(struct draw_target *c, const struct image *img, int x, int y, u
 {
     if (!blend)
         blit_sprite(c->fb, img, x, y, bank, flip);
-    else if (c->b->cart.mix[blend - 1] == BLIT_TABLE ||
-             !blit_ramped(c->fb, img, x, y, bank, flip, c->b->cart.mix[blend - 1]))
-        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
+    else if (c->look.mix[blend - 1] == BLIT_TABLE || !blit_ramped(c->fb, img, x, y, bank, flip, c->look.mix[blend - 1]))
+        blit_blended(c->fb, img, x, y, bank, flip, c->look.blend[blend - 1]);
 }
 
 void video_batch_begin(struct video_batch *q, struct draw_target *c)
@@ -62,7 +62,7 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
                      unsigned blend)
 {
     const struct fb *fb = q->c->fb;
-    const enum blit_mix mix = blend ? (enum blit_mix)q->c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+    const enum blit_mix mix = blend ? (enum blit_mix)q->c->look.mix[blend - 1] : BLIT_OPAQUE;
 
     if (image->w != q->size.w || image->h != q->size.h || image->pitch != q->size.pitch || mix != q->mix)
         open_batch(q, image, mix);
@@ -437,9 +437,9 @@ static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "a table for each dim but none");
 
 /* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
-static const uint8_t *shade_of(const struct board *b, const struct view *view)
+static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)
 {
-    const uint8_t *shades = b->cart.shades ? b->cart.shades : view->shades;
+    const uint8_t *shades = look->shades ? look->shades : view->shades;
 
     return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
 }
@@ -448,8 +448,9 @@ static const uint8_t *shade_of(const struct board *b, const struct view *view)
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
-    struct draw_target c = { b,    fb,   m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites),
-                             NULL, false };
+    struct draw_target c = {
+        b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL, video_look(b), false
+    };
     int dx, dy;
 
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
@@ -511,7 +512,7 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
     bool shaken, over[COLOURS];
     struct draw_target c = target(b, fb, scratch, overdraw, &shaken);
 
-    c.shade = shade_of(b, v);
+    c.shade = shade_of(&c.look, v);
     c.soft = v->soft_flashes;
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_flash(b, v->soft_flashes, rgb);

@@ -509,12 +509,20 @@ static uint32_t colour(const uint8_t *p, int i)
     return (uint32_t)p[3 * i] << 16 | (uint32_t)p[3 * i + 1] << 8 | p[3 * i + 2];
 }
 
+/* Which palette is loaded, where that matters. */
+static int loaded(const struct board *b)
+{
+    return b->cart.has_looks ? board_palette(b) : 0;
+}
+
 static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint8_t *p = palette_named(L, b, "palette.load", v[ARG_NAME].at);
+    const int before = loaded(b);
 
     for (int i = 0; i < COLOURS; i++)
         pal_set(&b->pal, i, colour(p, i));
+    api_bg_shade(L, b, loaded(b) != before);
     return 0;
 }
 
@@ -523,6 +531,7 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
     struct api_param number = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL };
     struct api_value to = { 0 };
     const uint8_t *p = NULL;
+    const int before = loaded(b);
 
     if (lua_type(L, v[FADE_TO].at) == LUA_TSTRING)
         p = palette_named(L, b, "palette.fade", v[FADE_TO].at);
@@ -530,6 +539,8 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
         api_check(L, "palette.fade", &number, v[FADE_TO].at, &to);
     for (int i = (int)v[FADE_FIRST].i; i <= (int)v[FADE_LAST].i; i++)
         pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)to.i, (uint16_t)v[FADE_OVER].i);
+    if (p)
+        api_bg_shade(L, b, loaded(b) != before);
     return 0;
 }
 
