@@ -9,7 +9,7 @@ must be declared. Types, optional marks, ranges and defaults are derived here fr
 import re
 import sys
 
-BASIC = {"any", "boolean", "function", "integer", "nil", "number", "string", "table"}
+BASIC = {"any", "boolean", "false", "function", "integer", "nil", "number", "string", "table"}
 TOKEN = re.compile(r'\s*("[^"]*"|-?\d+|\.\.\.|[A-Za-z_][\w.]*|[^\s])')
 
 
