@@ -190,8 +190,8 @@ local function draw_low()
   for i = 1, players do
     for k, r in ipairs(low[i]) do
       local s, bank = register(i, r, true)
-      local n = sys.value(i, r.name, r.run)
-      if r.show ~= "bar" and n == r.value and n == (r.show == "times" and 100 or 0) or hud.gone[i] then s = "" end
+      local value = sys.value(i, r.name, r.run)
+      if r.show ~= "bar" and value == r.value and value == (r.show == "times" and 100 or 0) or hud.gone[i] then s = "" end
       local key = s .. "|" .. (bank or "")
       local old = below[i][k] or { "", "" }
       if old[2] ~= key then
