@@ -99,7 +99,8 @@ local function lamplight(e)
     local n = by_difficulty { easy = 3, normal = 4, hard = 5 }
     local way = k % 2 == 0 and -1 or 1
     local p = player.nearest(e.x, e.y)
-    local dir = (p and angle.to(e, p) or 90) + 180 / n -- whoever is there stands between two
+    -- whoever is there stands between two
+    local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,

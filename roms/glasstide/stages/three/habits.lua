@@ -9,7 +9,7 @@ local NEAR = 44 -- px: nobody fires into a face
 
 local function face_to_face(e)
   local p = player.nearest(e.x, e.y)
-  if not p then return false end
+  if not (p and p.alive) then return false end
   local dx, dy = p.x - e.x, p.y - e.y
   return dx * dx + dy * dy < NEAR * NEAR
 end
