@@ -75,7 +75,7 @@ function habits.lights(e)
     for side = -1, 1, 2 do
       bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "petal", bank = 2,
                     dir = 90 + open * side, speed = fast(1.2, 1.4, 1.5, 1.1) }
-      if k % by(9, 4, 2, 1) == 0 then
+      if k % by(9, 4, 2, 2) == 0 then
         bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "rice", bank = 3,
                       dir = 90 - 0.6 * open * side, speed = fast(1, 1.1, 1.2, 0.9) }
       end
@@ -131,7 +131,7 @@ function habits.chain(e)
     wait(24)
   end
   while true do
-    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 18), dir = rng.dir(),
+    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 16), dir = rng.dir(),
                    speed = fast(1, 1.2, 1.3, 1) }
     wait(soon(120, 96, 80, 64))
   end
