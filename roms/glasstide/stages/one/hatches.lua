@@ -46,7 +46,8 @@ local function breathe(e)
     if e.y > 190 then return end
     pattern.ring { from = e, kind = "ring", bank = k % 2 == 0 and 3 or 2, dir = 9 * k,
                    n = by_difficulty { easy = 10, normal = 15, hard = 19, abyss = 24 },
-                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.15 }, delay = 12 }
+                   delay = 12,
+                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.15 } }
     wait(by_difficulty { easy = 34, normal = 30, hard = 26, abyss = 22 })
   end
 end

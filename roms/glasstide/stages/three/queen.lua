@@ -150,7 +150,7 @@ local function ebb(e)
   task.go(rain_over, e)
   for k = 1, forever do
     wait(by(60, 50, 46, 60))
-    wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
+    wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
     wait(by(50, 40, 36, 60))
@@ -177,7 +177,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 17), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 16), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -199,7 +199,7 @@ local function flower(e, full)
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 25) }
+                     n = by(10, 20, 30, 22) }
     end
   end
 end
@@ -211,8 +211,12 @@ local function window(e)
   figures.window(e)
 end
 
+local returns = 0 -- how often she came back already
+
+-- Each time she has less left: whoever cannot reach her is not held here for ever.
 local function again(e)
   scene.court()
+  e.hp = math.max(60, e.hp - 240 * returns)
   figures.again(e)
 end
 
@@ -240,7 +244,7 @@ boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 12
 local broken -- she was, as she came back
 
 on.phase(function(_, id, won)
-  if id == "again" then broken = won end
+  if id == "again" then broken, returns = won, won and 0 or returns + 1 end
 end)
 
 local queen = {}
@@ -249,6 +253,7 @@ local queen = {}
 function queen.fight()
   boss.fight("queen")
   if not stage.skipping() then wait(fx.COLLAPSE) end
+  returns = 0
   repeat
     broken = false
     boss.fight("undertow")
