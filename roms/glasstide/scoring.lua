@@ -20,7 +20,7 @@ local COUNT <const> = { show = "none" } -- nobody practises with more of it
 -- part are for the tally; brushes: grazes that paid in full.
 function scoring.registers()
   return {
-    gauge = { max = scoring.FULL, show = "bar", at = "low", label = "", mark = scoring.NEED },
+    gauge = { max = scoring.FULL, show = "bar", at = "low", label = "GLASS", mark = scoring.NEED },
     shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
                mark = 500 }, -- in hundredths
     chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
@@ -143,11 +143,12 @@ on.kill(function(e, p)
   if boss.now() then spoil(e, p) end
 end)
 
--- Each frame, by the craft: what a kill brought is shown there, if it is much.
+-- Each frame, by the craft: what a kill brought is shown above it, if it is much; not among those
+-- who fire.
 function scoring.watch(p)
   local s = seen[p.index]
   local n = p.score - (s.score or p.score)
-  if s.x and n >= LARGE then float(s.x, s.y, ("%d"):format(n), 3) end
+  if s.x and n >= LARGE then float(p.x, p.y - 28, ("%d"):format(n), 4) end
   s.score, s.x, s.y = p.score, nil, nil
   hear(p, s)
 end

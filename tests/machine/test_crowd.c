@@ -64,7 +64,7 @@ static void paint_kind(const struct board *b, const struct bullets *s, const str
         if (is_used(&s->s, i) && s->kind[i] == kind) {
             struct image image = image_of(b, s, k, i);
             paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i],
-                  blend ? b->cart.blend[blend - 1] : NULL);
+                  blend ? b->cart.main.blend[blend - 1] : NULL);
         }
 }
 

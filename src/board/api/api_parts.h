@@ -467,6 +467,9 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
  * go on. */
 int api_pass_wait(lua_State *L, struct board *b);
 
+/* A palette was loaded; if it is another one, the tables of the plane's fog and of a fade's black follow. */
+void api_bg_shade(lua_State *L, struct board *b, bool other);
+
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);
 

@@ -124,7 +124,9 @@ static const struct api_param boss_cast[] = { NAME,
                                               { "title", A_STR, REQ, 0, 63, NULL, NULL },
                                               { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
                                               { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL } };
+                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                              { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                              { "portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boss_talk[] = { { "talk", A_FUNC, REQ, 0, 0, NULL, NULL } };
 static const struct api_param boss_fight[] = { NAME, { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
 static const struct api_param boss_history[] = { NAME,
@@ -145,6 +147,8 @@ static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL 
                                           { "rate", A_NUM, OPT, 0, 1, NULL, "0.25" },
                                           { "down", A_DOWN, OPT, 0, 0, NULL, "all" },
                                           { "cut_in", A_BOOL, OPT, 0, 0, NULL, NULL },
+                                          { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                          { "portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL },
                                           { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
                                           { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
                                           { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -322,8 +326,10 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
-        "it, from the right or, portrait_left, the left; warning: frames of a WARNING before, round a card with "
-        "epithet and title; entrance: sparks on its way in; music: plays during the fight"),
+        "it, "
+        "or a phase's; warning: frames of a WARNING round a card with epithet and title; entrance: sparks; music: "
+        "plays "
+        "during the fight"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

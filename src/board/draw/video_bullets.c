@@ -95,7 +95,7 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
 {
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
     const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
-    const enum blit_mix mix = blend ? (enum blit_mix)c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+    const enum blit_mix mix = blend ? (enum blit_mix)c->look.mix[blend - 1] : BLIT_OPAQUE;
     const bool along = flags & KIND_TURNS, cloud = flags & KIND_CLOUD;
     const ang spin = k->spin[kind];
     const bool turns = (along || spin) && pic->rotations > 1;

@@ -253,9 +253,10 @@ local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
   epithet = "Who Kept the Fire In", entrance = "bubbles",
-  portrait = "cinder_cross",
-  cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90 },
-           { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90 } },
+  cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90,
+             portrait = "cinder_cross" },
+           { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90,
+             portrait = "quench_cross", portrait_left = true } },
   phases = {
     { talk = meeting },
     { id = "both", hp = { cinder = 380, quench = 380 }, time = 34 * 60, run = pair(sparks, bars),
@@ -263,8 +264,7 @@ boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120
     { id = "furnace", spell = "Furnace Sign: Poured Glass", hp = { cinder = 760 }, time = 34 * 60,
       bonus = 20000, bonus_to = 6000, run = furnace, clear = FOAM, drops = { pearl = 8 } },
     { id = "panes", spell = "Temper Sign: Panes in Rows", hp = { quench = 700 }, time = 36 * 60,
-      bonus = 20000, bonus_to = 6000, cut_in = false, run = panes, clear = FOAM,
-      drops = { conch = 1 } },
+      bonus = 20000, bonus_to = 6000, run = panes, clear = FOAM, drops = { conch = 1 } },
     { id = "crossing", spell = "Alloy Sign: Thrown Back", hp = 800, time = 36 * 60, bonus = 25000,
       bonus_to = 8000, run = crossing, clear = FOAM, drops = { pearl = 8 } },
     { id = "press", spell = "Last Sign: The Press", hp = { cinder = 420, quench = 420 },
