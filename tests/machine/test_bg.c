@@ -483,8 +483,8 @@ static void test_phase(void **state)
     rig_game_free(&g);
 }
 
-/* What a run shows from a mark on, practice of that mark shows: the background is there before the next line, what faded
- * before has faded, and what the next lines begin is not lost. */
+/* What a run shows from a mark on, practice of that mark shows: the background is there before the next line, what
+ * faded before has faded, and what the next lines begin is not lost. */
 static const char marked[] =
     "bg.def('day', function() palette.set(5, 0x102030) bg.layer(1).map = 'sea' for i = 1, forever do wait(1) end end)\n"
     "bg.def('dusk', function() palette.set(6, 0x405060) bg.layer(1).map = 'reef' wait(forever) end)\n"

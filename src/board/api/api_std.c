@@ -326,9 +326,8 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
-        "it, from the right or, portrait_left, the left, or with those of one of the cast or of a phase; warning: "
-        "frames of a WARNING before, round a card with "
-        "epithet and title; entrance: sparks on its way in; music: plays during the fight"),
+        "it, from the right or, portrait_left, the left, or with that of one of the cast or of a phase; warning: "
+        "frames of it, with epithet and title; entrance: sparks; music: its own"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

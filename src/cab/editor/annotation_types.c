@@ -235,7 +235,9 @@ static const char *return_type(const char *word)
                  { "number", "number" },   { "share", "number" },        { "list", "any[]" },
                  { "name", "string" },     { "name or nil", "string?" }, { "string", "string" },
                  { "value", "any" },       { "tries", "integer" },       { "captures", "integer" },
-                 { "scope", "task" },      { "route", "route" } };
+                 { "scope", "task" },      { "route", "route" },         { "boss", "string" },
+                 { "id", "string" },       { "stars", "integer" },       { "ship", "string" },
+                 { "got", "integer" },     { "most", "integer" } };
 
     for (size_t i = 0; i < COUNT(list); i++)
         if (!strcmp(list[i].word, word))
