@@ -21,6 +21,8 @@ local score_page = require "fx/score_page"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
 hud.low = 3 -- the bombs stand below
+hud.shy = 6
+hud.graze = "GRAZE"
 
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.

@@ -17,15 +17,16 @@ local MOST_CHAIN <const> = 200  -- beyond this a chain is worth no more
 local COUNT <const> = { show = "none" } -- nobody practises with more of it
 
 -- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second
--- part are for the tally.
+-- part are for the tally; brushes: grazes that paid in full.
 function scoring.registers()
   return {
-    gauge = { max = scoring.FULL, show = "bar", at = "low", label = "", mark = scoring.NEED },
+    gauge = { max = scoring.FULL, show = "bar", at = "low", label = "GLASS", mark = scoring.NEED },
     shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
                mark = 500 }, -- in hundredths
     chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
     worn = { drain = 1, every = 30, hold = 120, show = "none" },
-    prisms = COUNT, longest = COUNT, captures = COUNT, misses = COUNT, used = COUNT }
+    brushes = COUNT, prisms = COUNT, longest = COUNT, captures = COUNT, misses = COUNT,
+    used = COUNT }
 end
 
 -- A number that rises where it was won.
@@ -63,6 +64,7 @@ on.graze(function(p, _)
   p.worn = p.worn + 1
   fill(p, math.floor(FILLS * pays))
   score.add(math.floor(GRAZE * pays), p)
+  if pays == 1 then p.brushes = p.brushes + 1 end
   if pays > 0 then spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 } end
 end)
 
@@ -141,11 +143,12 @@ on.kill(function(e, p)
   if boss.now() then spoil(e, p) end
 end)
 
--- Each frame, by the craft: what a kill brought is shown there, if it is much.
+-- Each frame, by the craft: what a kill brought is shown above it, if it is much; not among those
+-- who fire.
 function scoring.watch(p)
   local s = seen[p.index]
   local n = p.score - (s.score or p.score)
-  if s.x and n >= LARGE then float(s.x, s.y, ("%d"):format(n), 3) end
+  if s.x and n >= LARGE then float(p.x, p.y - 28, ("%d"):format(n), 4) end
   s.score, s.x, s.y = p.score, nil, nil
   hear(p, s)
 end
@@ -157,10 +160,10 @@ on.death(function(p)
   p.misses = p.misses + 1
 end)
 on.bomb(function(p) p.used = p.used + 1 end)
-on.phase(function(_, _, _, captured)
+on.phase(function(_, _, won, captured)
   game.minions = 0
   player.each(function(p)
-    p.worn = 0
+    if won then p.worn = 0 end -- who waits for the clock stays tired
     if captured then p.captures = p.captures + 1 end
   end)
 end)
@@ -170,7 +173,7 @@ on.stage(function(_, state)
 end)
 
 score.tally {
-  { label = "GRAZE", value = "grazes", points = 200, stage = true },
+  { label = "GRAZE", value = "brushes", points = 200, stage = true },
   { label = "SHARDS", value = "prisms", points = 100, stage = true },
   { label = "BEST CHAIN", value = "longest", points = 1000 },
   { label = "SIGNS BROKEN", value = "captures", points = 20000, stage = true },

@@ -9,7 +9,7 @@ unlock.def("music_room", { title = "Music", when = { clear = "one" },
                            hint = "Come through the shallows" })
 -- Colours of the craft, for the switch `lamps` of the settings; with ember come two pieces of
 -- music.
-unlock.def("gilt", { title = "Gilt Lamps", when = { mode = "caravan", score = 1500000 },
-                     hint = "1500000 points in the caravan" })
+unlock.def("gilt", { title = "Gilt Lamps", when = { mode = "caravan", score = 600000 },
+                     hint = "600000 points in the caravan" })
 unlock.def("ember", { title = "Ember Lamps", hint = "Outlive what is under the abyss",
                       when = function(_) return moon.outlived() end })

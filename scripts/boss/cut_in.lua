@@ -15,7 +15,7 @@ local function place(t, left)
   local out = math.max(t - IN - DRIFT, 0) / IN
   local on = math.min(math.max(t - IN, 0), DRIFT) / DRIFT
   local x = w * (FAR + (NEAR - FAR) * on) + (w * (1 - FAR) + BESIDE) * k * k - (w * NEAR + BESIDE) * out * out
-  return left and w - x or x, h * (0.58 - 0.12 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way
+  return left and w - x or x, h * (0.43 - 0.10 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way, above the name
 end
 
 return function(_, phase, scene)

@@ -8,7 +8,7 @@ local CELLS <const> = 5 -- of a bar, and icons in a row
 
 local WIDEST = 26      -- cells of a column
 
-local NAME = page.low and 8 or 10 -- rows from a column's top to the ship's name
+local NAME = page.low and 8 or 9 -- rows from a column's top to the ship's name
 local TEXT = NAME + 2             -- and to what is told of it
 local FORM <const> = 2            -- rows that the name of a form takes above its text
 

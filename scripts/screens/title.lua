@@ -91,7 +91,7 @@ end
 -- The number of what is chosen from the list; 0: back, nil: nobody answers.
 local function choose(items, row, chosen, least)
   if #items == 1 then return 1 end
-  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 2
+  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 3 -- the cabinet says the keys below
   local gap = math.min(top, least) + 2 * (#items - 1) <= last and 2 or 1
   top = math.min(top, last - gap * (#items - 1))
   return page.list { items = items, row = top, chosen = chosen, back = 0, gap = gap, keys = true }

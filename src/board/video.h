@@ -19,6 +19,7 @@ struct draw_target {
     unsigned layers;        /* of sprites, a bit each: there is nothing in the others */
     const uint8_t *shade;   /* the entry that each of 256 is shown as in backgrounds; NULL: they are not dimmed */
     struct cart_look look;  /* tables of the palette that is loaded */
+    bool soft;              /* whoever is hurt blinks softly */
 };
 
 /* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */

@@ -42,7 +42,20 @@ static void close_it(void)
 
 enum { SOFT = 2 };
 
-/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour; SOFT: every second pixel in it), and
+/* Is one of the four pixels beside (u, v) of a picture one that is drawn? */
+static bool beside(const struct sprite *s, int frame, unsigned flip, int u, int v)
+{
+    for (int k = 0; k < 4; k++) {
+        const int x = u + (k < 2 ? 2 * k - 1 : 0), y = v + (k < 2 ? 0 : 2 * k - 5);
+        if (x < 0 || y < 0 || x >= s->w || y >= s->h)
+            continue;
+        if (s->pix[(frame * s->rotations * s->h + y) * s->pitch + (flip & BLIT_FLIP_X ? s->w - 1 - x : x)])
+            return true;
+    }
+    return false;
+}
+
+/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour; SOFT: a line round it is), and
  * nothing else anywhere. NULL: none. */
 static void shows(const char *name, int frame, int bank, int white, unsigned flip)
 {
@@ -64,8 +77,10 @@ static void shows(const char *name, int frame, int bank, int white, unsigned fli
             if (u >= 0 && v >= 0 && u < s.w && v < s.h) {
                 u = flip & BLIT_FLIP_X ? s.w - 1 - u : u;
                 int p = s.pix[(frame * s.rotations * s.h + v) * s.pitch + u];
-                want = !p ? 0 : white == 1 || (white && (u + v) % 2 == 0) ? brightest : (p + 16 * bank) % 256;
+                want = !p ? 0 : white == 1 ? brightest : (p + 16 * bank) % 256;
             }
+            if (!want && white == SOFT && beside(&s, frame, flip, x - X + s.ox, y - Y + s.oy))
+                want = brightest;
             seen += want != 0;
             if (r.fb.pix[y * r.fb.pitch + x] != want)
                 fail_msg("frame %u: %s%s: pixel %d,%d is %d, expected %d", r.b->core.frame, name ? name : "nothing",

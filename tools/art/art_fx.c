@@ -132,8 +132,8 @@ static void ring(struct sheet *s, int x, int y, int size, double t)
 
 /* -- sherds: the creatures' bank, of every stage; 2..9 glass, 15 the light on it -- */
 
-/* A flat piece of glass that turns about an axis of its own while it spins; its face flashes where it meets the
- * light. */
+/* A flat piece of glass that turns about an axis of its own while it spins; it is dark, so that it is no bullet, and
+ * glows a little where it meets the light. */
 static void sherd(struct sheet *s, int x, int y, int size, double turn, int n, const double *xy)
 {
     double flat = art_cos(turn), c = art_cos(turn * 1.0 + 0.1), q = art_sin(turn * 1.0 + 0.1), points[12];
@@ -145,12 +145,12 @@ static void sherd(struct sheet *s, int x, int y, int size, double turn, int n, c
         points[2 * i] = px * c - py * q;
         points[2 * i + 1] = px * q + py * c;
     }
-    int hi = lit > 0.9 ? 9 : 4 + (int)(5 * lit), lo = hi - 3;
+    int hi = lit > 0.9 ? 6 : 4 + (int)(2 * lit), lo = hi - 2;
     paint_poly(p, (struct mat){ GLASS, lo, hi, 0.1 }, n, points, size * 0.16);
     paint_done(p, s, x, y, 0, 0);
     for (int i = 0; lit > 0.9 && i < size * size; i++) {
         if (sheet_get(s, x + i % size, y + i / size) >= hi - (flat > 0))
-            sheet_set(s, x + i % size, y + i / size, 15);
+            sheet_set(s, x + i % size, y + i / size, 7);
     }
 }
 
@@ -226,11 +226,27 @@ struct sheet art_logo_light(void)
     return s;
 }
 
-/* What is found, a row each: pearl, conch and heart, over which a light runs in the first half of their frames. */
+/* A float of glass in its ring of rope: a bomb, as the craft keeps them. */
+static void glass_float(struct sheet *s, int x0, int y0)
+{
+    static const char *const rows[] = { "....111....", "....1D1....", "..1111111..", ".1CCAA9751.",
+                                        "1CDDA998751", "1CFDA998751", "1CDAA998751", "1AAA9988751",
+                                        "19998887551", ".197775551.", "..1111111.." };
+
+    for (int y = 0; y < (int)(sizeof rows / sizeof *rows); y++)
+        for (int x = 0; rows[y][x]; x++) {
+            const char c = rows[y][x];
+            if (c != '.')
+                sheet_set(s, x0 + x, y0 + y, c >= 'A' ? c - 'A' + 10 : c - '0');
+        }
+}
+
+/* What is found, a row each: pearl, conch and heart, over which a light runs in the first half of their frames; and
+ * below them a bomb. */
 struct sheet art_gems(void)
 {
     enum { GEM = 16, GEMS = 3, GEM_FRAMES = 10 };
-    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * GEMS, 0);
+    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * (GEMS + 1), 0);
 
     for (int k = 0; k < GEM_FRAMES * GEMS; k++)
         for (int i = 0; i < GEM * GEM; i++) {
@@ -240,6 +256,7 @@ struct sheet art_gems(void)
             bool lit = shade > 2 && frame < 5 && off < 2.6;
             sheet_set(&s, frame * GEM + x, k / GEM_FRAMES * GEM + y, lit ? off < 1.4 ? 15 : 13 : shade);
         }
+    glass_float(&s, 0, GEM * GEMS);
     sheet_free(&finds);
     return s;
 }
@@ -254,7 +271,7 @@ struct sheet art_marker(void)
             for (int x = 0; x < 24; x++) {
                 double d = fabs(x - 11.5), rim = d - y * 1.2;
                 if (rim < 0.8)
-                    sheet_set(&s, 24 * k + x, y, rim > -0.6 ? 1 : y > 7 ? 4 : (k ? 13 : 9) - (int)(d / 4));
+                    sheet_set(&s, 24 * k + x, y, rim > -0.6 || y == 9 ? 1 : y > 6 ? 4 : (k ? 13 : 9) - (int)(d / 4));
             }
     return s;
 }

@@ -30,11 +30,12 @@ end
 local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
 -- A cell off the edges, as the hud; so a talk's plate covers all of them.
-local function show_bombs(set, p, bead)
+local function show_bombs(set, p)
   for i = 1, craft.MOST do
     local x = p.index == 1 and 12 * i + 3 or rom.screen.w - 12 * i - 3
-    local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 15, screen = true })
-    s.hidden = i > p.bombs
+    local s = keep(set, "bomb" .. i, { sprite = "bomb", bank = craft.GREEN, x = x,
+                                       y = rom.screen.h - 14, screen = true })
+    s.hidden = i > p.bombs or hud.gone[p.index]
   end
 end
 
@@ -44,6 +45,9 @@ local function show_focus(set, p)
                     { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" })
   halo.hidden = not slow
   keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
+  -- the dot is there faintly at any time: nothing covers where one is hit
+  local faint = keep(set, "faint", { sprite = "dot", follow = p, blend = "ghost" })
+  faint.hidden = slow or p.state ~= "fly"
 end
 
 -- Calls f(thing, beat) each frame while player p fires; beat counts from 0 anew with each press.
@@ -99,7 +103,7 @@ function craft.def(name, def, arms)
     if arms.ray then task.own(p, arms.ray, p) end
     while true do
       show_focus(set, p)
-      show_bombs(set, p, ship .. "_bead")
+      show_bombs(set, p)
       scoring.watch(p)
       local lets_go = p.gauge >= scoring.NEED and p.state == "fly"
       if lets_go and pad.take("special", HELD, p) then scoring.release(p) end

@@ -325,9 +325,11 @@ static const struct api_entry entries[] = {
       "is the stage being run through, to the mark it starts at?" },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
-        "{ name, title, kind, x, y }, ... } in place of kind, x and y; portrait: spells cut in with it, from the right "
-        "or, portrait_left, the left; one of the cast or a phase may have its own; warning: frames of it, with epithet "
-        "and title; entrance: sparks"),
+        "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
+        "it, "
+        "or a phase's; warning: frames of a WARNING round a card with epithet and title; entrance: sparks; music: "
+        "plays "
+        "during the fight"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

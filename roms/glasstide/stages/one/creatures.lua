@@ -22,7 +22,7 @@ enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 
 
 -- A hatch of the wreck: it lies on the deck, so nobody flies into it.
 enemy.def("hatch", { sprite = "hatch", bank = COLD, hit = { circle = 15 }, hp = 48, score = 1200,
-                     spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip, on_death = large,
+                     spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip, on_death = large,
                      pictures = { ajar = "hatch_ajar", half = "hatch_half", open = "hatch_open" },
                      drops = { pearl = 3 }, touch = false })
 
@@ -34,12 +34,12 @@ local function break_off(e, p)
   bullet.sweep { x = e.x, y = e.y, radius_to = 110, over = 18, spark = "pop", items = "foam" }
 end
 
-enemy.def("claw", { sprite = "claw", bank = COLD, hit = { box = { 26, 44 } }, hp = 340,
+enemy.def("claw", { sprite = "claw", bank = COLD, hit = { box = { 26, 44 } }, hp = 340, blink_soft = true,
                     score = 5000, spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
                     on_death = break_off, drops = { pearl = 5 },
                     run = function(e) e.flip_x = e.dx < 0 end })
 
-enemy.def("crab", { sprite = "crab", bank = COLD, hit = { box = { 58, 34 } }, hp = 100,
+enemy.def("crab", { sprite = "crab", bank = COLD, hit = { box = { 58, 34 } }, hp = 100, blink_soft = true,
                     score = 30000, spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
                     on_death = collapse, drops = { pearl = 9 }, parts = {
   { kind = "claw", dx = -52, dy = 42, share = 0.6, tag = "left claw" },

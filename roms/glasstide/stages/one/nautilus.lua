@@ -73,7 +73,7 @@ end
 local function chambers(e)
   for k = 1, forever do
     local way = k % 2 == 0 and -1 or 1
-    local n = by_difficulty { easy = 36, normal = 60, hard = 54, abyss = 50 }
+    local n = by_difficulty { easy = 36, normal = 54, hard = 56, abyss = 50 }
     local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
     e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
@@ -85,8 +85,8 @@ local function chambers(e)
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
       pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "kunai", bank = GOLD, aim = true,
-                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 5 },
-                    speed = 2.0, delay = 12 }
+                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 7 },
+                    speed = by_difficulty { easy = 1.7, normal = 1.8, hard = 2.1 }, delay = 12 }
     end
     wait(by_difficulty { easy = 70, normal = 24, hard = 20, abyss = 10 })
   end
@@ -99,4 +99,4 @@ boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x 
                        music = "lantern", portrait = "lantern_nautilus", phases = {
   { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
-    bonus = 12000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })
+    bonus = 12000, bonus_to = 4000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

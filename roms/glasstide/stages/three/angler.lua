@@ -97,7 +97,7 @@ local function bait(e)
     end
   end)
   while true do
-    wait(soon(130, 110, 96, 90))
+    wait(soon(140, 122, 94, 90))
     flare()
     sound.play("angler", { from = e })
     wait(24)
@@ -132,7 +132,7 @@ local function strike(lamp)
   for i = 1, by(1, 1, 2, 3) do
     pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24),
                    dir = dir + 5 * i, aim = aims,
-                   speed = by(1.3, 1.6, 1.8, 1.3) - 0.22 * (i - 1), delay = 20 }
+                   speed = by(1.3, 1.6, 1.8, 1.5) - 0.22 * (i - 1), delay = 20 }
   end
 end
 
@@ -159,7 +159,7 @@ local function match(e)
       wait(6)
     end
     strike(lamp)
-    wait(by(86, 70, 58, 50))
+    wait(by(96, 72, 56, 44))
     swing(e, 60)
   end
 end
@@ -230,6 +230,6 @@ boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, mus
   phases = {
   { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,
-    run = match, clear = FOAM, drops = { pearl = 6 } },
+    bonus_to = 6000, run = match, clear = FOAM, drops = { pearl = 6 } },
   { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 740, time = 30 * 60, bonus = 20000,
-    run = teeth, clear = FOAM } } })
+    bonus_to = 6000, run = teeth, clear = FOAM } } })

@@ -27,7 +27,7 @@ function habits.litter(e)
   wait(26)
   while true do
     bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = fast(1.1, 1.3, 1.5, 1.2) }
-    wait(soon(52, 34, 24, 15))
+    wait(soon(52, 34, 24, 18))
   end
 end
 
@@ -56,7 +56,7 @@ function habits.ink(e)
   wait(70)
   while true do
     pattern.scatter { from = e, dy = 12, kind = "orb", bank = 0, dir = 90, spread = 150,
-                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 26) }
+                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 22) }
     wait(40)
     if not face_to_face(e) then
       pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
@@ -110,7 +110,7 @@ local function shed(bell)
       bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
                     speed = fast(0.9, 1.1, 1.2, 0.9) }
     end
-    wait(soon(40, 28, 20, 13))
+    wait(soon(40, 28, 20, 16))
   end
 end
 

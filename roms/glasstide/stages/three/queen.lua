@@ -38,11 +38,11 @@ local function wheels(e)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
                             every = by(11, 7, 6, 6), speed = by(1.4, 1.7, 1.8, 0.9),
-                            arms = by(3, 5, 7, 13) })
+                            arms = by(3, 5, 8, 13) })
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
-                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
+                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(2, 3, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
     wander(e, 90)
   end
@@ -52,8 +52,8 @@ end
 -- flows again; half of the orbs then look at you, and half go home: each has written on it where.
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
-motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
-motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
+motion.def { name = "pounce", { speed = 0 }, { speed = 1.8, over = 26 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.5, over = 34 } }
 
 local function gather(n)
   local apart = by(4, 4, 4, 2) -- frames
@@ -61,7 +61,8 @@ local function gather(n)
     player.each(function(p)
       if not p.alive then return end
       local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
-      bullet.fire { kind = "lance", bank = 3, from = p, aim = true, speed = 3,
+      bullet.fire { kind = "lance", bank = 3, from = p, aim = true,
+                    speed = by(2.4, 2.6, 2.8, 3),
                     dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = apart * (n - i) + 30 }
     end)
     wait(apart)
@@ -88,8 +89,8 @@ local function held(e)
   scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
-    local n = by(14, 20, 27, 40)
-    for i = 1, by(5, 6, 7, 10) do
+    local n = by(14, 20, 25, 40)
+    for i = 1, by(5, 6, 6, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
       wait(by(10, 10, 12, 6))
@@ -100,7 +101,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 8, 16))
+      gather(by(4, 6, 7, 16))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -121,7 +122,7 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 2), by(1, 1, 1, 2)
+  local every, many = by(6, 4, 3, 3), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
@@ -176,7 +177,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 17), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 17), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -190,15 +191,15 @@ local function flower(e, full)
     wait(12)
     petals(e, turn + 12, right, 5)
     if k % 3 == 0 then
-      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 5), aim = true,
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 4), aim = true,
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
-    wait(by(80, 62, 46, 48))
+    wait(by(80, 58, 45, 50))
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 30) }
+                     n = by(10, 20, 30, 25) }
     end
   end
 end
@@ -222,19 +223,19 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
   { id = "held", spell = "Glass Sign: Held Breath", hp = 1050, time = 50 * 60, bonus = 30000,
-    run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+    bonus_to = 10000, run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
   { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1100, time = 50 * 60, bonus = 30000,
-    run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
+    bonus_to = 10000, run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
   { id = "window", spell = "Pane Sign: Rose Window", hp = 1150, time = 50 * 60, bonus = 40000,
-    run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60, bonus = 60000,
-    run = function(e) flower(e, 1350) end, clear = FOAM } } })
+    bonus_to = 13000, run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60,
+    bonus = 60000, bonus_to = 20000, run = function(e) flower(e, 1350) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen",
   phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
-               run = again } } })
+               bonus = 30000, bonus_to = 5000, run = again } } })
 
 local broken -- she was, as she came back
 

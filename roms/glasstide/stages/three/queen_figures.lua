@@ -79,8 +79,8 @@ function figures.again(e)
   task.go(kelp, e)
   task.go(function()
     while true do -- pearls that roll down the channels
-      wait(by(110, 70, 52, 46))
-      pattern.fan { from = e, dy = 10, kind = "pearl", bank = 3, aim = true, n = by(1, 3, 3, 5),
+      wait(by(110, 84, 50, 44))
+      pattern.fan { from = e, dy = 10, kind = "pearl", bank = 3, aim = true, n = by(1, 2, 3, 5),
                     spread = by(0, 40, 36, 60), speed = by(1.4, 1.7, 1.9, 1.4), delay = 20 }
     end
   end)

@@ -16,8 +16,8 @@ local function bubble(n, after)
                motion = after } },
     { die = true } }
 end
-local bubbles = { easy = bubble(7), normal = bubble(11), hard = bubble(14),
-                  abyss = bubble(12, "crumble") }
+local bubbles = { easy = bubble(7), normal = bubble(10), hard = bubble(15),
+                  abyss = bubble(10, "crumble") }
 
 local function breath(e)
   wait(20)
@@ -26,16 +26,17 @@ local function breath(e)
     local turn = 16 * angle.sin(67 * k)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + turn, spread = 110,
                   speed = rank.faster(2.1),
-                  n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 5 },
+                  n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 4 },
                   motion = by_difficulty(bubbles) }
-    wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 30, abyss = 34 }))
-    pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44, speed = 1.7,
+    wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 34, abyss = 38 }))
+    pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44,
+                  speed = by_difficulty { easy = 1.6, hard = 1.8, abyss = 1.5 },
                   n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
-      a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 5 }, 2.7
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4 }, a.speed + 0.9
       pattern.stack(a)
     end }
     wander(e, 50)
-    wait(rank.sooner(by_difficulty { easy = 76, normal = 52, hard = 40, abyss = 40 }))
+    wait(rank.sooner(by_difficulty { easy = 76, normal = 56, hard = 40, abyss = 42 }))
   end
 end
 
@@ -68,6 +69,10 @@ local function exhale(first)
                    kind = odd and by_difficulty { easy = "ring", abyss = "pellet" } or "orb",
                    speed = by_difficulty { easy = 1.2, normal = 1.35, hard = 1.5, abyss = 0.95 },
                    dir = 90 + 30 * angle.sin(first + swing * i) + 180 * (wide + 1) / n }
+    if i % by_difficulty { easy = 99, normal = 6, hard = 5, abyss = 7 } == 0 then
+      pattern.aimed { x = MOUTH_X, y = MOUTH_Y, kind = "kunai", bank = 5, speed = 1.9, every = 6,
+                      n = by_difficulty { normal = 1, hard = 2, abyss = 3 }, delay = 20 }
+    end
     wait(by_difficulty { easy = 28, normal = 20, hard = 16, abyss = 13 })
   end
   return first + swing * waves
@@ -83,7 +88,7 @@ local function draught(e)
     sound.play("steam", { from = e })
     swung = exhale(swung)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 5, aim = true, spread = 70, speed = 1.6,
-                  delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 3 } }
+                  delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
     wait(by_difficulty { easy = 50, normal = 30, hard = 20, abyss = 30 })
   end
 end
@@ -99,7 +104,7 @@ teeth("teeth left", 1.3)
 teeth("teeth right", -1.3)
 
 local function wheel(x, y, left, speed)
-  local count = by_difficulty { easy = 5, normal = 6, hard = 8, abyss = 10 }
+  local count = by_difficulty { easy = 5, normal = 6, hard = 7, abyss = 8 }
   local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = 90, speed = speed,
                             delay = 20 }
   for i = 1, count do
@@ -112,7 +117,7 @@ end
 local function wheels(e)
   wait(30)
   for k = 1, forever do
-    local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 1, abyss = 1 }
+    local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
     local n = by_difficulty { easy = 2, normal = 3, hard = 3, abyss = 4 }
     sound.play("gear", { from = e })
     for i = 1, n do
@@ -120,9 +125,9 @@ local function wheels(e)
     end
     wait(40)
     pattern.fan { from = e, dy = 26, kind = "orb", bank = 5, aim = true, spread = 90, speed = 1.5,
-                  n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
+                  n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 8 } }
     wander(e, 50)
-    wait(by_difficulty { easy = 90, normal = 66, hard = 52, abyss = 44 })
+    wait(by_difficulty { easy = 90, normal = 66, hard = 60, abyss = 52 })
   end
 end
 
@@ -133,8 +138,6 @@ boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, 
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,
-    run = draught,
-    clear = FOAM, drops = { pearl = 6 } },
+    bonus_to = 4000, run = draught, clear = FOAM, drops = { pearl = 6 } },
   { id = "wheels", spell = "Gear Sign: Meshing Wheels", hp = 700, time = 26 * 60, bonus = 15000,
-    run = wheels,
-    clear = FOAM, drops = { conch = 1 } } } })
+    bonus_to = 5000, run = wheels, clear = FOAM, drops = { conch = 1 } } } })

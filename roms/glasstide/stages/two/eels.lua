@@ -12,14 +12,14 @@ local function sparks(e)
   wait(20)
   local dir = 40
   for k = 1, forever do
-    local arms = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 6 }
+    local arms = by_difficulty { easy = 2, normal = 4, hard = 5 }
     pattern.ring { from = e, dy = 14, kind = "petal", bank = 7, dir = dir, speed = rank.faster(1.6),
                    n = arms + (angry(e) and 2 or 0) }
     dir = dir + 11 + 6 * angle.sin(3 * k)
     if k % 24 == 0 then
       e:move { x = rng.int(44, 90), y = rng.int(82, 104), over = 60, ease = "both" }
     end
-    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, hard = 7, abyss = 5 }))
+    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, hard = 7, abyss = 6 }))
   end
 end
 
@@ -28,7 +28,7 @@ local function bars(e)
   for k = 1, forever do
     pattern.fan { from = e, dy = 16, kind = "ingot", bank = 5, dir = 96 + 20 * angle.sin(77 * k),
                   spread = 120, speed = 2, motion = rebound,
-                  n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 9 } }
+                  n = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 7 } }
     rest(e, rank.sooner(by_difficulty { easy = 76, normal = 54, hard = 42, abyss = 34 }))
     if angry(e) or by_difficulty { easy = false, hard = true } then
       pattern.stack { from = e, dy = 16, kind = "kunai", bank = 6, aim = true, speed = 1.6,
@@ -54,12 +54,12 @@ local function pour(e)
                   speed = 1.7,
                   spread = 130, dir = 90 + (left and 9 or -9), tag = "poured",
                   motion = left and weave or weave_back,
-                  n = by_difficulty { easy = 3, normal = 4, hard = 6, abyss = 7 },
+                  n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 },
                   points = by_difficulty { easy = 30, normal = 44, hard = 54, abyss = 64 } }
     wait(by_difficulty { easy = 40, normal = 30, hard = 24, abyss = 18 })
     for i = 1, by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } do
       pattern.ring { from = e, dy = 18, kind = "pellet", bank = 5, dir = 7 * (k + i), speed = 1.25,
-                     n = by_difficulty { easy = 9, normal = 15, hard = 20, abyss = 28 } }
+                     n = by_difficulty { easy = 9, normal = 15, hard = 20, abyss = 25 } }
       wait(12)
     end
     e:move { x = rng.int(90, 150), y = rng.int(80, 96), over = 50, ease = "both" }
@@ -137,8 +137,8 @@ local function spit(e)
   for k = 1, forever do
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
                    speed_to = 2.2, bend = k % 2 == 0 and 34 or -34,
-                   n = by_difficulty { easy = 2, normal = 5, hard = 7, abyss = 9 } }
-    wait(by_difficulty { easy = 120, normal = 84, hard = 56, abyss = 40 })
+                   n = by_difficulty { easy = 2, normal = 5, hard = 8, abyss = 11 } }
+    wait(by_difficulty { easy = 120, normal = 76, hard = 48, abyss = 34 })
     if k % 3 == 0 then e:move { x = k % 2 == 0 and 44 or 196, y = 68, over = 80, ease = "both" } end
   end
 end
@@ -153,7 +153,7 @@ local FLIGHT <const> = 46 -- frames from the one to the other
 
 local function throw(from, to, k, back)
   local list, out = {}, 90 + 78 * angle.sin(19 * k + (back and 90 or 0))
-  local n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 6 }
+  local n = by_difficulty { easy = 2, normal = 5, hard = 6, abyss = 7 }
   local dx, dy = to.x - from.x, to.y - from.y
   for i = 1, n do
     list[i] = bullet.fire { from = from, dy = 10, kind = back and "orb" or "rice", bank = 7,
@@ -235,13 +235,13 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 10, normal = 18, hard = 24, abyss = 46 }
+    local n = by_difficulty { easy = 10, normal = 24, hard = 32, abyss = 42 }
     local thick = k % 3 == 0 -- steam: fewer, and wider
     if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
-    rest(e, by_difficulty { easy = 60, normal = 40, hard = 32, abyss = 20 })
+    rest(e, by_difficulty { easy = 60, normal = 34, hard = 28, abyss = 23 })
     if k % 4 == 0 then
       e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
     end
@@ -262,11 +262,11 @@ boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120
     { id = "both", hp = { cinder = 380, quench = 380 }, time = 34 * 60, run = pair(sparks, bars),
       clear = FOAM, drops = { pearl = 6 } },
     { id = "furnace", spell = "Furnace Sign: Poured Glass", hp = { cinder = 760 }, time = 34 * 60,
-      bonus = 20000, run = furnace, clear = FOAM, drops = { pearl = 8 } },
+      bonus = 20000, bonus_to = 6000, run = furnace, clear = FOAM, drops = { pearl = 8 } },
     { id = "panes", spell = "Temper Sign: Panes in Rows", hp = { quench = 700 }, time = 36 * 60,
-      bonus = 20000, run = panes, clear = FOAM, drops = { conch = 1 } },
+      bonus = 20000, bonus_to = 6000, run = panes, clear = FOAM, drops = { conch = 1 } },
     { id = "crossing", spell = "Alloy Sign: Thrown Back", hp = 800, time = 36 * 60, bonus = 25000,
-      run = crossing, clear = FOAM, drops = { pearl = 8 } },
-    { id = "press", spell = "Last Sign: The Press", hp = { cinder = 460, quench = 460 },
-      time = 44 * 60, bonus = 40000, run = pair(press, curtain), clear = FOAM,
+      bonus_to = 8000, run = crossing, clear = FOAM, drops = { pearl = 8 } },
+    { id = "press", spell = "Last Sign: The Press", hp = { cinder = 420, quench = 420 },
+      time = 44 * 60, bonus = 40000, bonus_to = 13000, run = pair(press, curtain), clear = FOAM,
       drops = { pearl = 8, heart = 1 } } } })
