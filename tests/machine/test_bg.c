@@ -483,8 +483,8 @@ static void test_phase(void **state)
     rig_game_free(&g);
 }
 
-/* What a run shows from a mark on, practice of that mark shows: the background is there before the next line, what faded
- * before has faded, and what the next lines begin is not lost. */
+/* What a run shows from a mark on, practice of that mark shows: the background is there before the next line, what
+ * faded before has faded, and what the next lines begin is not lost. */
 static const char marked[] =
     "bg.def('day', function() palette.set(5, 0x102030) bg.layer(1).map = 'sea' for i = 1, forever do wait(1) end end)\n"
     "bg.def('dusk', function() palette.set(6, 0x405060) bg.layer(1).map = 'reef' wait(forever) end)\n"
@@ -631,6 +631,9 @@ static void test_said(void **state)
     static const char *const said[][2] = {
         { "bg.layer(5)", "bg.layer: i: expected a whole number from 1 to 4, got 5" },
         { "bg.layer(1).map = 'see'", "layer: map \"see\" is not in rom.lua (did you mean \"sea\"?)" },
+        { "bg.layer(1).x = bg.layer(2) + 0.5",
+          "layer: x: expected a number from -16383 to 16383 px, got 4.6116860229572e+18 (a thing in arithmetic? name "
+          "what of it is meant, as its x)" },
         { "bg.layer(1).layer = 'middle'", "layer: layer: expected back or front, got \"middle\"" },
         { "bg.layer(1).vz = 1", "a layer has no property \"vz\" (did you mean \"vx\"?)" },
         { "bg.plane().wrap = true", "a plane has no property \"wrap\" (did you mean \"map\"?)" },
