@@ -37,7 +37,7 @@ local function wheels(e)
   local moons = by(2, 4, 5, 6)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
-                            every = by(11, 7, 6, 6), speed = by(1.4, 1.7, 1.8, 0.9),
+                            every = by(14, 7, 6, 6), speed = by(1.3, 1.7, 1.8, 0.9),
                             arms = by(3, 5, 8, 13) })
   while true do
     wait(110)
