@@ -1,7 +1,8 @@
 -- items.lua - what can be found.
 local items = { BOMBS = 6 } -- the most of those that can be kept
 
--- All are green, as nothing is that hurts. What sinks out of the broken: pearls are worth more the deeper one dares to take them, a conch
+-- All are green, as nothing is that hurts.
+-- What sinks out of the broken: pearls are worth more the deeper one dares to take them, a conch
 -- is a bomb more, a heart a life; bullets that were swept away are foam, and those that a gauge
 -- let go took are prisms.
 item.def("pearl", { sprite = "nacre", bank = 4, radius = 9, gives = { score = { 100, 1000 } } })

@@ -90,8 +90,8 @@ local LARGE = 36 -- px of what is hit: from there on it blinks softly, or it wou
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
-                    spark = "crumb", blink = BLINK, blink_soft = math.max(w, h) >= LARGE, on_hit = chip,
-                    on_death = on_death, drops = drops })
+                    spark = "crumb", blink = BLINK, blink_soft = math.max(w, h) >= LARGE,
+                    on_hit = chip, on_death = on_death, drops = drops })
 end
 
 return { glass = glass, creature = creature, chip = chip, small = small, large = large,

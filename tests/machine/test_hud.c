@@ -323,8 +323,7 @@ static void test_title(void **state)
 }
 
 /* A fight as it is shown: the clock in letters of two cells by two, what its bar has lost, a spell that is declared in
- * the middle, slides up and rests below the title without what is before its colon where that is too much, its bonus beside it, and
- * what it came to. */
+ * the middle, slides up and rests below the title, its bonus beside it, and what it came to. */
 static const char spell_game[] =
     "player.def('p', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'p')\n"
     "hud.banks.alarm, hud.banks.faint = 7, 6 hud.start(string.sys.scope(), 1)\n"

@@ -158,6 +158,29 @@ static void test_blink(void **state)
     close_it();
 }
 
+/* Sparks of the layer middle are under bullets and players, others over them. */
+static void test_sparks(void **state)
+{
+    static const char *const who[] = {
+        "bullet.def('b', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "task.go(function() bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank = 2 } ",
+        "task.go(function() string.sys.join(1, 'first') local p = player.get(1) p.x, p.y, p.safe = 100, 80, 0 ",
+    };
+    char text[512];
+
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        snprintf(text, sizeof text,
+                 "spark.def('s', { sprite = 'dot', life = 99, bank = 9%s })\n"
+                 "%s spark.burst { kind = 's', x = 100, y = 80, speed = 0 } end)",
+                 i & 1 ? ", layer = 'middle'" : "", who[i / 2]);
+        open_with(text);
+        rig_run(&r, 2);
+        shows("dot", 0, i & 1 ? i / 2 ? 0 : 2 : 9, false, 0);
+        close_it();
+    }
+}
+
 static void held(uint16_t buttons, const char *name, int frame)
 {
     const uint16_t pads[PADS] = { buttons, 0 };
@@ -300,9 +323,9 @@ static void test_state(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink), cmocka_unit_test(test_banking),
-        cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),  cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_state),
+        cmocka_unit_test(test_sparks),  cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink),
+        cmocka_unit_test(test_banking), cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_errors),  cmocka_unit_test(test_state),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -46,7 +46,7 @@ local function show_focus(set, p)
   halo.hidden = not slow
   keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
   -- the dot is there faintly at any time: nothing covers where one is hit
-  local faint = keep(set, "faint", { sprite = "dot", follow = p, blend = "ghost" })
+  local faint = keep(set, "faint", { sprite = "dot", follow = p, bank = 1, blend = "ghost" })
   faint.hidden = slow or p.state ~= "fly"
 end
 

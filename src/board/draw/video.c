@@ -2,7 +2,8 @@
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
  *     background, back sprites, items, enemies, shots, players' lasers, sparks of the layer middle, middle sprites,
- *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
+ *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites
+ *     over it, text, lines
  *
  * Options are drawn over the sprites of their layer. A view (board.h) may dim backgrounds and back sprites, before
  * anything else is drawn over them.

@@ -99,7 +99,7 @@ local function crescent(e)
   e.picture = "sickle"
   task.go(function()
     pattern.spiral { from = e, kind = "pellet", bank = 5, n = forever, step = 29,
-                     arms = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 11 },
+                     arms = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 10 },
                      every = by_difficulty { easy = 16, normal = 12, hard = 10, abyss = 8 },
                      speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 } }
   end)
@@ -107,7 +107,7 @@ local function crescent(e)
     wait(20)
     local way = k % 2 == 0 and 1 or -1
     reap(e, 0, true, way)
-    wait(by_difficulty { easy = 60, normal = 40, hard = 34, abyss = 20 })
+    wait(by_difficulty { easy = 60, normal = 40, hard = 34, abyss = 26 })
     if board.difficulty() ~= "easy" then
       reap(e, 90 + 38 * way, false, -way)
       reap(e, 90 - 38 * way, false, way)

@@ -104,7 +104,7 @@ end
 local function corona(e, frames)
   local n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 8 }
   local p = player.nearest(e.x, e.y)
-  local dir = (p and angle.to(e, p) or 90) + 180 / n
+  local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
   sound.play("charge", { from = e })
   for i = 1, n do
     laser.beam { kind = "ray", bank = 3, follow = e, dir = dir + 360 * i / n, length = 380,

@@ -99,7 +99,8 @@ local function lamplight(e)
     local n = by_difficulty { easy = 3, normal = 4, hard = 5 }
     local way = k % 2 == 0 and -1 or 1
     local p = player.nearest(e.x, e.y)
-    local dir = (p and angle.to(e, p) or 90) + 180 / n -- whoever is there stands between two
+    -- whoever is there stands between two
+    local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
@@ -135,7 +136,7 @@ local function falling(every, n, times)
 end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
-               normal = falling(24, 2, 3), hard = falling(16, 3, 3), abyss = falling(12, 4, 5) }
+               normal = falling(30, 2, 2), hard = falling(16, 3, 3), abyss = falling(12, 4, 5) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
@@ -175,7 +176,7 @@ local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
 
 local function wax(e)
   while true do
-    wait(by_difficulty { easy = 110, normal = 80, hard = 56, abyss = 40 })
+    wait(by_difficulty { easy = 110, normal = 80, hard = 64, abyss = 40 })
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
                       n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 },
@@ -192,7 +193,7 @@ local function harbour(e)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
-                   n = by_difficulty { easy = 12, normal = 22, hard = 32, abyss = 40 },
+                   n = by_difficulty { easy = 12, normal = 22, hard = 29, abyss = 40 },
                    dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
     wait(by_difficulty { easy = 28, normal = 20, hard = 14, abyss = 12 })
   end

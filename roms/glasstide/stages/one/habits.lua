@@ -37,7 +37,7 @@ function habits.spit(e)
   for row = 1, rows do
     pattern.aimed { from = e, kind = "pellet", bank = MAGENTA, every = 7,
                     speed = rank.faster(1.6 + 0.3 * row), delay = 20,
-                    n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 3 } }
+                    n = by_difficulty { easy = 1, normal = 2, hard = 4 } }
   end
 end
 

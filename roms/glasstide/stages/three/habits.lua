@@ -9,7 +9,7 @@ local NEAR = 44 -- px: nobody fires into a face
 
 local function face_to_face(e)
   local p = player.nearest(e.x, e.y)
-  if not p then return false end
+  if not (p and p.alive) then return false end
   local dx, dy = p.x - e.x, p.y - e.y
   return dx * dx + dy * dy < NEAR * NEAR
 end
@@ -27,7 +27,7 @@ function habits.litter(e)
   wait(26)
   while true do
     bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = fast(1.1, 1.3, 1.5, 1.2) }
-    wait(soon(52, 34, 24, 18))
+    wait(soon(52, 34, 24, 21))
   end
 end
 
@@ -56,7 +56,7 @@ function habits.ink(e)
   wait(70)
   while true do
     pattern.scatter { from = e, dy = 12, kind = "orb", bank = 0, dir = 90, spread = 150,
-                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 22) }
+                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 19) }
     wait(40)
     if not face_to_face(e) then
       pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
@@ -75,7 +75,7 @@ function habits.lights(e)
     for side = -1, 1, 2 do
       bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "petal", bank = 2,
                     dir = 90 + open * side, speed = fast(1.2, 1.4, 1.5, 1.1) }
-      if k % by(9, 4, 2, 1) == 0 then
+      if k % by(9, 4, 2, 2) == 0 then
         bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "rice", bank = 3,
                       dir = 90 - 0.6 * open * side, speed = fast(1, 1.1, 1.2, 0.9) }
       end
@@ -91,7 +91,7 @@ motion.def { name = "web", { speed = 0, over = 44 }, { wait = 22 }, { dir = 90 }
 function habits.web(e)
   wait(76)
   for k = 0, forever do
-    for row = 1, by(2, 3, 3, 4) do
+    for row = 1, by(2, 3, 3, 3) do
       pattern.polygon { from = e, kind = "pellet", bank = 0, sides = 6, dir = 30 * (k % 2),
                         n = 6 * (row + by(0, 0, 1, 1)), speed = 0.7 + 0.75 * row, motion = "web" }
       wait(6)
@@ -110,7 +110,7 @@ local function shed(bell)
       bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
                     speed = fast(0.9, 1.1, 1.2, 0.9) }
     end
-    wait(soon(40, 28, 20, 16))
+    wait(soon(40, 28, 20, 18))
   end
 end
 
@@ -131,7 +131,7 @@ function habits.chain(e)
     wait(24)
   end
   while true do
-    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 18), dir = rng.dir(),
+    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 16), dir = rng.dir(),
                    speed = fast(1, 1.2, 1.3, 1) }
     wait(soon(120, 96, 80, 64))
   end

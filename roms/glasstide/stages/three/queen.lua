@@ -42,7 +42,7 @@ local function wheels(e)
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
-                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(2, 3, 6, 7),
+                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(1, 3, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
     wander(e, 90)
   end
@@ -53,7 +53,7 @@ end
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
 motion.def { name = "pounce", { speed = 0 }, { speed = 1.8, over = 26 } }
-motion.def { name = "creep", { speed = 0 }, { speed = 1.5, over = 34 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
 
 local function gather(n)
   local apart = by(4, 4, 4, 2) -- frames
@@ -89,8 +89,8 @@ local function held(e)
   scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
-    local n = by(14, 20, 25, 40)
-    for i = 1, by(5, 6, 6, 10) do
+    local n = by(11, 20, 25, 40)
+    for i = 1, by(4, 6, 6, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
       wait(by(10, 10, 12, 6))
@@ -101,7 +101,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 6, 7, 16))
+      gather(by(3, 6, 7, 16))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -122,7 +122,7 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 3), by(1, 1, 1, 2)
+  local every, many = by(8, 4, 3, 3), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
@@ -136,7 +136,7 @@ local function rain_over(e)
 end
 
 local function wall(first)
-  local wide = by(7, 5, 4, 6)
+  local wide = by(9, 5, 4, 6)
   for row = 0, by(2, 2, 2, 5) do
     pattern.line { x = 120 + 6 * (row % 2), y = -10, kind = "rice", bank = 1, n = 28, width = 324,
                    dir = 90, speed = by(1.2, 1.3, 1.4, 0.9), motion = "sway", sway = tide(),
@@ -150,7 +150,7 @@ local function ebb(e)
   task.go(rain_over, e)
   for k = 1, forever do
     wait(by(60, 50, 46, 60))
-    wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
+    wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
     wait(by(50, 40, 36, 60))
@@ -177,7 +177,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 17), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 16), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -199,7 +199,7 @@ local function flower(e, full)
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 25) }
+                     n = by(10, 20, 30, 22) }
     end
   end
 end
@@ -211,8 +211,12 @@ local function window(e)
   figures.window(e)
 end
 
+local returns = 0 -- how often she came back already
+
+-- Each time she has less left: whoever cannot reach her is not held here for ever.
 local function again(e)
   scene.court()
+  e.hp = math.max(60, e.hp - 240 * returns)
   figures.again(e)
 end
 
@@ -240,7 +244,7 @@ boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 12
 local broken -- she was, as she came back
 
 on.phase(function(_, id, won)
-  if id == "again" then broken = won end
+  if id == "again" then broken, returns = won, won and 0 or returns + 1 end
 end)
 
 local queen = {}
@@ -249,6 +253,7 @@ local queen = {}
 function queen.fight()
   boss.fight("queen")
   if not stage.skipping() then wait(fx.COLLAPSE) end
+  returns = 0
   repeat
     broken = false
     boss.fight("undertow")

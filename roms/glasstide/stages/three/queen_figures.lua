@@ -26,7 +26,7 @@ local function light_through(e)
   while true do
     wait(by(forever, 260, 220, 240))
     local p = player.nearest(e.x, e.y)
-    local dir = p and angle.to(e, p) or 90
+    local dir = p and p.alive and angle.to(e, p) or 90
     sound.play("charge", { from = e })
     for side = -1, 1, 2 do
       laser.beam { kind = "ray", bank = 2, from = e, dy = -4, dir = dir + 20 * side, length = 380,

@@ -32,7 +32,7 @@ local function breath(e)
     pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44,
                   speed = by_difficulty { easy = 1.6, hard = 1.8, abyss = 1.5 },
                   n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
-      a.n, a.speed_to = by_difficulty { easy = 1, normal = 3, hard = 4 }, a.speed + 0.9
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 2, hard = 4 }, a.speed + 0.9
       pattern.stack(a)
     end }
     wander(e, 50)

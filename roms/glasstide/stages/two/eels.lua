@@ -235,13 +235,13 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 10, normal = 24, hard = 32, abyss = 42 }
+    local n = by_difficulty { easy = 10, normal = 24, hard = 26, abyss = 34 }
     local thick = k % 3 == 0 -- steam: fewer, and wider
     if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
-    rest(e, by_difficulty { easy = 60, normal = 34, hard = 28, abyss = 23 })
+    rest(e, by_difficulty { easy = 60, normal = 34, hard = 30, abyss = 22 })
     if k % 4 == 0 then
       e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
     end

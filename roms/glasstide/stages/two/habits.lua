@@ -9,7 +9,8 @@ local CLOSE <const> = 40 -- px
 
 local function far(e)
   local p = player.nearest(e.x, e.y)
-  local dx, dy = p and p.x - e.x or CLOSE, p and p.y - e.y or CLOSE
+  if not (p and p.alive) then return true end -- the last craft is lost: nobody is near
+  local dx, dy = p.x - e.x, p.y - e.y
   return dx * dx + dy * dy > CLOSE * CLOSE
 end
 
