@@ -208,9 +208,13 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
         want[i] = backdrop[i] = (uint8_t)rng_next(&rng);
     paint_all(b, s, k, want);
     for (size_t i = 0; i < sizeof overdraw / sizeof *overdraw; i++) {
-        struct draw_target c = {
-            b, &r->fb, m->field_x, m->field_y, r->scratch, overdraw[i], 0, 0, 0, NULL, b->cart.main
-        };
+        struct draw_target c = { .b = b,
+                                 .fb = &r->fb,
+                                 .x = m->field_x,
+                                 .y = m->field_y,
+                                 .scratch = r->scratch,
+                                 .overdraw = overdraw[i],
+                                 .look = b->cart.main };
         for (int y = 0; y < m->screen_h; y++)
             memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
         fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
