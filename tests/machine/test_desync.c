@@ -32,12 +32,15 @@ static int setup(void **state)
     rig_folder(&game, "glasstide");
     if (!rig_demo(&game, "attract", &attract))
         return -1;
-    attract.frames = FRAMES; /* the first of them will do */
-    attract.checksum_frames = FRAMES;
-    attract.seconds = FRAMES / DEMO_SECOND + 1;
+    r.prints = DEMO_PRINTS_EVERY;
     if (replay_run(&r, &game.cart, &attract, &again, &v, err, sizeof err) != RESULT_DONE || v.kind != VERDICT_HOLDS)
         return -1;
-    if (!demo_save(&again.demo, path, err, sizeof err))
+    struct demo *first = &again.demo; /* of it the first frames will do */
+    first->frames = first->checksum_frames = FRAMES;
+    first->seconds = FRAMES / DEMO_SECOND + 1;
+    while (first->n_markers > 0 && first->markers[first->n_markers - 1].frame > FRAMES)
+        first->n_markers--;
+    if (!demo_save(first, path, err, sizeof err))
         return -1;
     FILE *f = fopen(path, "rb");
     size = fread(bytes, 1, sizeof bytes, f);

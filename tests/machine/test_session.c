@@ -155,7 +155,7 @@ static void seeks(void **state)
 /* A live run: back, forward as it was, and on by other inputs, which makes it another run. */
 static void branches(void **state)
 {
-    static const uint16_t none[PADS] = { 0 };
+    static const uint16_t other[PADS] = { PAD_START };
     char path[NAME];
     struct session s;
     struct demo d;
@@ -175,7 +175,7 @@ static void branches(void **state)
     at(&s, 600);
     assert_int_equal(s.now->writer.demo.frames, 800); /* what was is still known */
     for (int i = 0; i < 65; i++)
-        assert_true(session_tick(&s, none));
+        assert_true(session_tick(&s, other));
     assert_int_equal(session_last(&s), 665);
     uint64_t hash = board_hash(session_board(&s));
     assert_true(hash != plain[665]);
@@ -360,8 +360,8 @@ static uint64_t picture(const struct session *s)
     return hash;
 }
 
-static const char habit[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 3 } }";
-static const char faster[] = "n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 3 } }";
+static const char habit[] = "n = 8, every = 14, path = swoop, run";
+static const char faster[] = "n = 5, every = 14, path = swoop, run";
 
 static void lands(struct session *s, uint32_t frame, const struct board_start *start)
 {
@@ -384,24 +384,24 @@ static void reloads(void **state)
     (void)state;
     snprintf(path, sizeof path, "%s/reload.demo", dir);
     open_session(&s, false, path);
-    play_to(&s, 1900);
+    play_to(&s, 2800);
     uint64_t shown = picture(&s);
     assert_true(session_reload(&s, dir, false)); /* the same ROM */
     assert_int_equal(s.state, SESSION_PLAYING);
-    edit("stages/one/habits.lua", habit, faster);
-    lands(&s, 1900, &demo.start);
+    edit("stages/one.lua", habit, faster);
+    lands(&s, 2800, &demo.start);
     assert_true(picture(&s) != shown); /* the stage being played has changed */
-    session_goto(&s, 900);             /* its past is of the new script */
-    uint64_t unused, hash = fresh(&demo.start, 900, &unused);
+    session_goto(&s, 1800);            /* its past is of the new script */
+    uint64_t unused, hash = fresh(&demo.start, 1800, &unused);
     assert_true(board_hash(session_board(&s)) == hash);
     assert_true(session_reload(&s, dir, false) && s.state == SESSION_PLAYING);
-    play_to(&s, 1600);
-    edit("stages/one/habits.lua", faster, habit);
-    lands(&s, 1600, &demo.start);
-    at(&s, 1600);
+    play_to(&s, 2500);
+    edit("stages/one.lua", faster, habit);
+    lands(&s, 2500, &demo.start);
+    at(&s, 2500);
     assert_true(session_close(&s));
     assert_true(demo_load(&d, path, err, sizeof err));
-    assert_int_equal(d.frames, 1600);
+    assert_int_equal(d.frames, 2500);
     assert_int_equal(d.flags & DEMO_TOUCHED, DEMO_TOUCHED);
     assert_true(d.game_hash == rom_game_hash(&image.rom));
     demo_free(&d);
@@ -427,21 +427,21 @@ static void bad_edits(void **state)
 
     (void)state;
     open_session(&s, false, NULL);
-    play_to(&s, 1000);
-    edit("stages/one/habits.lua", habit, "n = = 2");
-    keeps(&s, "stages/one/habits.lua:40:");
-    edit("stages/one/habits.lua", "n = = 2", "n = 'two' }"); /* found where it is called, in the run */
-    keeps(&s, "stages/one/habits.lua:38: pattern.aimed: n: expected");
+    play_to(&s, 1900);
+    edit("stages/one.lua", habit, "n = = 8, every = 14, path = swoop, run");
+    keeps(&s, "stages/one.lua:56:");
+    edit("stages/one.lua", "n = = 8", "n = 'two'"); /* found where it is called, in the run */
+    keeps(&s, "stages/one.lua:56: stage.wave: n: expected");
     assert_non_null(strstr(s.err, "of the run)"));
-    edit("stages/one/habits.lua", "n = 'two' }", habit);
+    edit("stages/one.lua", "n = 'two', every = 14, path = swoop, run", habit);
     edit("main.lua", "boot.run", "boot.ran");
     keeps(&s, "main.lua:");
     edit("main.lua", "boot.ran", "boot.run");
     edit("rom.lua", "version = 1", "version = 1, id = 'other'");
     keeps(&s, "another game now");
     edit("rom.lua", "version = 1, id = 'other'", "version = 1");
-    play_to(&s, 1100);
-    at(&s, 1100);
+    play_to(&s, 2000);
+    at(&s, 2000);
     assert_true(session_close(&s));
 }
 
@@ -453,7 +453,7 @@ static void mends_a_fault(void **state)
     struct cart its;
 
     (void)state;
-    edit("stages/one/habits.lua", habit, "n = 'two' }");
+    edit("stages/one.lua", habit, "n = 'two', every = 14, path = swoop, run");
     assert_true(rom_image_load(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
     assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
     while (!board_last(session_board(&s))->fault)
@@ -465,7 +465,7 @@ static void mends_a_fault(void **state)
     assert_null(board_last(session_board(&s))->fault);
     at(&s, frame - 10);
     session_goto(&s, frame);
-    edit("stages/one/habits.lua", "n = 'two' }", habit);
+    edit("stages/one.lua", "n = 'two', every = 14, path = swoop, run", habit);
     assert_true(session_reload(&s, dir, false));
     get_there(&s);
     at(&s, frame);
@@ -482,17 +482,17 @@ static void reloads_a_playback(void **state)
 
     (void)state;
     open_session(&s, true, NULL);
-    session_goto(&s, 1200);
+    session_goto(&s, 2100);
     get_there(&s);
-    edit("stages/one/habits.lua", habit, faster);
-    lands(&s, 1200, &demo.start);
+    edit("stages/one.lua", habit, faster);
+    lands(&s, 2100, &demo.start);
     assert_ptr_equal(s.demo, &demo);
-    edit("stages/one/habits.lua", faster, habit);
-    lands(&s, 1200, &demo.start);
-    at(&s, 1200);
-    session_goto(&s, 1300);
+    edit("stages/one.lua", faster, habit);
+    lands(&s, 2100, &demo.start);
+    at(&s, 2100);
+    session_goto(&s, 2200);
     get_there(&s);
-    at(&s, 1300);
+    at(&s, 2200);
     assert_true(session_close(&s));
 }
 
@@ -508,11 +508,11 @@ static void watches(void **state)
     assert_false(folder_open(&f, "/nowhere/at/all"));
     assert_true(folder_open(&f, dir));
     assert_false(folder_changed(&f) || folder_changed(&f));
-    edit("stages/one/habits.lua", habit, faster);
+    edit("stages/one.lua", habit, faster);
     assert_false(folder_changed(&f)); /* seen once */
     assert_true(folder_changed(&f));
     assert_false(folder_changed(&f));
-    edit("stages/one/habits.lua", faster, habit);
+    edit("stages/one.lua", faster, habit);
     assert_false(folder_changed(&f));
     snprintf(name, sizeof name, "%s/art/new.png", dir);
     assert_true(plat_save(name, "x", 1));

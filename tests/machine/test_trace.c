@@ -142,7 +142,7 @@ static void spell(char *to, size_t size, uint64_t v, int width)
 /* The name that a trace has for a column of bullets: of a value, the game's. */
 static const char *column_name(const char *part, const char *column)
 {
-    static const char *const values[] = { "home_x", "home_y", "sway", "rest" }; /* as Glass Tide declares them */
+    static const char *const values[] = { "rest", "home_x", "home_y", "sway" }; /* as Glass Tide declares them */
 
     bool value = !strcmp(part, "bullets") && !strncmp(column, "value", 5);
     return value ? values[column[5] - '1'] : column;

@@ -5,13 +5,13 @@ run:step(1200)
 test.shot("dive-1800")
 run:step(3000)
 test.shot("dive-4800")
-test.equal(run.score, 51894, "points")
+test.equal(run.score, 39917, "points")
 test.equal(run.difficulty, "normal")
-test.equal(run.music, "claws", "the music of the crab")
+test.equal(run.music, "lantern", "the music of who waits half-way down")
 
 local first = run:moment("stage")
 test.equal(first and first.name, "one", "the stage it begins with")
-test.expect(run:moment("boss", "crab"), "the crab has come")
+test.expect(run:moment("boss", "nautilus"), "the Lantern Nautilus has come")
 for i = 2, #run.moments do
   test.expect(run.moments[i - 1].frame <= run.moments[i].frame, "moments stand in their order")
 end
