@@ -268,7 +268,7 @@ $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE)
 
 # One file with a game inside: make web GAME=DIR.
 web: say-null-web
-	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(WEB)/player.html
+	@$(MAKE) --no-print-directory $(OUT)/curtain-bare $(WEB)/player.html
 	@OUT=$(OUT) ports/web/build.sh game $(GAME) $(WEB)/player.html
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.

@@ -42,7 +42,7 @@ player)
     echo "core $(wc -c <"$2") bytes, $(gzip -9nc "$2" | wc -c) gzipped; $3 $(wc -c <"$3")"
     ;;
 game)
-    curtain=${OUT:-build/release}/curtain-null
+    curtain=${OUT:-build/release}/curtain-bare
     rom=$2
     if [ -d "$rom" ]; then
         rom=$scratch/game.rom
