@@ -22,7 +22,7 @@ const WORDS = ['difficulty', 'lang', 'switches', 'section']
 const at = (id) => document.getElementById(id)
 const screen_ = at('screen'), stage = at('stage')
 const small = document.createElement('canvas') // the picture as it is
-let core, image
+let core, image, stackTop
 let game // { bytes, at, id, title, players, w, h, plays: a recording's frames, over }
 let running = false
 
@@ -94,6 +94,7 @@ async function loadCore() {
     },
   }
   core = (await WebAssembly.instantiate(module, { wasi_snapshot_preview1: wasi, lua })).exports
+  stackTop = core.__stack_pointer.value
   core._initialize()
 }
 
@@ -126,20 +127,23 @@ function power(bytes, demo) {
   const rom = bytes ? { at: put(bytes), size: bytes.length } : before && before.rom
   if (!rom) throw new Error('there is no game')
   for (const name of WORDS) how[name] = words.get(name)
-  try {
-    openCore(rom, new Uint8Array(), null, { seed: 1 }) // whose saves are to be handed in
-    const id = text(core.web_id()), saved = recall('nvram.' + id)
+  const again = (id) => {
+    const saved = recall('nvram.' + id)
     openCore(rom, saved ? unbase64(saved) : new Uint8Array(), demo, how)
-    game = { rom, id, title: text(core.web_title()), players: core.web_players(), w: core.web_width(),
+  }
+  try {
+    openCore(rom, new Uint8Array(), null, { seed: 1 }) // to learn whose saves are to be handed in
+    const id = text(core.web_id())
+    again(id)
+    game = { rom, id, again, title: text(core.web_title()), players: core.web_players(), w: core.web_width(),
       h: core.web_height(), plays: demo ? core.web_demo_frames() : 0, over: false }
     if (bytes && before) core.web_give(before.rom.at)
   } catch (e) {
+    if (before) before.again(before.id)
     if (bytes) core.web_give(rom.at)
-    if (before) openCore(before.rom, new Uint8Array(), null, { seed: 1 })
     throw e
   }
   document.title = at('title').textContent = game.title
-  at('special').hidden = at('bomb').hidden = false
   small.width = game.w
   small.height = game.h
   image = null
@@ -148,8 +152,22 @@ function power(bytes, demo) {
   show()
 }
 
+// Covers a game that has just been powered up; behind the words is what a run of nobody's comes to, its title mostly.
+function offer() {
+  const what = game.plays ? 'A recording' : 'Play', to = game.plays ? 'watch it' : 'begin'
+  if (!game.plays) {
+    openCore(game.rom, new Uint8Array(), null, { seed: 1 })
+    for (let f = 0; f < 240; f++) core.web_frame(f === 30 || f === 31 ? START : 0, 0)
+    show()
+    game.again(game.id)
+  }
+  const then = game.plays ? '' : '\nthen drag anywhere: the ship follows'
+  cover(what, touching ? `tap to ${to}${then}` : `click, or press a key, to ${to}`)
+}
+
 function broken(e) { // the core itself; a fault of the game is an event
   game.over = true
+  core.__stack_pointer.value = stackTop
   cover('It has stopped', String(e && e.message || e))
 }
 
@@ -165,11 +183,11 @@ function tick(one, two) {
   }
   if (events & ENDED && game.plays) {
     game.over = true
-    cover('The recording ends', 'click, or press a key, to play')
+    cover('The recording ends', touching ? 'tap to play' : 'click, or press a key, to play')
   }
   if (events & QUIT) {
     game.over = true
-    cover('Goodbye', 'click, or press a key, to begin anew')
+    cover('Goodbye', touching ? 'tap to begin anew' : 'click, or press a key, to begin anew')
   }
   if (events & ASK) panel(true)
   return events
@@ -234,7 +252,7 @@ function cover(what, how) {
   at('what').textContent = what
   at('how').textContent = how
   at('cover').hidden = false
-  at('pause').textContent = 'Go on'
+  at('pause').textContent = game && core.web_frames() > 0 ? 'Go on' : 'Play'
   if (audio) audio.context.suspend()
 }
 function pause() {
@@ -496,7 +514,7 @@ async function take(file) {
     if (!demo && !/\.rom$/i.test(file.name)) throw new Error('expected a .rom or a .demo')
     power(demo ? null : bytes, demo ? bytes : null)
     panel(false)
-    cover(demo ? 'A recording' : 'Play', 'click, or press a key')
+    offer()
   } catch (e) {
     if (game) fit()
     say(`${file.name}: ${e.message}.`.replace('..', '.'))
@@ -507,7 +525,7 @@ async function fromLink() {
   if (!words || !game) return
   try {
     power(null, await unzipped(unbase64(words.replace(/ /g, '+'))))
-    cover('A recording', touching ? 'tap to watch it' : 'click, or press a key, to watch it')
+    offer()
   } catch (e) {
     say(`The link: ${e.message}.`)
     power(null, null)
@@ -567,11 +585,12 @@ window.curtain = {
       touching = touching || navigator.maxTouchPoints > 0 && innerWidth < 600
       const rom = await inside('rom')
       setVolume()
+      at('full').hidden = !document.fullscreenEnabled
       fit()
       if (rom) {
         power(rom, null)
         await fromLink()
-        if (!game.plays) cover('Play', touching ? 'tap to begin' : 'click, or press a key')
+        if (!game.plays) offer()
       } else cover('No game yet', 'drop a .rom here, or click to choose one')
     } catch (e) {
       cover('It cannot run here', e.message)
