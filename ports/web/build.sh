@@ -49,7 +49,9 @@ game)
         "$curtain" pack "$2" -o "$rom"
     fi
     out=$(dirname "$3")/$(basename "$2" .rom).html
-    { [ ! -f "$2/rom.lua" ] || sed -n 's/^.*[ {,]title = "\([^"]*\)".*/\1/p' "$2/rom.lua" | head -n 1; } >"$scratch/title"
+    if [ -f "$2/rom.lua" ]; then
+        sed -n 's/^.*[ {,]title = "\([^"]*\)".*/\1/p' "$2/rom.lua" | head -n 1 >"$scratch/title"
+    fi
     [ -s "$scratch/title" ] || basename "$2" .rom >"$scratch/title" # until the page has asked the game itself
     sed -i 's/&/\&amp;/g; s/</\&lt;/g' "$scratch/title"
     packed "$rom" >"$scratch/rom"

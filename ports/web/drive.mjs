@@ -1,5 +1,5 @@
-// drive.mjs - a Chromium without a window, for test.sh: opens pages, presses, drags, drops, and writes what came of it into
-// the folder it is started in. It is spoken to over its own DevTools protocol.
+// drive.mjs - a Chromium without a window, for test.sh: opens pages, presses, drags, drops, and writes what came of it
+// into the folder it is started in. It is spoken to over its own DevTools protocol.
 //
 //     node drive.mjs STEP URL [ARGUMENT...]
 
@@ -8,6 +8,7 @@ import { existsSync, writeFileSync } from 'node:fs'
 import { resolve } from 'node:path'
 
 const [step, url, ...args] = process.argv.slice(2)
+const SESSION = 'session' + 'Id' // of the protocol: which page a call is for
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms))
 
 const program = spawn(process.env.CHROMIUM || 'chromium', ['--headless=new', '--no-sandbox', '--disable-gpu',
@@ -31,11 +32,12 @@ from.on('data', (data) => {
 })
 const send = (method, params = {}, on = session) => new Promise((done, fail) => {
   waiting.set(++n, { done, fail })
-  to.write(JSON.stringify({ id: n, method, params, sessionId: on }) + '\0')
+  to.write(JSON.stringify({ id: n, method, params, [SESSION]: on }) + '\0')
 })
 
 async function js(expression) {
-  const said = await send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true, userGesture: true })
+  const said = await send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true,
+    userGesture: true })
   if (said.exceptionDetails) throw new Error(said.exceptionDetails.exception.description)
   return said.result.value
 }
@@ -53,8 +55,8 @@ async function open(address, size = [1280, 800, 1, false]) {
 }
 const picture = async (name) => writeFileSync(name,
   Buffer.from((await send('Page.captureScreenshot', { format: 'png' })).data, 'base64'))
-const canvas = async (name) => writeFileSync(name, Buffer.from((await js(`(() => { const c = document.createElement('canvas'),
-  p = curtain.pixels(); c.width = p.width; c.height = p.height; c.getContext('2d').putImageData(p, 0, 0);
+const canvas = async (name) => writeFileSync(name, Buffer.from((await js(`(() => {
+  const c = document.createElement('canvas'), p = curtain.pixels(); c.width = p.width; c.height = p.height; c.getContext('2d').putImageData(p, 0, 0);
   return c.toDataURL('image/png').split(',')[1] })()`)), 'base64'))
 
 const CODES = { Enter: 13, KeyZ: 90, ArrowLeft: 37, ArrowRight: 39, ArrowUp: 38, KeyX: 88 }
@@ -106,8 +108,8 @@ const steps = {
   async keys() {
     await open(url)
     await key('Enter', 50) // begins
-    for (const [code, ms] of [['Enter', 60], ['KeyZ', 60], ['KeyZ', 60], ['KeyZ', 60], ['ArrowLeft', 400], ['KeyZ', 500],
-      ['ArrowRight', 300], ['ArrowUp', 7], ['KeyX', 60]])
+    for (const [code, ms] of [['Enter', 60], ['KeyZ', 60], ['KeyZ', 60], ['KeyZ', 60], ['ArrowLeft', 400],
+      ['KeyZ', 500], ['ArrowRight', 300], ['ArrowUp', 7], ['KeyX', 60]])
       await key(code, ms)
     const at = await js('curtain.frames()')
     await sleep(1000)
@@ -132,8 +134,8 @@ const steps = {
     await touch('touchEnd')
     await tap('bomb')
     console.log('moved', (after.x - before.x) / 256, (after.y - before.y) / 256)
-    console.log('led', await js(`-90 / parseFloat(document.getElementById('screen').style.width) * curtain.pixels().width`),
-      await js(`-60 / parseFloat(document.getElementById('screen').style.width) * curtain.pixels().width`))
+    const scale = await js(`parseFloat(document.getElementById('screen').style.width) / curtain.pixels().width`)
+    console.log('led', -90 / scale, -60 / scale)
     await saved(args[0])
   },
   async kept() {
@@ -170,9 +172,13 @@ const steps = {
   async time() {
     await open(url)
     console.log(await js(`(() => { let most = 0; const from = performance.now();
-      for (let i = 0; i < 600; i++) { const a = performance.now(); curtain.step(1, 16); most = Math.max(most, performance.now() - a) }
-      return ((performance.now() - from) / 600).toFixed(2) + ' ms a frame with its picture and sound, at most ' + most.toFixed(1) +
-        ' ms, ' + (curtain.state.bytes >> 20) + ' MiB' })()`))
+      for (let i = 0; i < 600; i++) {
+        const a = performance.now()
+        curtain.step(1, 16)
+        most = Math.max(most, performance.now() - a)
+      }
+      return ((performance.now() - from) / 600).toFixed(2) + ' ms a frame with its picture and sound, at most ' +
+        most.toFixed(1) + ' ms, ' + (curtain.state.bytes >> 20) + ' MiB' })()`))
   },
   async look() {
     await open(url)
@@ -190,7 +196,7 @@ const steps = {
 try {
   const { targetInfos } = await send('Target.getTargets', {}, undefined)
   const { targetId } = targetInfos.find((t) => t.type === 'page')
-  session = (await send('Target.attachToTarget', { targetId, flatten: true }, undefined)).sessionId
+  session = (await send('Target.attachToTarget', { targetId, flatten: true }, undefined))[SESSION]
   await send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: resolve('.') }, undefined)
   await send('Page.enable')
   await send('Runtime.enable')

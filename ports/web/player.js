@@ -1,7 +1,7 @@
 // player.js - a page that plays a packed game: core.wasm (web.c) decides, this shows, sounds, and asks for switches.
 //
-// The same ROM, seed and pads give the same run here as everywhere, so all that this does ends in pads, and a recording of it
-// holds in `curtain verify`. In the address after #: seed=, lang=, section=, difficulty=, switches=, demo= (base64 of a
+// The same ROM, seed and pads give the same run here as everywhere, so all that this does ends in pads, and a recording
+// of it holds in `curtain verify`. In the address after #: seed=, lang=, section=, difficulty=, switches=, demo= (base64 of a
 // recording, or of its gzip).
 'use strict'
 
@@ -619,5 +619,7 @@ window.curtain = {
     if (!good) throw new Error(text(core.web_said()))
     show()
   },
-  get state() { return { running, title: game && game.title, heard: audio && audio.said, bytes: core.memory.buffer.byteLength } },
+  get state() {
+    return { running, title: game && game.title, heard: audio && audio.said, bytes: core.memory.buffer.byteLength }
+  },
 }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# test.sh - the web port in Chromium, headless: hashes, the test card, sound, keys that are pressed, a finger that drags,
-# saves, links, files that are dropped; how large it is, and how long a frame takes.
+# test.sh - the web port in Chromium, headless: hashes, the test card, sound, keys that are pressed, a finger that
+# drags, saves, links, files that are dropped; how large it is, and how long a frame takes.
 #
 #     OUT=build/release ports/web/test.sh          make build/release/curtain-null build/web/player.html first
 . "$(dirname "$0")/../../tests/tap.sh"
 here=$repo/ports/web web=$repo/build/web
 for tool in node "${CHROMIUM:-chromium}"; do
-    command -v "$tool" >/dev/null || { echo "Bail out! there is no $tool here (tools/deps.sh web installs it)"; exit 2; }
+    command -v "$tool" >/dev/null || { echo "Bail out! there is no $tool (tools/deps.sh web installs it)"; exit 2; }
 done
 [ -f "$web/player.html" ] || { echo "Bail out! $web/player.html is not built (make web)"; exit 2; }
 sandbox
@@ -35,7 +35,8 @@ card=$repo/roms/testcard/demos/card.demo
 size=$(gzip -9nc "$web/core.wasm" | wc -c)
 echo "# core.wasm $(wc -c <"$web/core.wasm") bytes, $size gzipped; glasstide.html $(wc -c <pages/glasstide.html)"
 check 'the core is at most 300 KiB, gzipped' [ "$size" -le $((300 << 10)) ]
-same 'a page asks nothing of the network' '' "$(grep -oE '(src|href)="[^"#d][^"]*"|https?://[a-z.]+' pages/testcard.html)"
+same 'a page asks nothing of the network' '' \
+    "$(grep -oE '(src|href)="[^"#d][^"]*"|https?://[a-z.]+' pages/testcard.html)"
 
 # ---- the machine, what is seen and heard ----
 

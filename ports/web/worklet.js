@@ -1,7 +1,7 @@
 // worklet.js - sound: a ring of what the board has made, played at the card's own rate.
 //
-// The page posts 800 frames of 48 kHz each tick (Int16, left first), or null: silence from here. It plays a little faster or
-// slower than 48 kHz, inaudibly, so that the ring stays half full whatever the two clocks do.
+// The page posts 800 frames of 48 kHz each tick (Int16, left first), or null: silence from here. It plays a little
+// faster or slower than 48 kHz, inaudibly, so that the ring stays half full whatever the two clocks do.
 
 const ROOM = 16384, WANT = 2400 // frames
 

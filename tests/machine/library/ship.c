@@ -1,6 +1,6 @@
 /*
- * ship.c - ship ROM SECTION: where a ship is told to be is where it flies to, as fast as is told, and no further; nobody's
- * is nowhere.
+ * ship.c - ship ROM SECTION: where a ship is told to be is where it flies to, as fast as is told, and no further;
+ * nobody's is nowhere.
  */
 #include "common.h"
 
