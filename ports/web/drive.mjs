@@ -56,7 +56,10 @@ async function open(address, size = [1280, 800, 1, false]) {
 const picture = async (name) => writeFileSync(name,
   Buffer.from((await send('Page.captureScreenshot', { format: 'png' })).data, 'base64'))
 const canvas = async (name) => writeFileSync(name, Buffer.from((await js(`(() => {
-  const c = document.createElement('canvas'), p = curtain.pixels(); c.width = p.width; c.height = p.height; c.getContext('2d').putImageData(p, 0, 0);
+  const c = document.createElement('canvas'), p = curtain.pixels()
+  c.width = p.width
+  c.height = p.height
+  c.getContext('2d').putImageData(p, 0, 0)
   return c.toDataURL('image/png').split(',')[1] })()`)), 'base64'))
 
 const CODES = { Enter: 13, KeyZ: 90, ArrowLeft: 37, ArrowRight: 39, ArrowUp: 38, KeyX: 88 }
@@ -138,6 +141,19 @@ const steps = {
     console.log('led', -90 / scale, -60 / scale)
     await saved(args[0])
   },
+  // From the title into a game by taps alone; a swipe in a menu chooses.
+  async menus() {
+    await open(url, [390, 844, 3, true])
+    await tap('cover')
+    let taps = 0
+    for (; taps < 60 && !(await js('curtain.ship()')); taps++) {
+      if (taps === 6) await picture('phone-menu.png')
+      await tap('screen')
+      await sleep(250)
+    }
+    await picture('phone-game.png')
+    console.log(taps < 60 ? 'a game' : 'no game')
+  },
   async kept() {
     for (let i = 0; i < 3; i++) {
       await open(url)
@@ -171,6 +187,7 @@ const steps = {
   },
   async time() {
     await open(url)
+    await send('Emulation.setCPUThrottlingRate', { rate: +args[0] || 1 })
     console.log(await js(`(() => { let most = 0; const from = performance.now();
       for (let i = 0; i < 600; i++) {
         const a = performance.now()

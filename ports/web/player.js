@@ -1,8 +1,8 @@
 // player.js - a page that plays a packed game: core.wasm (web.c) decides, this shows, sounds, and asks for switches.
 //
 // The same ROM, seed and pads give the same run here as everywhere, so all that this does ends in pads, and a recording
-// of it holds in `curtain verify`. In the address after #: seed=, lang=, section=, difficulty=, switches=, demo= (base64 of a
-// recording, or of its gzip).
+// of it holds in `curtain verify`. In the address after #: seed=, lang=, section=, difficulty=, switches=, demo= (base64
+// of a recording, or of its gzip).
 'use strict'
 
 const UP = 1, DOWN = 2, LEFT = 4, RIGHT = 8, FIRE = 16, BOMB = 32, FOCUS = 64, SPECIAL = 128, START = 256, SELECT = 512

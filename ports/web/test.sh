@@ -71,6 +71,7 @@ check 'the ship went where the finger led it, within 4 px' awk '
     END { dx = x["led"] - x["moved"]; dy = y["led"] - y["moved"]
           exit !(x["led"] < -10 && dx * dx < 16 && dy * dy < 16) }' <<<"$said"
 check 'and its demo holds' "$curtain" verify glasstide.rom glasstide.demo
+same 'a game is begun by taps alone' 'a game' "$(drive menus "$(page glasstide)")"
 
 # ---- what is kept, given, and refused ----
 
@@ -97,6 +98,7 @@ same 'a player without a game takes one' 'testcard.rom:  | Test Card, Play' \
 
 for words in '' '&section=one' '&section=queen/held'; do
     echo "# glasstide${words:+ ${words#&}}: $(drive time "$(page glasstide "$words")")"
+    echo "#   on a machine six times slower: $(drive time "$(page glasstide "$words")" 6)"
 done
 same 'no error went unseen' '' "$(cat errors)"
 finish
