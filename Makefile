@@ -230,12 +230,13 @@ $(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/c
 WEB       := build/web
 WEB_CC    ?= clang
 WEB_OPT   ?= -Oz -msimd128
-WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -Wno-excess-initializers -ffunction-sections -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include \
-             -Itools/cross/wasi
+WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -Wno-excess-initializers -ffunction-sections \
+             -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/cross/wasi
 LUA_SRC   := build/cross/lua-bookworm/src
 WEB_LUA   := $(patsubst %,$(WEB)/lua/l%.o,api auxlib baselib code ctype debug do dump func gc lex mathlib mem object \
              opcodes parser state string strlib table tablib tm undump utf8lib vm zio)
-WEB_OBJ   := $(patsubst $(OUT)/lib/%,$(WEB)/obj/%,$(LIB_OBJ)) $(WEB)/obj/ports/web/web.o
+WEB_OBJ   := $(patsubst $(OUT)/lib/%,$(WEB)/obj/%,$(LIB_OBJ)) \
+             $(WEB)/obj/ports/web/web.o $(WEB)/obj/ports/web/no_host.o
 WEB_PAGE  := $(patsubst %,ports/web/%,page.html player.css player.js worklet.js build.sh)
 
 LUA_H     := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h
@@ -260,8 +261,8 @@ $(WEB)/obj/%.o: %.c $(LUA_H)
 	$(Q)$(WEB_CC) $(SEMANTIC) $(WARN) $(WEB_C) -D_DEFAULT_SOURCE -MMD -MP -c $< -o $@
 $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 	$(SAY) "  LINK  $@"
-	$(Q)$(WEB_CC) $(WEB_C) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations -Wl,--export=__stack_pointer \
-		-Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
+	$(Q)$(WEB_CC) $(WEB_C) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations \
+		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
 $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE)
 	$(SAY) "  MAKE  $@"
 	$(Q)ports/web/build.sh player $(WEB)/core.wasm $@
