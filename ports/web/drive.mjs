@@ -154,6 +154,24 @@ const steps = {
     await picture('phone-game.png')
     console.log(taps < 60 ? 'a game' : 'no game')
   },
+  // A controller, of the browser's making; and the link to what was played.
+  async pad() {
+    await open(url)
+    await key('Enter', 50)
+    const from = await js('curtain.ship()')
+    await js(`(() => {
+      const pad = { connected: true, axes: [-1, 0], buttons: [...Array(17)].map((_, i) => ({ pressed: i === 0 })) }
+      navigator.getGamepads = () => [pad, null] })()`)
+    await sleep(400)
+    console.log('left', (await js('curtain.ship()')).x < from.x - 5000)
+    await js(`(() => { curtain.pause(); navigator.clipboard.writeText = async (text) => { window.copied = text } })()`)
+    const at = `${await js('curtain.frames()')} ${await js('curtain.hash()')}`
+    await js(`document.getElementById('link').click()`)
+    for (let i = 0; i < 40 && !(await js('window.copied')); i++) await sleep(50)
+    await open(await js('window.copied'))
+    await js(`curtain.step(${at.split(' ')[0]})`)
+    console.log('link', at === `${await js('curtain.frames()')} ${await js('curtain.hash()')}`)
+  },
   async kept() {
     for (let i = 0; i < 3; i++) {
       await open(url)

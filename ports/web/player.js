@@ -1,8 +1,8 @@
 // player.js - a page that plays a packed game: core.wasm (web.c) decides, this shows, sounds, and asks for switches.
 //
 // The same ROM, seed and pads give the same run here as everywhere, so all that this does ends in pads, and a recording
-// of it holds in `curtain verify`. In the address after #: seed=, lang=, section=, difficulty=, switches=, demo= (base64
-// of a recording, or of its gzip).
+// of it holds in `curtain verify`. In the address after #: seed=, lang=, section=, difficulty=, switches=, demo=
+// (base64 of a recording, or of its gzip).
 'use strict'
 
 const UP = 1, DOWN = 2, LEFT = 4, RIGHT = 8, FIRE = 16, BOMB = 32, FOCUS = 64, SPECIAL = 128, START = 256, SELECT = 512
@@ -210,19 +210,16 @@ function show() {
 
 // ---- time ----
 
-let last = 0, due = 0, usual = TICK
+let last = 0, due = 0
 
-function ticksOf(now) { // how many ticks until this refresh of the screen
-  const passed = Math.min(now - last, 100)
+// How many ticks until this refresh of the screen: as many as time asks for, in the long run to the tick. Where a
+// refresh is about a tick each has one, as long as time is less than three quarters of a tick ahead or behind.
+function ticksOf(now) {
+  const passed = Math.min(now - last, 100) / TICK
   last = now
-  usual += (passed - usual) * 0.05
-  if (Math.abs(usual - TICK) < 0.3) { // a screen of 60 Hz: one each
-    due = 0
-    return Math.max(1, Math.round(passed / TICK))
-  }
   due += passed
-  const n = Math.floor(due / TICK)
-  due -= n * TICK
+  const n = Math.abs(passed - 1) < 0.3 && Math.abs(due - 1) < 0.75 ? 1 : Math.max(0, Math.floor(due))
+  due -= n
   return n
 }
 

@@ -72,6 +72,8 @@ check 'the ship went where the finger led it, within 4 px' awk '
           exit !(x["led"] < -10 && dx * dx < 16 && dy * dy < 16) }' <<<"$said"
 check 'and its demo holds' "$curtain" verify glasstide.rom glasstide.demo
 same 'a game is begun by taps alone' 'a game' "$(drive menus "$(page glasstide)")"
+same 'a controller steers, and a link to that run is that run' 'left true
+link true' "$(drive pad "$(page glasstide '&section=one')")"
 
 # ---- what is kept, given, and refused ----
 
