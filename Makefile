@@ -2,7 +2,8 @@
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
-         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive library web
+         fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
+         patterns library ports web
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -67,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive web
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -87,7 +88,8 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make pacing   measure docs/pacing.md anew"
-	@echo "make survive  what can be survived, of every phase and page: docs/survive.md"
+	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/survive.md, docs/game.md"
+	@echo "make patterns what Glass Tide fires, in words and pictures: docs/patterns.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
@@ -188,6 +190,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
+WEB     := build/web
 LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
 LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 
@@ -211,6 +214,12 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
+# Each port's test: build and play it where it is at home.
+ports: deps-play-ports-web
+	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so $(WEB)/player.html
+	@OUT=$(OUT) ports/libretro/test.sh
+	@OUT=$(OUT) ports/web/test.sh
+
 library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
 build/libcurtain.a build/libcurtain.so build/curtain_libretro.so: build/%: $(OUT)/%
@@ -227,7 +236,6 @@ $(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/c
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
 
 # As Debian compiles Lua, with tools/cross/wasi in place of setjmp. Its sources are fetched once.
-WEB       := build/web
 WEB_CC    ?= clang
 WEB_OPT   ?= -Oz -msimd128
 WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -Wno-excess-initializers -ffunction-sections \
@@ -330,7 +338,8 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-short $(UNIT) $(MACHINE)
+programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
+          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
@@ -394,6 +403,10 @@ $(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
+$(OUT)/lively: $(OUT)/%: tools/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
 # Against libfixmath. The script builds the program, for it links several builds of that library.
 BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
             $(patsubst %,$(OUT)/tools/bench_fx/%.o,bench_fx bench_fx_inputs)
@@ -413,11 +426,16 @@ cookbook: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/cookbook
 	@OUT=$(OUT) tools/cookbook/cookbook.sh
 
+# The patterns of Glass Tide with their pictures, docs/patterns.md; of the demos that make demos records.
+patterns: deps-play
+	@$(MAKE) --no-print-directory build/curtain-null $(OUT)/lively
+	@OUT=$(OUT) python3 tools/patterns.py
+
 # README and docs/ as one file; make install takes it along, if it was made.
 docs: deps-docs
 	@tools/docs/docs.sh -o build/curtain.html
 
-# What can be survived, of Glass Tide and the cookbook; docs/survive.md.
+# What can be survived, of Glass Tide and the cookbook, and how hard it is; docs/survive.md, docs/game.md.
 survive: deps-play
 	@$(MAKE) --no-print-directory build/curtain-null
 	@tools/survive.sh

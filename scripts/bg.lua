@@ -7,6 +7,7 @@ local names = {}  -- number -> name
 local numbers = {} -- name -> number
 local task_of     -- the task of what is shown; it may have ended
 local coming      -- the task that waits for the middle of a fade
+local next_one    -- the number of what it will show
 
 function bg.def(name, f)
   local a = sys.check("bg.def", name, f)
@@ -25,9 +26,12 @@ local function change(n, dark)
   if n > 0 then scenes[n]() end
 end
 
+-- On the way to a practice mark it is there before the next line, as it is by then where the stage is played.
 local function show(n, over)
   if coming then task.stop(coming) end
-  coming = task.go(change, n, sys.skipping() and 0 or sys.bg_fade(over))
+  next_one = n
+  if sys.skipping() then return sys.turn(task.go(change, n, 0)) end
+  coming = task.go(change, n, sys.bg_fade(over))
 end
 
 function bg.show(name, args)
@@ -37,11 +41,12 @@ function bg.show(name, args)
 end
 
 -- For boss.lua: shows that background, or the one of that number; returns the number of the one before. `what` names
--- it where nobody declared it.
+-- it where nobody declared it. The one that is shown, or comes, goes on: it does not fade to itself.
 function sys.backdrop(name, what)
-  local before = sys.bg_shown()
+  local before = coming and task.alive(coming) and next_one or sys.bg_shown()
   if what and not numbers[name] then sys.unknown("boss.def", what, name, names) end
-  if type(name) == "string" then bg.show(name) else show(name, 30) end
+  local n = numbers[name] or name
+  if n ~= before then show(n, 30) end
   return before
 end
 

@@ -36,9 +36,6 @@ local function find(api, name)
   return bosses[name]
 end
 
--- Fails unless the boss is declared.
-function boss.expect(api, name) find(api, name) end
-
 function boss.fight(name, args)
   local a = sys.check("boss.fight", name, args)
   local b = find("boss.fight", a.name)
@@ -81,12 +78,13 @@ function boss.each(f)
   for _, name in ipairs(names) do f(bosses[name]) end
 end
 
--- A function that fights one phase alone.
+-- A function that fights one phase alone, or without an id all of them, with neither warning nor talks.
 function boss.practice(api, name, id)
-  local phase = sys.read("boss/practice")(api, find(api, name), id)
+  local b = find(api, name)
+  local phases = id and { sys.read("boss/practice")(api, b, id) } or b.phases
   return function()
     sys.mark("start", "")
-    return sys.read("boss/fight")(now, bosses[name], { phase })
+    return sys.read("boss/fight")(now, b, phases)
   end
 end
 

@@ -7,6 +7,9 @@ hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
 -- A game with coloured text sets these in main.lua. alarm: a boss's last seconds, and its warning.
 hud.banks = { plain = 0, bright = 0, faint = 0, alarm = 0 }
 hud.low = 1 -- rows free below the registers that stand at the field's lower edge: what a game shows there itself
+hud.shy = 0 -- px: what stands at the lower edge goes while a craft is so near to it
+hud.gone = { false, false } -- by player, whether its rows there are gone so: what a game shows there itself goes with them
+hud.graze = false -- the word before the number of grazes; false: a star
 
 -- The font's own picture for a code from 128 on, or else a plain character.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
@@ -54,9 +57,10 @@ local players = 0 -- how many play
 local seen = {}   -- each player's last score: that of one who is out cannot be read
 local shown = {}  -- the text of each row on the screen; a row is written only when it changes
 local below = {}  -- and of those at the lower edge, by player and row
-local banner      -- lines; h, rows it covers; ends, the clock when it goes; nil: there is none
+local banner      -- lines; row, h, the rows it covers; ends, the clock when it goes; nil: there is none
 local record = 0  -- the best score of the table
 local registers, low = { {}, {} }, { {}, {} } -- that each player's ship shows: name, label, show, max, mark, run
+local covered = 0 -- how many stand over the field's lower edge
 local values = {} -- what the rows tell of
 local fresh       -- one of them is another than in the frame before
 local again       -- all is to be written
@@ -129,32 +133,65 @@ local function bank_of(r, n)
 end
 
 -- The register r that player i shows, as its ship says, and its bank. A bar leaves room for the other player's.
-local function register(i, r)
+local function register(i, r, at_edge)
   local n = r and sys.value(i, r.name, r.run)
   if not n then return "" end
   if r.show == "icons" then return r.label .. icons(GRAZE, n), bank_of(r, n) end
   if r.show == "times" then return r.label .. ("x%d.%02d"):format(n // 100, n % 100), bank_of(r, n) end
   if r.show ~= "bar" then return r.label .. n, bank_of(r, n) end
   local most = (WIDE and players > 1 and (width - 2) // 2 or width) - cells(r.label)
+  if at_edge then most = math.min(most, math.max(5, 8 - cells(r.label))) end -- few cells over the field
   return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, most))), bank_of(r, n)
 end
 
 -- The registers of player i; those of the run are of both, so they have a row by themselves.
 local function stack_registers(rows, i, of_run)
   for _, r in ipairs(registers[i]) do
-    if not r.run == not of_run then
+    if r.run == of_run then
       local s, bank = register(i, r)
       if s == "" then rows[#rows + 1] = { "" } else add(rows, s, "", "", bank) end
     end
   end
 end
 
--- What stands at the field's lower edge, from below: player one's to the left, two's to the right.
+-- What covers the field's lower edge, a talk, takes these rows away, and brings them back.
+function sys.low(shown_again)
+  covered = covered + (shown_again and -1 or 1)
+  for i = 1, covered == 1 and not shown_again and players or 0 do
+    for k, old in pairs(below[i]) do
+      local n = cells(old[1])
+      hud.put(i == 1 and left or left + width - n, BOTTOM - hud.low - k + 1, (" "):rep(n))
+    end
+  end
+  below, fresh = { {}, {} }, true
+end
+
+local PLACES <const> = { bar = 1, icons = 2, times = 3, number = 4 } -- from below
+
+local LOW_COLS <const> = 12 -- columns that these rows have
+
+-- Is a craft so near to player i's rows that they go? They come back only when it is a little farther off.
+local function hides(i)
+  if hud.shy <= 0 then return false end
+  local far = hud.shy + (hud.gone[i] and 8 or 0)
+  local top = (BOTTOM - hud.low - math.max(#low[i], 1) + 1) * 8 - rom.field.y - far
+  local side = LOW_COLS * 8 + far
+  for p = 1, players do
+    local craft = player.get(p)
+    local x, y = craft.x, craft.y
+    if y and y > top and (i == 1 and x < side or i == 2 and x > rom.field.w - side) then return true end
+  end
+  return false
+end
+
+-- What stands at the field's lower edge: player one's to the left, two's to the right.
 local function draw_low()
+  if covered > 0 then return end
   for i = 1, players do
     for k, r in ipairs(low[i]) do
-      local s, bank = register(i, r)
-      if r.show ~= "bar" and sys.value(i, r.name, r.run) == r.value and r.value == 0 then s = "" end
+      local s, bank = register(i, r, true)
+      local value = sys.value(i, r.name, r.run)
+      if r.show ~= "bar" and value == r.value and value == (r.show == "times" and 100 or 0) or hud.gone[i] then s = "" end
       local key = s .. "|" .. (bank or "")
       local old = below[i][k] or { "", "" }
       if old[2] ~= key then
@@ -188,7 +225,7 @@ local function play_rows(rows)
     add(rows, icons(LIFE, player.get(1).lives or 0), best, icons(LIFE, player.get(2).lives or 0))
   else
     add(rows, points(hud.score(1)), "", "HI " .. best)
-    add(rows, icons(LIFE, player.get(1).lives or 0), "", GRAZE .. (player.get(1).grazes or 0))
+    add(rows, icons(LIFE, player.get(1).lives or 0), "", (hud.graze and text.lang(hud.graze) .. " " or GRAZE) .. (player.get(1).grazes or 0))
   end
   for k = 1, math.max(#registers[1], #registers[2]) do
     local s, bank = register(1, registers[1][k])
@@ -233,6 +270,8 @@ local function draw()
     note(i + 4, p.grazes)
     note_registers(i, registers[i], 4)
     note_registers(i, low[i], 44)
+    hud.gone[i] = hides(i)
+    note(200 + i, hud.gone[i])
   end
   if fresh then
     local rows = {}
@@ -241,34 +280,35 @@ local function draw()
     draw_low()
     fresh = false
   end
-  boss.draw(TOP + #shown + 1, again)
+  boss.draw(TOP + #shown + (PANEL and 1 or 0), again)
   again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
 
--- Shows lines in the middle of the field for so many frames; without lines, ends that.
-function hud.banner(lines, over)
+-- Shows lines in the middle of the field, or from a row on, for so many frames; without lines, ends that.
+function hud.banner(lines, over, first)
   if lines and type(lines) ~= "table" then sys.fail("hud.banner", 'lines: expected a list of texts, as { "GO" }') end
   if lines and not math.tointeger(over) then sys.fail("hud.banner", "frames: expected how long it is shown") end
-  if banner then text.clear { col = field_col, row = BANNER_ROW, w = field_cols, h = banner.h } end
+  if banner then text.clear { col = field_col, row = banner.row, w = field_cols, h = banner.h } end
   banner = nil
   if not lines then return end
-  local row = BANNER_ROW
+  first = first or BANNER_ROW
+  local row = first
   for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright, field_col, field_cols) + 1 end
-  banner = { h = row - BANNER_ROW, ends = sys.clock() + over, lines = lines }
+  banner = { row = first, h = row - first, ends = sys.clock() + over, lines = lines }
 end
 
 -- Writes all again after something else was written over it.
 function hud.refresh()
   shown, below, fresh, again = {}, { {}, {} }, true, true
-  if banner then hud.banner(banner.lines, banner.ends - sys.clock()) end
+  if banner then hud.banner(banner.lines, banner.ends - sys.clock(), banner.row) end
 end
 
 -- Draws every frame for n players, until the owner ends.
 function hud.start(owner, n)
   local top = score.rows(board.difficulty())[1]
   players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  values, below, fresh, again, wide = {}, { {}, {} }, true, true, false
+  values, below, hud.gone, covered, fresh, again, wide = {}, { {}, {} }, { false, false }, 0, true, true, false
   for i = 1, 2 do
     local kind = i <= n and player.get(i).kind
     registers[i], low[i] = {}, {}
@@ -278,6 +318,10 @@ function hud.start(owner, n)
       local list = r.at == "low" and not PANEL and low[i] or registers[i]
       if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
     end
+    table.sort(low[i], function(r, s)
+      local a, b = PLACES[r.show], PLACES[s.show]
+      return a < b or a == b and r.name < s.name
+    end)
   end
   task.own(owner, function()
     while true do

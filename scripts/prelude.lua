@@ -43,12 +43,23 @@ local function wait_for(...)
   end
 end
 
+-- A list has the easiest difficulty's value first: as a table by their names.
+local function named(values, names)
+  if #values > #names then
+    sys.fail("by_difficulty", ("%d values for %d difficulties"):format(#values, #names))
+  end
+  local by_name = {}
+  for i, value in pairs(values) do by_name[names[i] or i] = value end
+  return by_name
+end
+
 -- Goes through the difficulties from easy to hard and keeps the last value given. At the present difficulty that is the
 -- answer; if none was given so far, the answer is the first one given for a harder difficulty.
 local function by_difficulty(values)
   local names, value, reached = sys.difficulties(), nil, false
   if sys.loading() then sys.fail("by_difficulty", "the difficulty is not chosen yet; call it where the game runs") end
   if type(values) ~= "table" then sys.fail("by_difficulty", "expected a table, got " .. type(values)) end
+  if values[1] ~= nil then values = named(values, names) end
   local known = {}
   for _, name in ipairs(names) do known[name] = true end
   for name in pairs(values) do

@@ -115,6 +115,7 @@ function stage.mark(name)
   -- Removes what the stage's own code made directly, outside waves and fights, while it was skipped through.
   -- Background and palette stay: they are what the stage shows here.
   sys.wipe(true)
+  sys.faded()
   hud.refresh()
 end
 

@@ -1,10 +1,11 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [--say] [null] [play] [test] [docs] [fuzz] [nightly] [bench] [cross] [web]
+#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [cross] [web]
 #
 # null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
-# too. Without arguments: all but nightly, cross and web. With --say
+# too; ports: RetroArch, that the libretro core is tested in; web: what a page is built with, and tested in. Without
+# arguments: play, test, fuzz and bench. With --say
 # it installs nothing: it says, in one line to paste, what is missing, and exits with 3.
 set -eu
 say=""
@@ -69,10 +70,15 @@ for what; do
         have gio || need libglib2.0-bin
         have appstreamcli || need appstream
         have mandoc || need mandoc
+        have valgrind || need valgrind
         have pcf2bdf || need pcf2bdf
         [ -e /usr/share/fonts/X11/misc/f12.pcf.gz ] || need xfonts-efont-unicode
         ;;
     docs) pages ;;
+    ports)
+        have retroarch || need retroarch
+        have python3 || need python3
+        ;;
     fuzz)
         have clang || need clang
         header cmocka.h || need libcmocka-dev
@@ -125,7 +131,7 @@ for what; do
         have chromium || need chromium
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, fuzz, nightly, bench, cross, web" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, cross, web" >&2
         exit 2
         ;;
     esac

@@ -10,7 +10,7 @@ Prints a line of figures for each piece, and a sentence for each fault; exit cod
 `curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
 only the lines that begin with `;=`.
 """
-import array, functools, itertools, math, os, re, subprocess, sys, tempfile, wave
+import array, concurrent.futures, functools, itertools, math, os, re, subprocess, sys, tempfile, wave
 
 # What is asked for. Shares are of 1.
 IN_SCALE, BASS_FITS, ROOTS, HARMONY_FITS = 0.85, 0.85, 0.75, 0.85
@@ -53,6 +53,9 @@ def chord(word, where):
     tones = {(root + s) % 12 for s in CHORDS[m.group(2)]}
     bass = pitch_class(m.group(3)) if m.group(3) else root
     return tones | {bass}, bass
+
+
+ROMS = {}  # of a game that is asked for often: what it is packed to
 
 
 # ---- what is declared ----
@@ -115,7 +118,7 @@ class Tune:
 
     def __init__(self, curtain, game, name):
         self.notes, self.ends, self.loops, self.tempos = {}, {}, {}, []
-        for line in run(curtain, "sound", game, name, "--notes").splitlines():
+        for line in run(curtain, "sound", ROMS.get(game, game), name, "--notes").splitlines():
             w = line.split()
             if w[0] == "tune":
                 self.quarter, self.beats = int(w[2]), int(w[3])
@@ -363,7 +366,7 @@ def decibels(x):
 def render(curtain, game, name, folder):
     """The samples, and how loud curtain finds them (LUFS)."""
     path = os.path.join(folder, name + ".wav")
-    said = run(curtain, "sound", game, name, "-o", path)
+    said = run(curtain, "sound", ROMS.get(game, game), name, "-o", path)
     with wave.open(path) as w:
         samples = array.array("h", w.readframes(w.getnframes()))
     if sys.byteorder == "big":
@@ -443,18 +446,23 @@ def check_loop(curtain, game, name, tune):
         f"{name}: a click where it repeats: second difference {here}, {near} around it"] if here > near else []
 
 
+def level(curtain, game, name):
+    """Of one piece: its row, its faults, how loud it is."""
+    tune = Tune(curtain, game, name)
+    with tempfile.TemporaryDirectory() as folder:
+        samples, loud = render(curtain, game, name, folder)
+    flat, faults = flaws(name, samples)
+    looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
+    row = [("LUFS", f"{loud:.1f}")] + flat + (looped or [("bend at the loop", "-")])
+    return row, faults + clicks, loud
+
+
 def check_levels(curtain, game, names):
-    rows, faults, loud = {}, [], {}
-    for name in names:
-        tune = Tune(curtain, game, name)
-        with tempfile.TemporaryDirectory() as folder:
-            samples, loud[name] = render(curtain, game, name, folder)
-        flat, bad = flaws(name, samples)
-        looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
-        rows[name] = [("LUFS", f"{loud[name]:.1f}")] + flat
-        rows[name] += looped or [("bend at the loop", "-")]
-        faults += bad + clicks
-    return rows, faults + spread(loud)
+    with concurrent.futures.ProcessPoolExecutor() as pool:
+        found = dict(zip(names, pool.map(functools.partial(level, curtain, game), names)))
+    faults = [fault for _, bad, _ in found.values() for fault in bad]
+    return ({name: row for name, (row, _, _) in found.items()},
+            faults + spread({name: loud for name, (_, _, loud) in found.items()}))
 
 
 def loudest(samples, frames=2400):
@@ -498,7 +506,7 @@ PAGE = """# The music of Glass Tide
 
 Made by `tools/music.py --page roms/glasstide >docs/music.md`; [music.sh](../tests/cli/music.sh) checks it.
 
-Six pieces and {sounds} sounds, all of them MML: [music](../{game}/music) and
+{count} pieces and {sounds} sounds, all of them MML: [music](../{game}/music) and
 [sfx](../{game}/sfx). One motif goes through all pieces, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
 falls back, and rises less.
 
@@ -584,7 +592,10 @@ def about(game, name, where):
     return f"| `{name}` | {title} | {where} | {d.key} | {d.tempo:g} | {form} |"
 
 
-WHERE = {"title": "title", "tide": "stage", "queen": "bosses", "clear": "a game is won", "over": "a game is lost",
+WHERE = {"title": "title", "opening": "what came before", "tide": "stage one", "works": "stage two",
+         "abyss": "stage three", "caravan": "the caravan", "lantern": "midbosses", "claws": "the Chandelier Crab",
+         "furnace": "Cinder and Quench", "queen": "the Queen", "moon": "the Drowned Moon", "clear": "a game is won",
+         "over": "a game is lost", "ending": "endings", "true_ending": "the last ending", "staff": "the staff roll",
          "scores": "scores"}
 
 
@@ -597,8 +608,8 @@ def page(curtain, game):
     rules += [f"| {what} | {most} |" for what, most in LIMITS]
     sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", listing(curtain, game), re.M))
     print(PAGE.format(
-        sounds=len(sounds), game=game, notes=table(notes), levels=table(levels), heard=table(heard_rows), long=LONG,
-        short=SHORT, spread=SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
+        count=len(pieces), sounds=len(sounds), game=game, notes=table(notes), levels=table(levels),
+        heard=table(heard_rows), long=LONG, short=SHORT, spread=SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
         pieces="\n".join(f"{about(game, n, WHERE.get(n, ''))} {seconds[n]} |" for n in pieces),
         rules="\n".join(rules),
         cost=COST.format(music=sum(int(sizes[n]) for n in pieces), sounds=sum(int(sizes[n]) for n in sounds))), end="")
@@ -617,7 +628,7 @@ of the game: what a run hashes to is the same with and without it."""
 
 @functools.lru_cache
 def listing(curtain, game):
-    return run(curtain, "sound", game)
+    return run(curtain, "sound", ROMS.get(game, game))
 
 
 def listed(curtain, game, what):
@@ -638,6 +649,13 @@ def main(args):
     if not args:
         raise Bad(__doc__.strip())
     game, names = args[0], args[1:]
+    with tempfile.TemporaryDirectory() as folder:
+        ROMS[game] = os.path.join(folder, "game.rom")
+        run(curtain, "pack", game, "-o", ROMS[game])
+        return told(curtain, option, game, names)
+
+
+def told(curtain, option, game, names):
     if option == "--page":
         faults = page(curtain, game)
     else:

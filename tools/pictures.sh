@@ -36,8 +36,8 @@ for way in '"add"' '{ ramp = "add" }'; do
     mv "$at/glow/000200.png" "$at/blends/$(ls "$at/blends" | wc -l).png"
 done
 python3 tools/pictures.py 2 docs/images/blends.png "$at"/blends/*.png
-"$curtain" render roms/glasstide --stage one:queen --frames 160,520 -o "$at/talk"
-"$curtain" render roms/glasstide --stage one:queen --frames 960 --lang ja -o "$at/talk"
+"$curtain" render roms/glasstide --stage three:queen --frames 160,520 -o "$at/talk"
+"$curtain" render roms/glasstide --stage three:queen --frames 960 --lang ja -o "$at/talk"
 python3 tools/pictures.py 1 docs/images/talk.png "$at"/talk/*.png
 
 python3 tools/pictures.py 20 docs/images/art_palette.png examples/moth/art/palette.png

@@ -1,67 +1,65 @@
 #!/usr/bin/env bash
-# Writes docs/survive.md: what `curtain survive` finds in every stage and every phase of Glass Tide at every difficulty,
-# and on every page of the cookbook. Each run that is found is a demo, and verified. JOBS at a time (2).
+# What can be survived, and how hard it is: `curtain survive` in every stage and every phase of Glass Tide at every
+# difficulty, and on every page of the cookbook. Writes docs/survive.md, docs/game.md with its curves, and the demo of
+# each phase in tests/demos/phases. JOBS at a time (4); ONLY='crab queen' looks at these alone and writes no page.
+#
+#     tools/survive.sh --pages FOLDER     the pages once more, of what an earlier run left there
 set -eu
 cd "$(dirname "$0")/.."
 curtain=$PWD/${CURTAIN:-build/curtain-null}
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-export curtain scratch
+phases=tests/demos/phases
+export curtain
 
-# One line: GAME SECTION [OPTION...]
+# One line: FOLDER GAME SECTION DIFFICULTY. A line of JSON, and a demo beside it.
 look() {
-    local game=$1 section=$2 name=${1##*/}-${2//\//-}
-    shift 2
-    "$curtain" survive "$game" --all --stage "$section" -o "$scratch/demos/$name" "$@" \
-        >"$scratch/$name.table" 2>"$scratch/$name.said" || [ $? = 1 ]
-    find "$scratch/demos/$name" -name '*.demo' 2>/dev/null | sort >"$scratch/$name.list"
-    "$curtain" verify "$game" - <"$scratch/$name.list" >"$scratch/$name.verified" 2>&1 || [ ! -s "$scratch/$name.list" ]
+    local at=$1 game=$2 section=$3 difficulty=$4 name
+    name=${game##*/}-${section//[\/:]/-}-$difficulty
+    "$curtain" survive "$game" --all --stage "$section" --difficulty "$difficulty" --json --prints seconds \
+        -o "$at/demos/${game##*/}" >"$at/$name.all" 2>"$at/$name.said" || [ $? = 1 ]
+    # a stage's bosses have the stage's name too
+    grep -F "\"section\":\"$section\"," "$at/$name.all" >"$at/$name.json" || true
 }
 export -f look
-# A game's sections: of each two frames are looked at.
-sections() {
-    "$curtain" survive "$1" --all --frames 2 --difficulty normal --json 2>/dev/null |
-        sed 's/^{"section":"\([^"]*\)".*/\1/'
+
+# The sections of a game at all its difficulties, each GAME SECTION DIFFICULTY: of each two frames are looked at.
+sections() { # GAME [OPTION...]
+    "$curtain" survive "$@" --all --frames 2 --json 2>/dev/null |
+        sed 's,^{"section":"\([^"]*\)"\,"difficulty":"\([^"]*\)".*,'"$1"' \1 \2,'
 }
-phases=$(sections roms/glasstide)
-pages=$(sections roms/cookbook)
+
+if [ "${1:-}" = --pages ]; then
+    exec python3 tools/survive_pages.py "$2"
+fi
+scratch=$(mktemp -d)
+[ -n "${KEEP:-}" ] || trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$scratch/demos/glasstide" "$scratch/demos/cookbook"
+started=$SECONDS
 {
-    for phase in $phases; do echo "roms/glasstide $phase"; done
-    for page in $pages; do echo "roms/cookbook $page --difficulty normal"; done
-} | xargs -P "${JOBS:-2}" -I{} bash -c 'look {}'
-
-# The rows of a game, as a table of the page.
-rows() {
-    local game=$1 section
-    shift
-    echo '```text'
-    head -n 1 "$scratch/$game-${1//\//-}.table"
-    for section; do sed 1d "$scratch/$game-${section//\//-}.table"; done
-    echo '```'
-    echo
-    cat "$scratch/$game"-*.verified | awk '/: holds,/ { n++ } END { print n + 0 " demos hold." }'
-}
-{
-    cat <<'TEXT'
-# What can be survived
-
-Written by `make survive`: what `curtain survive` finds in every stage and every phase of a boss of *Glass Tide*, at
-every difficulty, and on every page of the cookbook. [Chapter 29 of the manual](manual.md#29-can-it-be-survived) says
-what the columns mean, and what they cannot say. Each run that was found is a demo that `curtain verify` was given.
-
-`gap px` is the width of a ship that could still fly through, as far as that was tried (36 px); `last` is how many
-seconds sixteen simple bots last, on average; `reaction` is in frames.
-
-TEXT
-    echo "## Glass Tide"
-    echo
-    rows glasstide $phases
-    echo
-    echo "What is harder where it should be easier:"
-    echo
-    cat "$scratch"/glasstide-*.said | sed 's/^curtain: /* /' | grep . || echo "Nothing."
-    echo
-    echo "## The cookbook"
-    echo
-    rows cookbook $pages
-} | sed 's/ *$//' >docs/survive.md
+    sections roms/glasstide
+    [ -n "${ONLY:-}" ] || sections roms/cookbook --difficulty normal
+} >"$scratch/list"
+if [ -n "${ONLY:-}" ]; then
+    grep -E " (${ONLY// /|})([/:]| )" "$scratch/list" >"$scratch/some" && mv "$scratch/some" "$scratch/list"
+fi
+# Stages take longest, and hard ones longer: these first.
+sort -t ' ' -k 1,1r -k 2,2 "$scratch/list" |
+    awk '{ print ($2 ~ /\// ? 1 : 0) ($3 == "abyss" ? 0 : $3 == "hard" ? 1 : 2), $0 }' | sort -s -k 1,1 |
+    cut -d ' ' -f 2- | xargs -P "${JOBS:-4}" -I{} bash -c "look $scratch {}"
+echo "$(wc -l <"$scratch/list") sections in $((SECONDS - started)) s"
+if [ -n "${ONLY:-}" ]; then
+    cat "$scratch"/*.json | cut -c 1-160
+    exit
+fi
+# The demos of phases stay: of stages they say less than a whole game does.
+mkdir -p $phases
+rm -f $phases/*.demo
+for json in "$scratch"/glasstide-*.json; do
+    name=$(basename "$json" .json)
+    demo=$scratch/demos/glasstide/${name#glasstide-}.demo
+    if grep -q '"section":"[^"]*/' "$json" && [ -f "$demo" ]; then cp "$demo" $phases/; fi
+done
+find "$scratch/demos" -name '*.demo' | sort >"$scratch/all"
+for game in glasstide cookbook; do
+    grep "/$game/" "$scratch/all" | "$curtain" verify roms/$game - >"$scratch/$game.verified" 2>&1 || true
+done
+python3 tools/survive_pages.py "$scratch"

@@ -54,7 +54,9 @@ arch() {
 told() { sed -n 's/.*Curtain: \([0-9]* frames, hash [0-9a-f]*\).*/\1/p' "$1/log" | tail -1; } # NAME
 loads() { sed -n 's/.*Curtain: .*, \([0-9]*\) states loaded.*/\1/p' "$1/log" | tail -1; }     # NAME
 native() { echo "$2 frames, hash $("$curtain" hash "$1" --seed 1 --frames "$2" --every "$2" | sed -n "s/^$2 //p")"; }
-hash_at() { "$curtain" hash "$1" --demo "$2" --frames "$3" --every "$3" 2>/dev/null | sed -n "s/^$3 //p"; } # ROM DEMO FRAME
+hash_at() { # DEMO FRAME
+    "$curtain" hash glasstide.rom --demo "$1" --frames "$2" --every "$2" 2>/dev/null | sed -n "s/^$2 //p"
+}
 
 # ---- the machine, and its picture ----
 
@@ -124,8 +126,8 @@ for demo in "$one" "$two"; do
     check "the demo in $demo holds" "$curtain" verify glasstide.rom "$demo"
 done
 at=$((frames * 9 / 10))
-same "at frame $at both are at the same hash" "$(hash_at glasstide.rom "$one" $at)" "$(hash_at glasstide.rom "$two" $at)"
-echo "# $(hash_at glasstide.rom "$one" $at)"
+same "at frame $at both are at the same hash" "$(hash_at "$one" $at)" "$(hash_at "$two" $at)"
+echo "# $(hash_at "$one" $at)"
 check 'and both have played' sh -c '[ "$1" != "$2" ]' - "$(native glasstide.rom $at | sed 's/.* //')" \
-    "$(hash_at glasstide.rom "$one" $at)"
+    "$(hash_at "$one" $at)"
 finish

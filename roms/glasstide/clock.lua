@@ -8,14 +8,20 @@ function clock.text(frames)
   return ("%d:%02d.%02d"):format(frames // 3600, frames // 60 % 60, frames % 60 * 100 // 60)
 end
 
--- Shows f(), frames, for as long as the task that called this has it: local shown <close> = clock.show(f).
--- Below `alarm` frames it is in the colour of one.
+-- Shows f(), frames, for as long as the task that called this has it: local shown <close> =
+-- clock.show(f). Below `alarm` frames it is in the colour of one. nil: nothing is shown.
 function clock.show(f, alarm)
   local t = task.go(function()
+    local there = false
     while true do
       local frames = f()
-      hud.centre(hud.rows - 2, clock.text(frames),
-                 frames < (alarm or 0) and hud.banks.alarm or hud.banks.bright)
+      if frames then
+        hud.centre(hud.rows - 2, clock.text(frames),
+                   frames < (alarm or 0) and hud.banks.alarm or hud.banks.bright)
+      elseif there then
+        text.clear { col = 8, row = hud.rows - 2, w = hud.cols - 16, h = 1 }
+      end
+      there = frames ~= nil
       wait(OFTEN)
     end
   end)

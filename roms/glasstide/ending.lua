@@ -1,10 +1,11 @@
--- ending.lua - what is told when the tide has turned: as it is, as it is for those who had it easy, and as it is when
--- nobody holds its other end any more.
+-- ending.lua - what is told when the tide has turned: as it is, as it is for those who had it
+-- easy, and as it is when nobody holds its other end any more.
 local story = require "story"
 local moon = require "stages/moon"
 
 local TURNED <const> = {
-  { picture = "wave", lines = { "She rings once, and breaks.", "The tide falls to pieces", "and is water again." } },
+  { picture = "wave", lines = { "She rings once, and breaks.", "The tide falls to pieces",
+                                "and is water again." } },
   { picture = "flood", lines = { "At dawn it lifts the boats.", "The harbour bells answer,",
                                  "one after the other." } },
   { picture = "brink", lines = { "Only far out, at the brink,", "the water still leans.",
@@ -17,25 +18,22 @@ local BUT <const> = {
                                "it might stay." } },
 }
 local TRUE <const> = {
-  { picture = "dive", lines = { "The eye closes.", "For the first time in a year", "nothing pulls." } },
+  { picture = "dive", lines = { "The eye closes.", "For the first time in a year",
+                                "nothing pulls." } },
   { picture = "flood", lines = { "The sea comes up the steps", "like someone who lives here." } },
   { picture = "home", lines = { "And the moon is in the sky,", "where it only looks.",
                                 "Two lamps come home by it." } },
 }
 
-local function told(scenes, song)
-  return function(_)
-    if song then music.play(song, { fade = 30 }) end
-    story.tell(scenes)
-  end
-end
+local function told(scenes) return function(_) story.tell(scenes) end end
 
--- The dive alone has endings; the other modes have had theirs.
+-- The dive alone has endings, and who made it; the other modes have had theirs.
 local function dived(run) return run.mode == nil or run.mode == "dive" end
 
 return {
-  { when = function(run) return not dived(run) end, show = function() wait(1) end },
-  { when = function(_) return moon.outlived() end, show = told(TRUE, "true_ending") },
-  { when = function(run) return run.difficulty == "easy" or run.continues > 0 end, show = told(BUT) },
+  { when = function(run) return not dived(run) end, show = function() return false end },
+  { when = function(_) return moon.outlived() end, show = told(TRUE), music = "true_ending" },
+  { when = function(run) return run.difficulty == "easy" or run.continues > 0 end,
+    show = told(BUT) },
   { show = told(TURNED) },
 }

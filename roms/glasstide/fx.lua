@@ -8,7 +8,8 @@ local FIRE <const>, COLD <const>, PALE <const>, GOLD <const> = 0, 5, 0, 3 -- ban
 
 -- Fire and light are added to what is there, so bullets show through.
 local function light(name, sprite, bank, life, drag)
-  spark.def(name, { sprite = sprite, bank = bank, life = life, drag = drag or 0, blend = "glow" })
+  spark.def(name, { sprite = sprite, bank = bank, life = life, drag = drag or 0, blend = "glow",
+                    layer = "middle" })
 end
 
 light("fire_a",  "fire_a",  FIRE, 30, 0.08)
@@ -23,10 +24,15 @@ light("breaker", "breaker", COLD, 32)
 light("dawn",    "breaker", GOLD, 32)
 
 -- Glass of the stage's own colour tumbles down, bubbles go up.
-spark.def("sherd_s", { sprite = "sherd_s", life = 34, drag = 0.035, gravity = 0.045 })
-spark.def("sherd_m", { sprite = "sherd_m", life = 48, drag = 0.030, gravity = 0.050 })
-spark.def("sherd_l", { sprite = "sherd_l", life = 100, drag = 0.030, gravity = 0.040 })
-spark.def("bubbles", { sprite = "bubbles", life = 56, drag = 0.045, gravity = -0.055 })
+local function debris(name, life, def)
+  def.sprite, def.life, def.layer = name, life, "middle"
+  spark.def(name, def)
+end
+
+debris("sherd_s", 22, { drag = 0.035, gravity = 0.045 })
+debris("sherd_m", 30, { drag = 0.030, gravity = 0.050 })
+debris("sherd_l", 60, { drag = 0.030, gravity = 0.040 })
+debris("bubbles", 40, { drag = 0.045, gravity = -0.055 })
 
 local function throw(kind, at, n, speed, radius)
   spark.burst { kind = kind, x = at.x, y = at.y, n = n, speed = speed, radius = radius }
@@ -45,7 +51,7 @@ end
 -- What is 20 to 32 px.
 function fx.small(at)
   throw(either("fire_a", "fire_b"), at, 1, 0)
-  throw("sherd_s", at, 5, 2.2)
+  throw("sherd_s", at, 3, 2.2)
   throw("bubbles", at, 1, 0.8)
 end
 
@@ -55,9 +61,9 @@ function fx.large(at)
   throw("star", at, 1, 0)
   throw(either("fire_c", "fire_d"), at, 1, 0)
   throw("ripple", at, 1, 0)
-  throw("sherd_s", at, 10, 3)
-  throw("sherd_m", at, 7, 2.3)
-  throw("bubbles", at, 4, 1.2)
+  throw("sherd_s", at, 5, 3)
+  throw("sherd_m", at, 3, 2.3)
+  throw("bubbles", at, 2, 1.2)
   screen.shake { size = 2, over = 12 }
   board.stop(2)
 end
@@ -69,12 +75,24 @@ function fx.huge(at)
   throw("fire_e", at, 1, 0)
   throw(either("fire_c", "fire_d"), at, 5, 1.6, 22)
   throw("breaker", at, 1, 0)
-  throw("sherd_m", at, 16, 3.4)
-  throw("sherd_l", at, 9, 2.4)
-  throw("bubbles", at, 10, 1.6)
+  throw("sherd_m", at, 8, 3.4)
+  throw("sherd_l", at, 5, 2.4)
+  throw("bubbles", at, 5, 1.6)
   screen.shake { size = 4, over = 30 }
   screen.flash { to = 0xfff2d8, over = 14, share = 0.35 }
   board.stop(4)
+end
+
+-- A craft is lost.
+function fx.lost(p)
+  throw("flare", p, 1, 0)
+  throw("fire_e", p, 1, 0)
+  throw("breaker", p, 1, 0)
+  throw("glint", p, 24, 4)
+  throw("sherd_m", p, 5, 3.5)
+  screen.shake { size = 5, over = 30 }
+  screen.flash { over = 16, share = 0.4 }
+  board.stop(6)
 end
 
 -- A bomb, or whatever sweeps: rings that run out one after the other.
@@ -90,17 +108,24 @@ function fx.wave(at)
   throw("glint", at, 24, 5, 10)
 end
 
+-- What is left of it: its picture, which trembles. Kinds of creatures have their sprites' names.
+local function remains(e)
+  if not (e.kind and rom.has(e.kind)) then return nil end
+  return sprite.put { sprite = e.kind, x = e.x, y = e.y, bank = e.bank or 0, layer = "back" }
+end
+
 -- It cracks: fires run over it, ever closer together, and pieces fall off.
-local function crack(x, y)
+local function crack(x, y, body)
   for i = 1, 16 do
+    if body and body.alive then body.x, body.y = x + (i % 3 - 1) * 2, y + i // 2 end
     local at = { x = x + 38 * angle.cos(137 * i), y = y + 28 * angle.sin(137 * i) }
     throw(i % 4 == 0 and either("fire_c", "fire_d") or either("fire_a", "fire_b"), at, 1, 0)
-    throw("sherd_m", at, 2, 1.8)
+    throw("sherd_m", at, 1, 1.8)
+    if i == 4 or i == 10 then screen.flash { over = 6, share = 0.2 } end -- at most 3 in a second
     if i % 4 == 0 then
       sound.play("crash", from(at))
       throw("ripple", at, 1, 0)
-      throw("sherd_l", at, 2, 1.6)
-      screen.flash { over = 6, share = 0.2 }
+      throw("sherd_l", at, 1, 1.6)
     end
     wait(math.max(3, 9 - i // 2))
   end
@@ -109,23 +134,24 @@ end
 -- It bursts: light, three rings, and glass that sinks for a long time.
 local function break_up(x, y)
   local at = { x = x, y = y }
-  screen.flash { over = 40, share = 0.8 }
+  screen.flash { over = 40, share = 0.7 }
   screen.shake { size = 8, over = 60 }
   throw("flare", at, 1, 0)
   throw("fire_e", at, 1, 0)
   throw("fire_e", at, 4, 1.1, 40)
   throw("fire_d", at, 8, 2.6, 30)
-  throw("sherd_l", at, 26, 3.6)
-  throw("sherd_m", at, 30, 5)
+  throw("sherd_l", at, 14, 3.6)
+  throw("sherd_m", at, 15, 5)
   throw("glint", at, 40, 6)
   for i = 1, 3 do
     throw(i == 2 and "dawn" or "breaker", at, 1, 0)
     throw("bubbles", at, 12, 2.2, 10 * i)
     wait(7)
   end
-  for _ = 1, 8 do
-    throw("sherd_l", at, 3, 1.6, 36)
-    throw("bubbles", at, 3, 0.8, 30)
+  for k = 1, 8 do
+    local near = { x = x + 46 * angle.cos(77 * k), y = y + 36 * angle.sin(131 * k) }
+    throw("sherd_l", near, 1, 1.8)
+    throw("bubbles", near, 2, 1.4)
     wait(6)
   end
 end
@@ -137,12 +163,14 @@ function fx.collapse(e)
   sound.play("collapse", from(e))
   throw("star", e, 1, 0)
   throw("ripple", e, 1, 0)
+  local body = remains(e)
   screen.shake { size = 4, over = 90 }
   board.stop(8)
   task.go(function()
-    crack(x, y)
+    crack(x, y, body)
     wait(10)
     board.stop(4)
+    if body then body:remove() end
     sound.play("shatter")
     break_up(x, y)
   end)

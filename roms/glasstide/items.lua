@@ -1,14 +1,17 @@
 -- items.lua - what can be found.
 local items = { BOMBS = 6 } -- the most of those that can be kept
 
+-- All are green, as nothing is that hurts.
 -- What sinks out of the broken: pearls are worth more the deeper one dares to take them, a conch
--- is a bomb more, a heart a life; bullets that were swept away are foam, and those that a gauge let go took are
--- prisms.
+-- is a bomb more, a heart a life; bullets that were swept away are foam, and those that a gauge
+-- let go took are prisms.
 item.def("pearl", { sprite = "nacre", bank = 4, radius = 9, gives = { score = { 100, 1000 } } })
-item.def("conch", { sprite = "conch", bank = 3, radius = 10, gives = { score = 500, bombs = 1 },
+item.def("conch", { sprite = "conch", bank = 4, radius = 10, gives = { score = 500, bombs = 1 },
                     full = "bombs", gravity = 0.02, top = 1,
-                    on_take = function(p) sound.play(p.bombs < items.BOMBS and "conch" or "power") end })
-item.def("heart", { sprite = "heart", bank = 7, radius = 10, gives = { lives = 1 },
+                    on_take = function(p)
+                      sound.play(p.bombs < items.BOMBS and "conch" or "power")
+                    end })
+item.def("heart", { sprite = "heart", bank = 4, radius = 10, gives = { lives = 1 },
                     gravity = 0.02, top = 1 })
 item.def("prism", { sprite = "prism", bank = 4, radius = 10, gives = { score = 10 }, top = 1.2,
                     on_take = function(p) sound.play("shard", { from = p }) end })

@@ -3,17 +3,24 @@ require "items"
 local fx = require "fx"
 
 -- A spark that plays its frames once lives frames * every.
-local GOLD, BLUE = 3, 5
+-- All lie under the bullets, and none is of a bullet's colour where it lies among them.
+local PALE, GREEN, BLUE = 0, 4, 5
 
-spark.def("glint",  { sprite = "glint", life = 16, drag = 0.06 })
-spark.def("ping",   { sprite = "glint", life = 16, drag = 0.10, bank = GOLD })
-spark.def("crumb",  { sprite = "crumb", life = 40, drag = 0.04, gravity = 0.03, bank = BLUE })
-spark.def("splint", { sprite = "crumb", life = 28, drag = 0.05, gravity = 0.05, bank = GOLD })
-spark.def("fizz",   { sprite = "fizz",  life = 44, drag = 0.03, gravity = -0.04, bank = BLUE })
-spark.def("pop",    { sprite = "hoop",  life = 12, bank = BLUE })
-spark.def("shock",  { sprite = "shock", life = 16, bank = BLUE })
-spark.def("blast",  { sprite = "blast", life = 24, drag = 0.10 })
-spark.def("blaze",  { sprite = "blaze", life = 32, drag = 0.10 })
+local function under(name, def)
+  def.layer = "middle"
+  spark.def(name, def)
+end
+
+under("glint",  { sprite = "glint", life = 16, drag = 0.06 })
+under("ping",   { sprite = "glint", life = 12, drag = 0.10, bank = GREEN })
+under("crumb",  { sprite = "crumb", life = 26, drag = 0.04, gravity = 0.03, bank = BLUE })
+under("splint", { sprite = "crumb", life = 16, drag = 0.05, gravity = 0.05, bank = PALE,
+                  blend = "ghost" })
+under("fizz",   { sprite = "fizz",  life = 44, drag = 0.03, gravity = -0.04, bank = BLUE })
+under("pop",    { sprite = "hoop",  life = 12, bank = BLUE })
+under("shock",  { sprite = "shock", life = 16, bank = BLUE })
+under("blast",  { sprite = "blast", life = 24, drag = 0.10 })
+under("blaze",  { sprite = "blaze", life = 32, drag = 0.10 })
 
 -- Every bullet of glass comes out of mist where it has a delay, and pops where it is cleared away.
 local function glass(name, def)
@@ -79,11 +86,12 @@ end
 local COLD, WARM = 0, 1 -- the two colours of glass
 
 local BLINK = 8 -- frames that a creature blinks when it is hurt: a quarter of them in white
+local LARGE = 36 -- px of what is hit: from there on it blinks softly, or it would flash the screen
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,
-                    spark = "crumb", blink = BLINK, blink_soft = on_death == collapse, on_hit = chip, on_death = on_death,
-                    drops = drops })
+                    spark = "crumb", blink = BLINK, blink_soft = math.max(w, h) >= LARGE,
+                    on_hit = chip, on_death = on_death, drops = drops })
 end
 
 return { glass = glass, creature = creature, chip = chip, small = small, large = large,

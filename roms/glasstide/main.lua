@@ -14,15 +14,20 @@ require "unlocks"
 require "missions"
 local sea = require "sea"
 local craft = require "players/craft"
+local fx = require "fx"
+local front = require "fx/front"
+local grades = require "fx/grades"
+local score_page = require "fx/score_page"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
+hud.low = 3 -- the bombs stand below
+hud.shy = 6
+hud.graze = "GRAZE"
 
 -- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
 -- out that takes the bullets along.
 on.death(function(p)
-  spark.burst { kind = "blaze", from = p, speed = 0 }
-  spark.burst { kind = "shock", from = p, speed = 0 }
-  spark.burst { kind = "crumb", from = p, n = 32, speed = 4 }
+  fx.lost(p)
   bullet.sweep { x = p.x, y = p.y, radius_to = 400, over = 30 }
   craft.refill(p)
 end)
@@ -38,7 +43,27 @@ on.stage(function(_, state)
 end)
 on.game_over(function() sea.speed(0.4) end)
 
+-- A boss is heard when it comes.
+task.go(function()
+  local was
+  while true do
+    local now = boss.now()
+    if now and not was then sound.play("entrance") end
+    was = now
+    wait(4)
+  end
+end)
+
+-- The pieces of the screens, and the list of the music room.
+local pieces = require "pieces"
+for screen, name in pairs { title = "title", opening = "opening", results = "clear",
+                            clear = "clear", over = "over", ending = "ending", staff = "staff",
+                            name = "scores", scores = "scores" } do
+  pieces[screen] = name
+end
+
 task.go(sea.run)
+task.go(front.run)
 boot.run { modes = {
     { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the floor of the sea." },
     { name = "caravan", stages = { "caravan" }, text = "Two minutes, and all that swims by." },
@@ -49,9 +74,7 @@ boot.run { modes = {
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
   ships = require "players/forms",
-  music = { title = "title", results = "clear", clear = "clear", over = "over", opening = "opening", ending = "ending",
-            staff = "staff", name = "scores", scores = "scores", room = true },
-  ending = require "ending",
+  music = pieces, pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
             { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",

@@ -1,5 +1,125 @@
--- missions.lua - short dives with one thing to do in each.
+-- missions.lua - short dives with one thing to do in each, from the shallows down.
 local S <const> = 60 -- frames of a second
 
-mission.def("first_light", { title = "First Light", text = "Chain 20 in the shallows.",
-  stage = "one", to = "deep", goal = { chain = 20 }, medals = { 14 * S, 9 * S } })
+local function dive(name, title, text, m)
+  m.title, m.text = title, text
+  mission.def(name, m)
+end
+
+-- ---- the shallows ----
+
+dive("first_light", "First Light", "Chain 20 before the wreck.",
+  { stage = "one", to = "wreck", goal = { chain = 20 }, medals = { 15 * S, 10 * S } })
+dive("clear_water", "Clear Water", "Reach the wreck without a bomb.",
+  { stage = "one", to = "wreck", clear = true, bombs = 0, by = "score",
+    medals = { 15000, 24000 } })
+dive("salvage", "Salvage", "Break 20 in the wreck.",
+  { stage = "one", mark = "wreck", to = "nautilus", goal = { kills = 20 },
+    medals = { 15 * S, 11 * S } })
+dive("rivets", "Rivets", "Chain 15 in the wreck.",
+  { stage = "one", mark = "wreck", to = "nautilus", goal = { chain = 15 },
+    medals = { 14 * S, 10 * S } })
+dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 50 seconds.",
+  { boss = "nautilus", difficulty = "normal", clear = true, limit = 50 * S,
+    medals = { 42 * S, 34 * S } })
+dive("snail", "Snail's Pace", "Last 20 seconds in the Chambered Lamp. No bomb.",
+  { boss = "nautilus", phase = "chambers", difficulty = "hard", goal = { frames = 20 * S },
+    bombs = 0, by = "grazes", medals = { 30, 60 } })
+dive("nets", "Cut the Nets", "Win 30,000 points above the crab.",
+  { stage = "one", mark = "deep", to = "crab", goal = { score = 30000 },
+    medals = { 26 * S, 21 * S } })
+dive("hooks", "By Hook", "Break 40 above the crab with hooks.",
+  { stage = "one", mark = "deep", to = "crab", ship = "tern_hooks", goal = { kills = 40 },
+    medals = { 26 * S, 22 * S } })
+dive("pinch", "A Pinch of Salt", "Graze 60 in Pincers without a bomb.",
+  { boss = "crab", phase = "pincers", difficulty = "normal", goal = { grazes = 60 }, bombs = 0,
+    limit = 30 * S, medals = { 24 * S, 18 * S } })
+dive("echo", "No Echo", "Break the Grotto of Rings with the lens.",
+  { boss = "crab", phase = "grotto", ship = "heron_lens", difficulty = "normal", clear = true,
+    limit = 35 * S, medals = { 31 * S, 26 * S } })
+dive("waltz", "Last Waltz", "Last 25 seconds in the Waltz of Lamps. No bomb.",
+  { boss = "crab", phase = "lamplight", difficulty = "hard", goal = { frames = 25 * S },
+    bombs = 0, by = "grazes", medals = { 30, 60 } })
+dive("glazier", "The Glazier", "Collect 40 shards under the Falling Chandelier.",
+  { boss = "crab", phase = "chandelier", goal = { prisms = 40 }, bombs = 0,
+    registers = { gauge = 500 }, medals = { 30 * S, 20 * S } })
+dive("harbour", "Harbour Dues", "Break Lights of the Harbour without a bomb.",
+  { boss = "crab", phase = "harbour", difficulty = "normal", clear = true, bombs = 0,
+    medals = { 38 * S, 32 * S } })
+dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
+  { boss = "crab", difficulty = "normal", clear = true, by = "score",
+    medals = { 120000, 200000 } })
+dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
+  { stage = "one", difficulty = "normal", clear = true, by = "score",
+    medals = { 180000, 300000 } })
+dive("prism", "Prism", "Bring the multiplier to x3.00 in the shallows.",
+  { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 160 * S, 120 * S } })
+
+-- ---- the works ----
+
+dive("soot", "Soot", "Chain 24 in the street of the works.",
+  { stage = "two", mark = "street", to = "bellows", lives = 3, goal = { chain = 24 },
+    medals = { 13 * S, 11 * S } })
+dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathe.",
+  { boss = "bellows", phase = "breath", difficulty = "normal", goal = { grazes = 30 },
+    limit = 20 * S, medals = { 16 * S, 13 * S } })
+dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
+  { boss = "bellows", phase = "wheels", difficulty = "hard", clear = true, bombs = 0,
+    medals = { 22 * S, 17 * S } })
+dive("shift", "Night Shift", "Break 40 in the halls.",
+  { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 40 },
+    medals = { 27 * S, 23 * S } })
+dive("panes", "Window Shopping", "Collect 40 shards among Panes in Rows.",
+  { boss = "eels", phase = "panes", difficulty = "normal", goal = { prisms = 40 }, bombs = 0,
+    registers = { gauge = 500 }, medals = { 26 * S, 16 * S } })
+dive("press", "Stop Press", "Break The Press with fangs.",
+  { boss = "eels", phase = "press", ship = "petrel", difficulty = "normal", clear = true,
+    medals = { 40 * S, 33 * S } })
+
+-- ---- the abyss ----
+
+dive("trench", "Trench Coat", "Chain 14 in the trench.",
+  { stage = "three", mark = "trench", to = "angler", lives = 3, goal = { chain = 14 },
+    medals = { 13 * S, 9 * S } })
+dive("bait", "Bait", "Graze 35 round the Anglerlamp's bait.",
+  { boss = "angler", phase = "bait", difficulty = "normal", goal = { grazes = 35 },
+    limit = 26 * S, medals = { 21 * S, 16 * S } })
+dive("match", "Struck Match", "Break Struck Match in 20 seconds.",
+  { boss = "angler", phase = "match", difficulty = "normal", clear = true, limit = 20 * S,
+    medals = { 16 * S, 12 * S } })
+dive("teeth", "Dentist", "Break Closing Teeth with the swarm.",
+  { boss = "angler", phase = "teeth", ship = "petrel_swarm", difficulty = "normal", clear = true,
+    medals = { 22 * S, 17 * S } })
+dive("hoard", "Hoard", "Collect 60 shards above the Queen.",
+  { stage = "three", mark = "deep", to = "queen", lives = 3, goal = { prisms = 60 },
+    medals = { 28 * S, 24 * S } })
+dive("wheels", "Full Measure", "Fill the gauge among the Queen's wheels. No bomb.",
+  { boss = "queen", phase = "wheels", difficulty = "normal", goal = { gauge = 1000 }, bombs = 0,
+    registers = { gauge = 400 }, limit = 45 * S, medals = { 32 * S, 22 * S } })
+dive("breath", "Hold It", "Beat Held Breath in 30 seconds.",
+  { boss = "queen", phase = "held", difficulty = "normal", clear = true, limit = 30 * S,
+    medals = { 25 * S, 20 * S } })
+dive("ebb", "Slack Water", "Break Ebb and Flow with lances. No bomb.",
+  { boss = "queen", phase = "ebb", ship = "tern", difficulty = "normal", clear = true, bombs = 0,
+    medals = { 25 * S, 18 * S } })
+dive("window", "Stained Glass", "Break the Rose Window on hard.",
+  { boss = "queen", phase = "window", difficulty = "hard", clear = true, by = "grazes",
+    medals = { 50, 100 } })
+dive("flower", "Fathomless", "Last 30 seconds in the abyss of the flower.",
+  { boss = "queen", phase = "flower", difficulty = "abyss", goal = { frames = 30 * S },
+    by = "grazes", medals = { 80, 160 } })
+dive("throne", "Audience", "Beat the Queen with two lives.",
+  { boss = "queen", difficulty = "normal", lives = 2, clear = true, by = "score",
+    medals = { 180000, 320000 } })
+dive("undertow", "The Tide Returns", "Send her back without a bomb.",
+  { boss = "undertow", difficulty = "normal", clear = true, bombs = 0, by = "score",
+    medals = { 20000, 40000 } })
+
+-- ---- below it ----
+
+dive("tithe", "Tithe", "Graze 120 under the waxing moon.",
+  { boss = "moon", phase = "gibbous", difficulty = "normal", goal = { grazes = 120 }, bombs = 0,
+    limit = 45 * S, medals = { 34 * S, 26 * S }, needs = "rush" })
+dive("eclipse", "Eclipse", "Outlive the sea that falls in.",
+  { boss = "moon", phase = "eclipse", difficulty = "normal", lives = 2, clear = true,
+    by = "grazes", medals = { 60, 120 }, needs = "rush" })

@@ -1,5 +1,6 @@
--- rank.lua - how hard the sea presses: 0 to 100, a register of the run. It rises while all goes well, and falls with a
--- craft or a bomb. Only the waves of stages and what bosses do before their signs ask for it.
+-- rank.lua - how hard the sea presses: 0 to 100, a register of the run. It rises while all goes
+-- well, and falls with a craft or a bomb. Only the waves of stages and what bosses do before their
+-- signs ask for it.
 local rank = {}
 
 local START <const>, MOST <const> = 20, 100
@@ -8,7 +9,7 @@ local FASTER <const> = 0.15    -- of a speed, at most
 local SOONER <const> = 0.2     -- of a pause, at most
 
 game.def { registers = { rank = { start = START, max = MOST, drain = -1, every = EVERY },
-                         minions = 0 } } -- those killed in the boss's phase that goes on
+                         minions = { show = "none" } } } -- those killed in the boss's phase that goes on
 
 local function rise(by) game.rank = math.max(0, game.rank + by) end
 

@@ -31,6 +31,9 @@ return {
     lights  = { file = "art/lights.png",  bank = 0 },
     sherds  = { file = "art/sherds.png",  bank = 10 },
     logo    = { file = "art/logo.png",    bank = 15 },
+    logo_light = { file = "art/logo_light.png", bank = 15 },
+    marker  = { file = "art/marker.png",  bank = 1 },
+    gems    = { file = "art/gems.png",    bank = 0 },
     -- crafts, and who flies them
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
@@ -63,6 +66,13 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
+    -- the craft in colours that are earned
+    heron_gilt = { file = "art/heron_gilt.png", bank = 15 },
+    petrel_gilt = { file = "art/petrel_gilt.png", bank = 15 },
+    tern_gilt = { file = "art/tern_gilt.png", bank = 15 },
+    heron_ember = { file = "art/heron_ember.png", bank = 14 },
+    petrel_ember = { file = "art/petrel_ember.png", bank = 14 },
+    tern_ember = { file = "art/tern_ember.png", bank = 14 },
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
     last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
     -- what the opening and the endings show
@@ -187,6 +197,18 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
+    heron_gilt = { sheet = "heron_gilt", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
+                   origin = { 14, 17 } },
+    petrel_gilt = { sheet = "petrel_gilt", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
+                    origin = { 15, 16 } },
+    tern_gilt = { sheet = "tern_gilt", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
+                  origin = { 16, 17 } },
+    heron_ember = { sheet = "heron_ember", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
+                    origin = { 14, 17 } },
+    petrel_ember = { sheet = "petrel_ember", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
+                     origin = { 15, 16 } },
+    tern_ember = { sheet = "tern_ember", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
+                   origin = { 16, 17 } },
     moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
     moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
@@ -242,12 +264,18 @@ return {
     sherd_l = { sheet = "sherds", x = 0, y = 20,  w = 18,  h = 18,  frames = 8, every = 5 },
     bubbles = { sheet = "sherds", x = 0, y = 38,  w = 12,  h = 12,  frames = 4, every = 14 },
 
-    nacre    = { sheet = "finds", x = 0,  y = 0, w = 14, h = 14 },
-    conch    = { sheet = "finds", x = 16, y = 0, w = 16, h = 16 },
-    heart    = { sheet = "finds", x = 32, y = 0, w = 16, h = 16 },
+    nacre    = { sheet = "gems", x = 0, y = 0,  w = 16, h = 16, frames = 10, every = 5,
+                 origin = { 7, 7 } },
+    conch    = { sheet = "gems", x = 0, y = 16, w = 16, h = 16, frames = 10, every = 5 },
+    heart    = { sheet = "gems", x = 0, y = 32, w = 16, h = 16, frames = 10, every = 5 },
+    bomb     = { sheet = "gems", x = 0, y = 48, w = 11, h = 11 },
     foam     = { sheet = "finds", x = 48, y = 0, w = 8,  h = 8 },
     ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
+    logo_light = { sheet = "logo_light", x = 0, y = 0, w = 208, h = 112, frames = 8, every = 3 },
+    -- stands at the lower edge below a boss
+    boss_marker = { sheet = "marker", x = 0, y = 0, w = 24, h = 10, frames = 2, every = 10,
+                    origin = { 12, 10 } },
   },
   maps = {
     -- stage one
@@ -263,7 +291,6 @@ return {
                  size = 8 },
     street   = { tiles = "art/street.png", bank = 13, palette = "two", file = "maps/street.csv" },
     skyline  = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/skyline.csv" },
-    haze     = { tiles = "art/skyline.png", bank = 13, palette = "two", file = "maps/haze.csv" },
     -- stage three
     trench   = { tiles = "art/trench.png", bank = 13, file = "maps/trench.csv", palette = "three" },
     chains   = { tiles = "art/abyss_tiles.png", bank = 13, file = "maps/chains.csv",
@@ -315,7 +342,6 @@ return {
     claw     = { file = "sfx/claw.mml", priority = 6, limit = 1 },
     hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
     bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
-    the_crab = { mml = "t300 @pulse E0,18,0,8 o4 V104 f64c64", priority = 5, limit = 1 },
     snap     = { mml = "t300 @pulse E0,20,0,10 o4 V112 {g>c}32", priority = 4, limit = 1 },
 
     -- stage two: the works, and the voices of the two eels
@@ -338,7 +364,6 @@ return {
 
     -- crafts: what the tern fires, shots that are gathered, bombs; gauge, chain, tasks
     peal     = { mml = "t300 @fm E0,30,0,12 o5 V72 {d>d}32", priority = 0, limit = 1 },
-    charge_shot = { file = "sfx/charge_shot.mml", priority = 3, limit = 1 },
     ray      = { file = "sfx/ray.mml", priority = 3, limit = 1 },
     bell_bomb = { file = "sfx/bell_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
     lamp_bomb = { file = "sfx/lamp_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
@@ -375,26 +400,27 @@ return {
   },
   music = { -- each file says its key, chords and form; docs/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
-    opening = { file = "music/opening.mml", volume = 0.69 },
+    opening = { file = "music/opening.mml", volume = 0.71 },
     -- stages
-    tide    = { file = "music/tide.mml", volume = 0.71 },
-    works   = { file = "music/works.mml", volume = 0.73 },
-    abyss   = { file = "music/abyss.mml", volume = 0.69 },
-    caravan = { file = "music/caravan.mml", volume = 0.68 },
+    tide    = { file = "music/tide.mml", volume = 0.68 },
+    works   = { file = "music/works.mml", volume = 0.69 },
+    abyss   = { file = "music/abyss.mml", volume = 0.68 },
+    caravan = { file = "music/caravan.mml", volume = 0.65 },
     -- bosses
-    lantern = { file = "music/lantern.mml", volume = 0.65 },
-    claws   = { file = "music/claws.mml", volume = 0.85 },
-    furnace = { file = "music/furnace.mml", volume = 0.56 },
-    queen   = { file = "music/queen.mml", volume = 0.75 },
-    moon    = { file = "music/moon.mml", volume = 0.64 },
+    lantern = { file = "music/lantern.mml", volume = 0.68 },
+    claws   = { file = "music/claws.mml", volume = 0.84 },
+    furnace = { file = "music/furnace.mml", volume = 0.57 },
+    queen   = { file = "music/queen.mml", volume = 0.70 },
+    moon    = { file = "music/moon.mml", volume = 0.63 },
     -- and afterwards
     clear   = { file = "music/clear.mml", volume = 0.64 },
     over    = { file = "music/over.mml", volume = 0.62 },
-    ending  = { file = "music/ending.mml", volume = 0.79 },
+    ending  = { file = "music/ending.mml", volume = 0.84 },
     true_ending = { file = "music/true_ending.mml", volume = 0.75 },
-    staff   = { file = "music/staff.mml", volume = 0.71 },
+    staff   = { file = "music/staff.mml", volume = 0.68 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
+  dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
-  players = 2, extends = { 100000, 300000 },
+  players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }

@@ -1,5 +1,5 @@
--- scoring.lua - what is worth how much: grazes fill the gauge, its release turns bullets to shards, shards raise the
--- multiplier, and kills in a chain are worth more.
+-- scoring.lua - what is worth how much: grazes fill the gauge, its release turns bullets to
+-- shards, shards raise the multiplier, and kills in a chain are worth more.
 local scoring = { NEED = 250, FULL = 1000 } -- of the gauge, to let it go at all
 
 require "rank" -- its registers
@@ -7,21 +7,26 @@ require "items"
 
 local GRAZE <const> = 50        -- points
 local FILLS <const> = 10        -- of the gauge, by a graze
-local TIRED <const> = 200       -- so many grazes in a phase pay in full; so many more a half, then a quarter
+local TIRED <const> = 200       -- grazes of a phase that pay in full; then a half, a quarter
 local MINIONS <const> = 20      -- of those that a boss sends in one phase so many leave something
 local SAFE <const> = 40         -- frames, when the gauge is let go
 local LARGE <const> = 3000      -- points that are seen where they were won
-local DEAD <const> = 2          -- what is over x1.00 of the multiplier is divided by this at a death
+local DEAD <const> = 2          -- at a death what is over x1.00 is divided by this
 local MOST_CHAIN <const> = 200  -- beyond this a chain is worth no more
 
--- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second part are for the tally.
+local COUNT <const> = { show = "none" } -- nobody practises with more of it
+
+-- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second
+-- part are for the tally; brushes: grazes that paid in full.
 function scoring.registers()
   return {
-    gauge = { max = scoring.FULL, show = "bar" },
-    shards = { start = 100, min = 100, max = 999, show = "number" }, -- the multiplier, in hundredths
-    chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number" },
-    worn = { drain = 1, every = 30, hold = 120 },
-    prisms = 0, longest = 0, captures = 0, misses = 0, used = 0 }
+    gauge = { max = scoring.FULL, show = "bar", at = "low", label = "GLASS", mark = scoring.NEED },
+    shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
+               mark = 500 }, -- in hundredths
+    chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
+    worn = { drain = 1, every = 30, hold = 120, show = "none" },
+    brushes = COUNT, prisms = COUNT, longest = COUNT, captures = COUNT, misses = COUNT,
+    used = COUNT }
 end
 
 -- A number that rises where it was won.
@@ -59,6 +64,7 @@ on.graze(function(p, _)
   p.worn = p.worn + 1
   fill(p, math.floor(FILLS * pays))
   score.add(math.floor(GRAZE * pays), p)
+  if pays == 1 then p.brushes = p.brushes + 1 end
   if pays > 0 then spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 } end
 end)
 
@@ -90,7 +96,8 @@ end
 -- Who is out has no registers any more.
 local function rate(p) return (p.shards or 100) / 100 end
 
-score.rule { on = "take", kind = "prism", points = 100, times = rate, gain = { shards = 1, prisms = 1 } }
+score.rule { on = "take", kind = "prism", points = 100, times = rate,
+             gain = { shards = 1, prisms = 1 } }
 score.rule { on = "take", kind = "pearl", times = rate }
 score.rule { on = "take", kind = "foam", times = rate }
 
@@ -100,7 +107,8 @@ local function worth(p) return rate(p) * (1 + math.min(p.chain or 0, MOST_CHAIN)
 
 score.rule { on = "kill", gain = { chain = 1 }, most = { longest = "chain" }, times = worth }
 
--- What a boss sends without end is no way to riches: what it left goes again, and counts in no chain.
+-- What a boss sends without end is no way to riches: what it left goes again, and counts in no
+-- chain.
 local function spoil(e, p)
   game.minions = game.minions + 1
   if game.minions <= MINIONS then return end
@@ -110,19 +118,39 @@ local function spoil(e, p)
   end
 end
 
-local seen = { {}, {} } -- of each player: score, a frame ago; x and y, where it made its last kill since
+-- Of each player: score, a frame ago; x and y, where it made its last kill since.
+local seen = { {}, {} }
+
+-- So many in a chain are heard, once each until it is broken.
+local HEARD <const> = { { 25, "chain_one" }, { 60, "chain_two" }, { 120, "chain_three" } }
+
+local function hear(p, s)
+  local chain, tier = p.chain or 0, s.tier or 0
+  local higher = HEARD[tier + 1]
+  if chain == 0 then
+    s.tier = 0
+  elseif higher and chain >= higher[1] then
+    s.tier = tier + 1
+    sound.play(higher[2], { from = p })
+  end
+  local whole = (p.shards or 0) // 100 -- each whole of the multiplier too
+  if whole > (s.whole or 1) then sound.play("medal", { from = p }) end
+  s.whole = whole
+end
 
 on.kill(function(e, p)
   if p then seen[p.index].x, seen[p.index].y = e.x, e.y end
   if boss.now() then spoil(e, p) end
 end)
 
--- Each frame, by the craft: what a kill brought is shown there, if it is much.
+-- Each frame, by the craft: what a kill brought is shown above it, if it is much; not among those
+-- who fire.
 function scoring.watch(p)
   local s = seen[p.index]
   local n = p.score - (s.score or p.score)
-  if s.x and n >= LARGE then float(s.x, s.y, ("%d"):format(n), 3) end
+  if s.x and n >= LARGE then float(p.x, p.y - 28, ("%d"):format(n), 4) end
   s.score, s.x, s.y = p.score, nil, nil
+  hear(p, s)
 end
 
 -- ---- what ends it ----
@@ -132,10 +160,10 @@ on.death(function(p)
   p.misses = p.misses + 1
 end)
 on.bomb(function(p) p.used = p.used + 1 end)
-on.phase(function(_, _, _, captured)
+on.phase(function(_, _, won, captured)
   game.minions = 0
   player.each(function(p)
-    p.worn = 0
+    if won then p.worn = 0 end -- who waits for the clock stays tired
     if captured then p.captures = p.captures + 1 end
   end)
 end)
@@ -145,7 +173,7 @@ on.stage(function(_, state)
 end)
 
 score.tally {
-  { label = "GRAZE", value = "grazes", points = 200, stage = true },
+  { label = "GRAZE", value = "brushes", points = 200, stage = true },
   { label = "SHARDS", value = "prisms", points = 100, stage = true },
   { label = "BEST CHAIN", value = "longest", points = 1000 },
   { label = "SIGNS BROKEN", value = "captures", points = 20000, stage = true },

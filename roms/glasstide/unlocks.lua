@@ -7,7 +7,9 @@ unlock.def("rush", { title = "The Rush", when = { clear = true, mode = "dive" },
                      hint = "Turn the tide" })
 unlock.def("music_room", { title = "Music", when = { clear = "one" },
                            hint = "Come through the shallows" })
-unlock.def("ember", { title = "Ember Lamps", when = { mode = "caravan", score = 300000 },
-                      hint = "300000 points in the caravan" })
-unlock.def("night", { title = "Night Lamps", hint = "Outlive what is under the abyss",
+-- Colours of the craft, for the switch `lamps` of the settings; with ember come two pieces of
+-- music.
+unlock.def("gilt", { title = "Gilt Lamps", when = { mode = "caravan", score = 600000 },
+                     hint = "600000 points in the caravan" })
+unlock.def("ember", { title = "Ember Lamps", hint = "Outlive what is under the abyss",
                       when = function(_) return moon.outlived() end })

@@ -11,7 +11,7 @@ local function holds(when, run)
   return true
 end
 
--- The first ending that is for this run.
+-- The first ending that is for this run. Returns false if it says that no staff is to be shown.
 local function ending(a, show, run)
   if type(a.ending) == "function" then return a.ending(run) end
   for _, e in ipairs(a.ending or {}) do
@@ -48,9 +48,9 @@ end
 -- run: what was played, and what became of it: mode, difficulty, ship, ships, players, continues, clear, scores.
 return function(a, show, run)
   if run.clear then
-    ending(a, show, run)
+    local staff = ending(a, show, run)
     sys.wipe()
-    if a.staff then show("staff", a.staff) end
+    if a.staff and staff ~= false then show("staff", a.staff) end
   end
   enter_names(a, show, run)
 end

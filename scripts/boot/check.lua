@@ -106,7 +106,7 @@ local function check_ships(ships, players)
   end
 end
 
--- Of what an ending tells when it is shown: { show, when? } each.
+-- Of what an ending tells when it is shown: { show, when?, music? } each.
 local RUN = { "mode", "difficulty", "ship", "players", "continues" }
 
 local function check_endings(ending)
@@ -114,7 +114,7 @@ local function check_endings(ending)
   if type(ending) ~= "table" then fail("ending", "a function or a list", type(ending)) end
   for i, e in ipairs(ending) do
     if type(e) ~= "table" then fail(("ending %d"):format(i), "a table", type(e)) end
-    expect_names("argument of an ending:", e, { "when", "show" })
+    expect_names("argument of an ending:", e, { "when", "show", "music" })
     if type(e.show) ~= "function" then fail(("ending %d: show"):format(i), "a function", type(e.show)) end
     if type(e.when) ~= "function" then
       expect_type(("ending %d: when"):format(i), e.when, "table")

@@ -24,7 +24,7 @@ local function tell_ship(tell, kind)
   local ship = sys.ship(kind)
   tell("ship", kind, "", "", ship.lives)
   for _, r in ipairs(ship.registers) do
-    if startable(r.name, "=") then tell("register", r.name, "", "", r.value) end
+    if r.show ~= "none" and startable(r.name, "=") then tell("register", r.name, "", "", r.value) end
   end
 end
 

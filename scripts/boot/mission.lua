@@ -3,6 +3,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 local ROW <const> = (rom.field.y + rom.field.h) // 8 - 2
 local COL <const>, COLS <const> = (rom.field.x + 7) // 8, rom.field.w // 8
+local AGAIN <const> = 30    -- frames from one time it is written to the next: a stage's mark empties the screen
 local FEW <const> = 10 * 60 -- frames left from which on the clock is in the colour of alarm
 
 -- What a goal or a measure counts, of the player or of the run.
@@ -43,7 +44,7 @@ end
 
 local function draw(m, p, age, seen)
   local words, late = progress(m, p, age)
-  if words == seen then return words end
+  if words == seen and age % AGAIN > 0 then return words end
   local n = sys.cells(words)
   if seen and sys.cells(seen) > n then text.clear { col = COL, row = ROW, w = COLS, h = 1 } end
   hud.put(COL + (COLS - n) // 2, ROW, words, late and hud.banks.alarm or hud.banks.bright)
@@ -97,6 +98,7 @@ local function try(m, run, host)
   if not left then
     host.quieten()
     hud.banner()
+    task.stop(game) -- what the hud has yet to say would be written over the result
     sys.cue(done and "mission" or "failed")
     answer = host.show("mission", result)
   end

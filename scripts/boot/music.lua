@@ -67,8 +67,12 @@ return function(a)
   if list.opening and a.opening then a.opening = with(list.opening, a.opening) end
   if list.ending and type(a.ending) == "function" then
     a.ending = with(list.ending, a.ending)
-  elseif list.ending then
-    for _, e in ipairs(a.ending or {}) do e.show = with(list.ending, e.show) end
+  else
+    for _, e in ipairs(a.ending or {}) do
+      local song = e.music or list.ending
+      if e.music then sys.check("boot.run music", { name = e.music }) end
+      if song then e.show = with(song, e.show) end
+    end
   end
   a.music, a.screens = room(list), screens
 end

@@ -16,12 +16,7 @@ end
 -- is over. Names of stages, bosses and phases are checked at once, while the game loads; api: whose error it is.
 return function(api, what)
   if what.boss then
-    local name = what.boss
-    local f = what.phase and boss.practice(api, name, what.phase)
-    if not f then
-      boss.expect(api, name)
-      f = function() return boss.fight(name) end
-    end
+    local f = boss.practice(api, what.boss, what.phase)
     return function(owner, ended) return fight(owner, f, ended) end
   end
   stage.expect(api, what.stage)

@@ -1,4 +1,4 @@
--- boss/cut_in.lua - the boss's portrait crosses the field while a spell is declared: quickly in, slowly on, quickly out,
+-- boss/cut_in.lua - the phase's portrait crosses the field while a spell is declared: quickly in, slowly on, quickly out,
 -- with a light as it comes and images of itself behind it while it is quick. It is the phase's, so it goes with that;
 -- nothing waits for it, and all of it is behind what can be hit.
 local IN <const>, DRIFT <const> = 18, 60 -- frames
@@ -15,16 +15,16 @@ local function place(t, left)
   local out = math.max(t - IN - DRIFT, 0) / IN
   local on = math.min(math.max(t - IN, 0), DRIFT) / DRIFT
   local x = w * (FAR + (NEAR - FAR) * on) + (w * (1 - FAR) + BESIDE) * k * k - (w * NEAR + BESIDE) * out * out
-  return left and w - x or x, h * (0.58 - 0.12 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way
+  return left and w - x or x, h * (0.43 - 0.10 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way, above the name
 end
 
-return function(b, _, scene)
-  local left = b.portrait_left
+return function(_, phase, scene)
+  local left = phase.portrait_left
   task.own(scene, function()
     local x, y = place(0, left)
     local images = {}
     for i = IMAGES, 0, -1 do -- the last one put is drawn over the others
-      images[i + 1] = sprite.put { sprite = b.portrait, x = x, y = y, layer = "back", flip_x = left }
+      images[i + 1] = sprite.put { sprite = phase.portrait, x = x, y = y, layer = "back", flip_x = left }
     end
     screen.flash { share = SHARE, over = IN }
     for t = 1, 2 * IN + DRIFT do

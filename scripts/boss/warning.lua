@@ -15,11 +15,14 @@ local LINE <const>, FIRST <const>, LAST <const> = hud.glyph(141, "-"), hud.glyph
 local function part(s, i, n) return s:sub(utf8.offset(s, i), (utf8.offset(s, i + n) or #s + 1) - 1) end
 
 local function bar(row)
-  return sprite.plate { x = rom.field.x - 8, y = row * 8 + 4, w = rom.field.w + 16, h = 8, bank = hud.banks.alarm, stay = true }
+  return sprite.plate {
+    x = rom.field.x - 8, y = row * 8 + 4, w = rom.field.w + 16, h = 8, bank = hud.banks.alarm, stay = true,
+  }
 end
 
--- Of its height so much is open.
+-- Of its height so much is open. Where there was no room for it, there is none.
 local function open_bar(plate, row, share)
+  if not plate.alive then return end
   plate.h = math.max(8, math.floor((BAR * 8 - 4) * share))
   plate.y = row * 8 + (BAR * 8 - plate.h) // 2
 end
@@ -41,7 +44,8 @@ end
 -- What stands between the bars, and how many rows it has.
 local function card_of(b)
   local lines, size = lines_of(text.lang(b.title))
-  local card = { lines = lines, size = size, epithet = b.epithet and text.lang(b.epithet), rows = 6 + 3 * (#lines - 1) + size }
+  local card = { lines = lines, size = size, rows = 6 + 3 * (#lines - 1) + size }
+  card.epithet = b.epithet and text.lang(b.epithet)
   if card.epithet then card.rows = card.rows + 2 end
   return card
 end

@@ -207,7 +207,7 @@ local function lay_out(a)
   local beyond = math.max(0, math.min(3, l.col - page.col - 1)) -- columns of the bar beside the widest item
   l.bar = sprite.plate {
     x = (l.col - beyond) * 8, y = l.row * 8, w = (widest + 2 * beyond) * 8, h = gap > 1 and 16 or 10, stay = true,
-    bank = hud.banks.bright,
+    bank = hud.banks.bright, front = a.front,
   }
   return l
 end
@@ -221,9 +221,10 @@ end
 
 -- Shows items, texts in the language of the run, from `row` on, until one is chosen. If wanted: chosen, p (whose
 -- switches), limit (frames; else IDLE), back (what bomb answers; false: nothing), gap (rows from one to the next), col
--- and cols (where on the page), most (items that are seen at a time; the list scrolls), closed (of those that cannot be chosen, true), draw(age) for what else is on the page
--- while it opens, keys (true: the cabinet is to tell them), note(chosen, row) for what stands below the list and notes,
--- its rows. Returns the number, or nil.
+-- and cols (where on the page), most (items that are seen at a time; the list scrolls), front (true: its bar lies over
+-- all plates), closed (of those that cannot be chosen, true), draw(age) for what else is on the page while it opens,
+-- keys (true: the cabinet is to tell them), note(chosen, row) for what stands below the list and notes, its rows. Returns
+-- the number, or nil.
 function page.list(a)
   local l, chosen, answer = lay_out(a), a.chosen or 1, nil
   local idle, age, limit = 0, 0, a.limit or IDLE
@@ -256,6 +257,16 @@ function page.list(a)
   page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + (l.seen < #l.items and 6 or 4))
   if a.note then page.clear(l.below, a.notes) end
   return answer
+end
+
+-- How many rows the longest of these texts takes below a list; some may be missing.
+function page.notes(texts, n)
+  local most = 0
+  for i = 1, n do
+    local lines = texts[i] and #hud.wrap(text.lang(texts[i]), page.cols - 2) or 0
+    most = math.max(most, page.low and lines or 2 * lines)
+  end
+  return most
 end
 
 -- A plate behind n rows from `row` on, a row off them; it goes with page.done.

@@ -5,14 +5,14 @@ local page = sys.read("menu/page")
 -- names: easiest first; present: the one to begin at; texts: what boot.run says of some, by name. Returns one; nil:
 -- back.
 return function(names, present, texts)
-  local items, chosen = {}, 1
+  local items, words, chosen = {}, {}, 1
   for i, name in ipairs(names) do
-    items[i] = menu.label(name)
+    items[i], words[i] = menu.label(name), texts[name]
     if name == present then chosen = i end
   end
   local function note(i, row)
-    local words = texts[names[i]]
-    if words then page.text(row, words) end
+    if words[i] then page.text(row, words[i]) end
   end
-  return names[page.ask("DIFFICULTY", { items = items, chosen = chosen, note = note, notes = 6 }) or 0]
+  local rows = page.notes(words, #names)
+  return names[page.ask("DIFFICULTY", { items = items, chosen = chosen, note = note, notes = rows }) or 0]
 end

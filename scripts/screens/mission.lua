@@ -42,7 +42,9 @@ return function(r)
     wait(1)
   end
   local items = { text.lang("AGAIN"), text.lang("MISSIONS") }
-  local i = page.list { items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = true }
+  local i = page.list {
+    items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = true, front = true,
+  }
   page.close(window)
   return i == 1 and "again" or "list"
 end

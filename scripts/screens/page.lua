@@ -8,9 +8,11 @@ local page = sys.read("menu/page")
 return function(p)
   page.begin()
   local row = page.head(menu.label(p.name), page.cols)
+  local rows = page.row + page.rows - (page.low and 3 or 6) - row
+  if not page.low then page.frame(row - 1, rows + 1) end
   local scene = sys.scene(sys.task()) -- takes along what is put
   local tidy <close> = setmetatable({}, { __close = function() task.stop(scene) end })
-  task.own(scene, function() p.show(row, page.row + page.rows - (page.low and 3 or 6) - row) end)
+  task.own(scene, function() p.show(row, rows) end)
   for age = 0, page.IDLE do
     if page.opening(age, 0) then
       page.head(menu.label(p.name), age)

@@ -40,9 +40,9 @@ local function draw_row(at, i, r, players, age)
   local last = value(r[players + 1], age)
   page.clear(at, 1)
   hud.put(col + cols - sys.cells(last), at, last, bank)
-  if players == 1 then return hud.put(col, at, word, hud.banks.faint) end
+  if players == 1 then return hud.put(col, at, word, hud.banks.plain) end
   hud.put(col, at, value(r[2], age), bank)
-  hud.put(col + (cols - sys.cells(word)) // 2, at, word, hud.banks.faint)
+  hud.put(col + (cols - sys.cells(word)) // 2, at, word, hud.banks.plain)
 end
 
 local function draw_players(row)

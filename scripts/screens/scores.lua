@@ -23,7 +23,7 @@ local function how_far(r, many, cells)
   return s
 end
 
-local WIDTH <const> = math.min(page.cols - 3, 30) -- of a row
+local WIDTH <const> = math.min(page.cols - (page.low and 3 or 6), 30) -- of a row
 local COL <const> = page.col + (page.cols - WIDTH) // 2
 local TURN <const> = 120 -- frames that a row shows a name, and then how far it went
 

@@ -8,7 +8,7 @@ local CELLS <const> = 5 -- of a bar, and icons in a row
 
 local WIDEST = 26      -- cells of a column
 
-local NAME = page.low and 8 or 10 -- rows from a column's top to the ship's name
+local NAME = page.low and 8 or 9 -- rows from a column's top to the ship's name
 local TEXT = NAME + 2             -- and to what is told of it
 local FORM <const> = 2            -- rows that the name of a form takes above its text
 
@@ -157,9 +157,12 @@ local function around(i, step, n) return (i - 1 + step) % n + 1 end
 
 -- The first form that is open; that of a ship which was asked for before, if one comes back to it.
 local function first_form(c, ship)
-  local last = c.last[c.at] or 1
-  while ship.forms[last].closed do last = around(last, 1, #ship.forms) end
-  return last
+  local at = c.last[c.at] or 1
+  for _ = 1, #ship.forms do
+    if not ship.forms[at].closed then break end
+    at = around(at, 1, #ship.forms)
+  end
+  return at
 end
 
 -- The next ship, or the next form of this one.
@@ -172,22 +175,28 @@ local function turn(c, ships, step)
   end
 end
 
+-- From the ship to its form i, or back (nil).
+local function show_form(c, ships, i)
+  c.form = i
+  c.picture.sprite = shown(c, ships).sprite
+end
+
 -- One frame of a column; false for back.
 local function go_on(c, ships)
   local step = c.ready and 0 or page.step("left", "right", c.switches) + page.step("up", "down", c.switches)
   if step ~= 0 then
     turn(c, ships, step)
-  elseif not c.ready and page.accepted(c.switches) and not shown(c, ships).closed then
-    local asks = not c.form and ships[c.at].forms
-    if asks then c.form = first_form(c, ships[c.at]) else c.ready = true end
+    c.picture.sprite = shown(c, ships).sprite
+  elseif page.accepted(c.switches) and not shown(c, ships).closed then
+    local asks = not c.ready and not c.form and ships[c.at].forms
+    if asks then show_form(c, ships, first_form(c, ships[c.at])) else c.ready = true end
   elseif page.pressed("bomb", c.switches) then
     if not c.ready and (not c.form or #ships == 1) then return false end
-    if c.ready then c.ready = false else c.form = nil end
+    if c.ready then c.ready = false else show_form(c, ships, nil) end
   else
     return true
   end
   c.age = 0
-  c.picture.sprite = shown(c, ships).sprite
   return true
 end
 

@@ -7,6 +7,7 @@ local WORDS = {
   scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", replays = "REPLAYS", settings = "SETTINGS",
 }
 local UNDER = page.low and 5 or 9 -- rows from the middle of the logo to the first of the list, at least
+local SHINES <const>, AGAIN <const> = 24, 200 -- frames that a light runs over the logo, and from one to the next
 local DROP = 24 -- px from above that the logo comes
 
 -- The name of a game without a logo, its letters apart where there is room.
@@ -24,16 +25,30 @@ local function put_logo(row)
   return sprite.put { sprite = "logo", x = page.x, y = row * 8 - DROP, screen = true }
 end
 
+-- Light that runs over the logo: a sprite of several frames, logo_light, of the logo's size. It is there while its
+-- frames play once.
+local function put_light(logo)
+  if not (logo and rom.has("logo_light")) then return nil end
+  return sprite.put { sprite = "logo_light", x = logo.x, y = logo.y, screen = true, hidden = true }
+end
+
+local function shine(light, logo, age)
+  if not light then return end
+  light.y, light.hidden = logo.y, age % AGAIN >= SHINES
+  if age % AGAIN == 0 then light.sprite = "logo_light" end -- from its first frame on
+end
+
 local function draw_best()
   local top = score.rows(board.difficulty())[1]
   if top then page.centre(page.row + 1, text.lang("HI %09d"):format(top.score)) end
 end
 
 -- Waits for a press; false when nobody came.
-local function wait_for_start(row, third, logo, limit)
+local function wait_for_start(row, third, logo, light, limit)
   for age = 0, limit - 1 do
     if logo then
       logo.y = third * 8 - DROP * math.max(0, 16 - age) // 16
+      shine(light, logo, age + AGAIN - DROP)
     elseif page.opening(age, 0) then
       draw_name(third, age)
     end
@@ -44,6 +59,7 @@ local function wait_for_start(row, third, logo, limit)
     if page.accepted() then
       page.clear(row, 1)
       if logo then logo.y = third * 8 end
+      if light then light.hidden = true end
       return true
     end
   end
@@ -59,7 +75,8 @@ local function entries(words)
       items[1], items[2] = text.lang("1 PLAYER"), text.lang("2 PLAYERS")
     else
       list[#list + 1] = { what, 1 }
-      items[#items + 1] = what == "start" and text.lang("START") or WORDS[what] and text.lang(WORDS[what]) or menu.label(what)
+      local word = what == "start" and "START" or WORDS[what]
+      items[#items + 1] = word and text.lang(word) or menu.label(what)
     end
   end
   return list, items
@@ -74,7 +91,7 @@ end
 -- The number of what is chosen from the list; 0: back, nil: nobody answers.
 local function choose(items, row, chosen, least)
   if #items == 1 then return 1 end
-  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 2
+  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 3 -- the cabinet says the keys below
   local gap = math.min(top, least) + 2 * (#items - 1) <= last and 2 or 1
   top = math.min(top, last - gap * (#items - 1))
   return page.list { items = items, row = top, chosen = chosen, back = 0, gap = gap, keys = true }
@@ -86,6 +103,7 @@ return function(limit, words, last)
   text.clear()
   local third = page.row + page.rows // 3
   local row, logo = page.row + 2 * (page.rows // 3), put_logo(third)
+  local light = put_light(logo)
   local list, items = entries(words)
   local here, back = 0, last and index_of(list, last)
   draw_best()
@@ -94,10 +112,11 @@ return function(limit, words, last)
     here = choose(items, row, back, third + UNDER)
   end
   while here == 0 do
-    local came = wait_for_start(row, third, logo, limit)
+    local came = wait_for_start(row, third, logo, light, limit)
     here = came and choose(items, row, 1, third + UNDER)
   end
   text.clear()
   if logo then logo:remove() end
+  if light then light:remove() end
   if here then return table.unpack(list[here]) end
 end

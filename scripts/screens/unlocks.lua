@@ -23,9 +23,9 @@ local function draw(list, first, last, row, age, cols)
   local col = page.col + (page.cols - cols) // 2 + 1
   for i = first, last do
     local e = list[i]
-    local bank = page.bank(i - first + 1, age, e.has and hud.banks.bright or hud.banks.plain)
+    local bank = page.bank(i - first + 1, age, e.has and hud.banks.bright or hud.banks.faint)
     for k, s in ipairs(bank and e.lines or {}) do
-      hud.put(col, row + (k - 1) * STEP, s, k == 1 and bank or hud.banks.faint)
+      hud.put(col, row + (k - 1) * STEP, s, k == 1 and bank or hud.banks.plain)
     end
     if bank then hud.put(col - 2, row, e.has and STAR or DOT, e.has and bank or hud.banks.faint) end
     row = row + height(e)
@@ -34,7 +34,7 @@ end
 
 -- Returns whether somebody pressed; over: frames until it ends by itself, or nil.
 return function(over)
-  local cols = math.min(page.cols - 4, 32)
+  local cols = math.min(page.cols - 6, 32)
   local list, got = entries(cols)
   local _, room = book.room(1)
   local pages = book.split(#list, room, function(i) return height(list[i]) end)

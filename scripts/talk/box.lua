@@ -41,7 +41,7 @@ return function(look, may_skip)
   local mark -- the mark blinks
   local lines = {} -- what stands in a font
   local dimmed = screen.dim { share = look.dim, over = 12 }
-  hud.banner() -- a list stands where a banner does
+  sys.low() hud.banner() -- a plate stands where the hud's lowest rows do, a list where a banner does
 
   -- A plate outlives the scene it is made in: what was written on it is cleared with it.
   local function put_plate(key, x, y, w, h)
@@ -293,6 +293,7 @@ return function(look, may_skip)
     end
     for _, p in pairs(parts) do p:remove() end
     for _, s in pairs(sides) do s.sprite:remove() end
+    sys.low(true)
     if last_one and there then screen.dim { share = dimmed, over = 12 } end
   end
 

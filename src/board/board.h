@@ -175,7 +175,7 @@ enum { VIEW_SOFT = 4 /* a soft flash has a VIEW_SOFTth of its share */ };
 /* All zero: the picture as it is. */
 struct view {
     enum view_dim dim;
-    bool soft_flashes; /* of `screen.flash` alone */
+    bool soft_flashes; /* of `screen.flash`; and whoever is hurt blinks softly */
     enum view_colours colours;
     const uint8_t *shades; /* CART_SHADES bytes (cart.h), for a ROM that has none of its own; NULL: such a ROM's
                               backgrounds are not dimmed */

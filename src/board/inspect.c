@@ -262,7 +262,7 @@ static const char *ramp_of(const struct board *b, uint16_t flags)
 {
     const int blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
 
-    return blend && b->cart.mix[blend - 1] != BLIT_TABLE ? cart_blend_name(&b->cart, blend - 1) : NULL;
+    return blend && b->cart.main.mix[blend - 1] != BLIT_TABLE ? cart_blend_name(&b->cart, blend - 1) : NULL;
 }
 
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),

@@ -278,4 +278,8 @@ uint8_t board_player_of(const struct board *b, int64_t h);
 /* Where a thing is; false: dead, or not a thing that is anywhere. */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
 
+/* Which palette of the ROM is loaded: the one most like the colours in RAM (pal_likeness); of equals main, then the
+ * first by name. */
+int board_palette(const struct board *b);
+
 #endif

@@ -418,3 +418,19 @@ int tasks_run(lua_State *L)
     slots_trim(&b->tasks.s);
     return 0;
 }
+
+void tasks_turn(struct board *b, lua_State *L, uint32_t slot)
+{
+    struct tasks *t = &b->tasks;
+    const int32_t current = t->current;
+    const uint32_t skipped = t->skipped;
+    const struct tasks_now was = { t->now_owner, t->now_scene };
+    lua_State *running = b->vm.running;
+
+    if (turn(b, L, slot))
+        drop(b, L, slot);
+    t->current = current;
+    t->skipped = skipped;
+    tasks_act_for(b, was);
+    b->vm.running = running;
+}

@@ -70,6 +70,9 @@ int64_t tasks_scope(struct board *b, int64_t owner, bool scene);
 /* Every task's turn. For vm_call: errors of a task become a fault. */
 int tasks_run(lua_State *L);
 
+/* Gives a task a turn at once, within that of the running one, which goes on after it. */
+void tasks_turn(struct board *b, lua_State *L, uint32_t slot);
+
 /* Stops a task or scope: closed at its turn, dead from now on. What a scene owns goes at once. */
 void tasks_stop(struct board *b, uint32_t slot);
 

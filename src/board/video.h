@@ -18,6 +18,8 @@ struct draw_target {
     uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
     unsigned layers;        /* of sprites, a bit each: there is nothing in the others */
     const uint8_t *shade;   /* the entry that each of 256 is shown as in backgrounds; NULL: they are not dimmed */
+    struct cart_look look;  /* tables of the palette that is loaded */
+    bool soft;              /* whoever is hurt blinks softly */
 };
 
 /* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */
@@ -29,6 +31,9 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
 
 /* The same without the bullets and what is over them, and without a flash. The clip is the field. */
 void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+
+/* The tables of that palette of the ROM which is loaded (board_palette). */
+struct cart_look video_look(const struct board *b);
 
 /* Picture number of a sprite that has stood for `age` frames and looks along dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);

@@ -16,7 +16,7 @@ enum {
     ENEMY_BLEND_ONE = 1 << 2,
     ENEMY_BLOCKS = 1 << 4, /* of a kind: bullets that touch it are gone */
     ENEMY_HURT = 1 << 5,   /* of a kind: its picture 1 stands in place of 0 while it blinks */
-    ENEMY_SOFT = 1 << 6,   /* of a kind: where it blinks white, every second pixel of its picture is */
+    ENEMY_SOFT = 1 << 6,   /* of a kind: where it blinks white, only a rim round it is */
 
     ENEMY_UNDYING = 1 << 0, /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* it died, and goes after its handlers have run */

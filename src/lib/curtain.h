@@ -139,8 +139,8 @@ CURTAIN_API const char *curtain_title(const struct curtain *c);
 CURTAIN_API const char *curtain_id(const struct curtain *c);
 CURTAIN_API int curtain_players(const struct curtain *c); /* 1 or 2 */
 
-/* What there is to choose in a configuration: the i-th difficulty, easiest first, -1: the game's own choice; NULL: there
- * is none. The i-th DIP switch, what it is now, and the k-th word it can be; false: there is none. */
+/* What there is to choose in a configuration: the i-th difficulty, easiest first, -1: the game's own choice; NULL:
+ * there is none. The i-th DIP switch, what it is now, and the k-th word it can be; false: there is none. */
 struct curtain_switch {
     char name[16], value[16];
 };
@@ -171,14 +171,15 @@ CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_shi
 /* ---- states ----
  *
  * A state is how the run began and the pads so far, so every machine can load it. Where this process has kept the frame
- * itself (.snapshots: those of the last states, and some on the way) it comes back in microseconds; otherwise the run is
- * played again from the nearest such frame, about 10,000 frames a second. Bytes that are no state of this game, of
+ * itself (.snapshots: those of the last states, and some on the way) it comes back in microseconds; otherwise the run
+ * is played again from the nearest such frame, about 10,000 frames a second. Bytes that are no state of this game, of
  * another core version or damaged are refused; whatever they are, they do no harm. */
 
 /* Bytes that are enough for every state of this game. */
 CURTAIN_API size_t curtain_state_size(const struct curtain *c);
 
-/* Writes a state; returns its bytes, 0 when there is no room: the run has more changes of pads than .state_room holds. */
+/* Writes a state; returns its bytes, 0 when there is no room: the run has more changes of pads than .state_room has
+ * room for. */
 CURTAIN_API size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size);
 
 /* Goes to that state. False: all is as it was. */

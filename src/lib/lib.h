@@ -64,7 +64,8 @@ struct curtain {
 
 /* ---- start.c ---- */
 
-/* The start that a configuration asks for, or that of a demo, NULL: there is none. False and a sentence for one the game does not have. */
+/* The start that a configuration asks for, or that of a demo, NULL: there is none. False and a sentence for one the
+ * game does not have. */
 bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct curtain_config *config,
                   const struct demo *demo, char *err, size_t err_size);
 

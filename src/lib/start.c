@@ -164,8 +164,8 @@ bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct c
 
 /* ---- as bytes ----
  *
- * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 invincible, u8 registers,
- * 16 of them (32 bytes name, i32 value), u32 bytes of nvram, and these. Texts end in zeroes.
+ * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 invincible, u8
+ * registers, 16 of them (32 bytes name, i32 value), u32 bytes of nvram, and these. Texts end in zeroes.
  */
 enum {
     DIPS = sizeof((struct board_start *)0)->dip / sizeof(int32_t),

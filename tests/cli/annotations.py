@@ -9,7 +9,7 @@ must be declared. Types, optional marks, ranges and defaults are derived here fr
 import re
 import sys
 
-BASIC = {"any", "boolean", "function", "integer", "nil", "number", "string", "table"}
+BASIC = {"any", "boolean", "false", "function", "integer", "nil", "number", "string", "table"}
 TOKEN = re.compile(r'\s*("[^"]*"|-?\d+|\.\.\.|[A-Za-z_][\w.]*|[^\s])')
 
 
@@ -204,7 +204,8 @@ HITS = [("{ circle =", "{ circle: number }"), ("{ box =", "{ box: number[] }"),
 RETURNS = {"boolean": "boolean", "count": "integer", "integer": "integer", "frames": "integer", "row": "integer",
            "degrees": "number", "number": "number", "share": "number", "list": "any[]", "name": "string",
            "name or nil": "string?", "string": "string", "value": "any", "tries": "integer", "captures": "integer",
-           "scope": "task", "route": "route"}
+           "scope": "task", "route": "route", "boss": "string", "id": "string", "stars": "integer",
+           "ship": "string", "got": "integer", "most": "integer"}
 GIVEN = {"player": "player", "bullet": "bullet", "enemy": "enemy", "item": "item", "laser": "laser", "shot": "shot",
          "a": "bullet", "b": "bullet", "e": "enemy", "p": "player", "o": "option", "by": "bullet|enemy",
          "late": "boolean", "id": "string", "won": "boolean", "captured": "boolean", "name": "string",

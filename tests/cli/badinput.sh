@@ -369,6 +369,26 @@ says 'a mark far off' 2 'main.lua:6: stage one: mark "middle" is not declared (t
 says 'a stage that waits for ever on the way to its mark' 2 \
     'main.lua:5: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?' hash \
     s --stage ever:on --frames 20
+# by_difficulty: by names, by a list, both; the nearest easier one, else the easiest.
+game d <<'LUA'
+task.go(function()
+  print(by_difficulty { easy = 1, hard = 3 }, by_difficulty { hard = 3 }, by_difficulty { 7, 8 },
+    by_difficulty { 4, 5, 6 })
+  wait(1)
+  print(by_difficulty { 1, 2, 3, 4 })
+end)
+LUA
+while read -r difficulty values; do
+    same "by_difficulty on $difficulty" "$values" \
+        "$("$curtain" hash d --difficulty $difficulty --frames 1 --every 1 2>&1 >/dev/null | tr '\t' ' ' | head -n 1)"
+done <<'DIFFICULTIES'
+easy 1 3 7 4
+normal 1 3 8 5
+hard 3 3 8 6
+DIFFICULTIES
+refuse "more values than difficulties" "main.lua:5: by_difficulty: 4 values for 3 difficulties" "$curtain" \
+    hash d --frames 3
+
 bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
 says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register power=4 --register bombs=0 \
     --invincible --frames 20

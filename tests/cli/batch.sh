@@ -55,7 +55,7 @@ done
 # Format 9; then with good checksums: the game's id, the first row, the seed, pads in the first, the third and the last
 # second, a print, the core version.
 python3 -c 'd = bytearray(open("good3.demo", "rb").read()); d[4] = 9; open("bad13.demo", "wb").write(d)'
-bad bad13.demo 'demo format 9, this build reads 2 to 4'
+bad bad13.demo 'demo format 9, this build reads 2 to 5'
 id=$(grep -abo probe good3.demo | head -1 | cut -d: -f1)
 patch good3.demo "$id" bad14.demo && bad bad14.demo 'a demo of another game ("qrobe", this is "probe")'
 patch good3.demo $(($(record good3.demo 2) - 12)) bad15.demo && bad bad15.demo 'frame 0: voices differs'

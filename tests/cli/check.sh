@@ -52,7 +52,7 @@ good() { # NAME, standard input: main.lua, and nothing is found
 # ---- what is fine ----
 
 cd "$repo" || exit 2
-for dir in roms/*/ examples/*/; do fine "${dir%/}" "${dir%/}"; done
+for dir in roms/*/rom.lua examples/*/rom.lua; do dir=${dir%rom.lua}; fine "${dir%/}" "${dir%/}"; done
 cd "$scratch" || exit 2
 game everything <"$repo/tests/cli/everything.lua"
 fine 'a game that uses everything' everything
@@ -180,6 +180,18 @@ boss.def("b", { title = "弾", kind = "foe", x = 1, y = 1, phases = { { id = "a"
 main.lua:2: no font of the game has a glyph for "弾", U+5F3E: a box is shown
 main.lua:2: no font of the game has a glyph for "É", U+00C9, nor for 2 more of this text: a box is shown
 2 problems
+LUA
+lua 'spells whose bonus stays, where that of another falls' <<'LUA'
+enemy.def("foe", { sprite = "dot", hit = "none" }) local function idle() wait(forever) end
+boss.def("b", { title = "B", kind = "foe", x = 1, y = 1, phases = {
+  { id = "a", spell = "Falls", bonus = 9, bonus_to = 3, time = 9, hp = 9, run = idle },
+  { id = "b", spell = "Stays", bonus = 9, time = 9, hp = 9, run = idle },
+  { id = "c", spell = "Lasts", bonus = 9, survive = true, time = 9, run = idle },
+  { id = "d", spell = "Of no worth", time = 9, hp = 9, run = idle },
+  { id = "e", bonus = 5, time = 9, hp = 9, run = idle } } })
+----
+main.lua:5: spell "Stays": its bonus does not fall, as that of others does (bonus_to)
+1 problem
 LUA
 lua 'a laser of another shape' <<'LUA'
 laser.def("thin", { strip = "dot", width = 3, hit = { circle = 1 } })
@@ -782,10 +794,10 @@ same 'a fault in a stage' 1 $?
 check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
-sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/queen.lua
+sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/three/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
-check '... is found by playing each' grep -q '^stages/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
+check '... is found by playing each' grep -q '^stages/three/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
     <<<"$got"
 
 # ---- what is no game ----

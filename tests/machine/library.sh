@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# library.sh - libcurtain: it has the names of curtain.h and no others, and no variable; C, C++ and another language call
-# it; states, several boards, an alarm; the example of the manual.
+# library.sh - libcurtain: it has the names of curtain.h and no others, and no variable; C, C++ and another language
+# call it; states, several boards, an alarm; the example of the manual.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 cc=${CC:-cc}
-lua=$(pkg-config --libs lua5.4)
+lua="$(pkg-config --libs lua5.4) -pthread"
 for name in states spoil boards slow ship; do
     "$cc" -std=c11 -O1 -g -D_DEFAULT_SOURCE -Wall -Wextra -I"$repo/src/lib" "$repo/tests/machine/library/$name.c" \
         "$OUT/libcurtain.a" $lua -lm -o $name || not_ok "$name.c is built"
@@ -126,8 +126,8 @@ print("60 %016x" % lib.curtain_hash(c))
 lib.curtain_close(c)
 PY
 want=$("$curtain" hash testcard.rom --seed 9 --press fire --frames 60 --every 60 | tail -1)
-check 'C++ takes the header' "${CXX:-c++}" -std=c++11 -Wall -Wextra -Werror -I"$repo/src/lib" plus.cc "$OUT/libcurtain.a" \
-    $lua -lm -o plus
+check 'C++ takes the header' "${CXX:-c++}" -std=c++11 -Wall -Wextra -Werror -I"$repo/src/lib" plus.cc \
+    "$OUT/libcurtain.a" $lua -lm -o plus
 same 'and plays the same' "$want" "$(./plus testcard.rom)"
 same 'a call from Python too' "$want" "$(python3 calls.py "$OUT/libcurtain.so" testcard.rom)"
 
@@ -183,7 +183,7 @@ WHAT
 
 # ---- the example ----
 
-check 'the example is built' "$cc" -std=c11 -O1 -w -I"$repo/src/lib" "$repo/examples/library/frames.c" \
+check 'the example is built' "$cc" -std=c11 -O1 -w -I"$repo/src/lib" "$repo/ports/example/frames.c" \
     "$OUT/libcurtain.so" -Wl,-rpath,"$OUT" -lm -o frames
 demo=$repo/roms/testcard/demos/card.demo
 same 'it plays a demo' "600 frames, $("$curtain" hash testcard.rom --demo "$demo" --frames 600 --every 600 |

@@ -30,7 +30,7 @@
 
 /* A game in memory. */
 /* The most lumps a test's game has: the library's pieces are lumps too. */
-enum { RIG_LUMPS = 256 };
+enum { RIG_LUMPS = 512 };
 
 struct rig_game {
     struct rom_image image;

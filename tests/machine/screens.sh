@@ -8,7 +8,7 @@ export SDL_AUDIODRIVER=dummy
 
 # game_of DIR SCREEN: Glass Tide's pictures, two short stages of its own, and all that boot.run can show.
 game_of() {
-    mkdir -p "$1" && cp -r roms/glasstide/{art,maps,lang,players,sfx,music,kinds.lua,rom.lua} "$1" || exit 2
+    mkdir -p "$1" && cp -r roms/glasstide/{art,maps,lang,players,fx,sfx,music} roms/glasstide/*.lua "$1" || exit 2
     sed -i "s/screen = { w = 240, h = 320 }/$2/; s/title = \"Glass Tide\"/title = \"Screens\"/" "$1/rom.lua"
     mkdir -p "$1/std/screens" "$1/demos"
     for piece in scripts/screens/*.lua; do
@@ -19,7 +19,8 @@ require "kinds"
 require "players/heron"
 require "players/petrel"
 hud.banks.plain, hud.banks.bright, hud.banks.faint = 0, 3, 13
-boss.def("crab", { title = "Crab", kind = "float", x = 100, y = 60, phases = {
+enemy.def("buoy", { sprite = "float", hit = { circle = 15 }, touch = false })
+boss.def("crab", { title = "Crab", kind = "buoy", x = 100, y = 60, phases = {
   { id = "shell", spell = "Shell Sign: A Second", survive = true, time = 60, rest = 0, run = function() end } } })
 score.tally { { label = "GRAZE", value = "grazes", points = 10, stage = true } }
 unlock.def("shell", { when = { spell = "crab/shell" }, hint = "Outlive it" })

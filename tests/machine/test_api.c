@@ -109,6 +109,7 @@ static const char things[] =
     "t[#t + 1] = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }\n"
     "t[#t]:remove()\n"
     "score.rule { name = 'chain', points = 3 }\n"
+    "mission.def('left', { title = 'Left', stage = 's', goal = { score = 5 } })\n"
     "stage.play('s')\n";
 
 static struct rig_game g;

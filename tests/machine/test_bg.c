@@ -51,7 +51,7 @@ static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_
         return under;
     over = to ? to[over] : over;
     over = shade && b->bg.flags[i] & BG_FRONT ? shade[over] : over;
-    return blend ? b->cart.blend[blend - 1][under * 256 + over] : over;
+    return blend ? b->cart.main.blend[blend - 1][under * 256 + over] : over;
 }
 
 static const uint8_t *black(const struct board *b)
@@ -483,6 +483,65 @@ static void test_phase(void **state)
     rig_game_free(&g);
 }
 
+/* What a run shows from a mark on, practice of that mark shows: the background is there before the next line, what
+ * faded before has faded, and what the next lines begin is not lost. */
+static const char marked[] =
+    "bg.def('day', function() palette.set(5, 0x102030) bg.layer(1).map = 'sea' for i = 1, forever do wait(1) end end)\n"
+    "bg.def('dusk', function() palette.set(6, 0x405060) bg.layer(1).map = 'reef' wait(forever) end)\n"
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "stage.def('s', function()\n"
+    "  bg.show('day')\n"
+    "  wait(50)\n"
+    "  bg.show('dusk')\n"
+    "  wait(50)\n"
+    "  palette.fade { to = 0x00ff00, over = 20, first = 7, last = 8 }\n"
+    "  palette.set(5, 0x112233)\n"
+    "  wait(50)\n"
+    "  stage.mark('m')\n"
+    "  palette.fade { to = 0xffffff, over = 9, first = 5, last = 7 }\n"
+    "  bg.layer(2).map = bg.layer(1).map\n"
+    "  wait(80)\n"
+    "end)\n"
+    "boot.run { stages = { 's' }, players = { 'ship' } }";
+
+static void until_marked(struct rig *r)
+{
+    for (int f = 0; f < 400 && !r->b->bg.map[1]; f++)
+        rig_run(r, 1);
+    assert_true(r->b->bg.map[1] != 0);
+}
+
+static void test_practice(void **state)
+{
+    struct board_start start = { .difficulty = -1, .practice.section = "s" };
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig run, practice;
+
+    (void)state;
+    m.bg = 1;
+    rig_script(&g, &m, marked);
+    rig_maps(&g);
+    rig_power(&run, &g, &start);
+    strcpy(start.practice.section, "s:m");
+    rig_power(&practice, &g, &start);
+    until_marked(&run);
+    until_marked(&practice);
+    assert_true(board_frame(run.b) > board_frame(practice.b) + 100);
+    for (int f = 0; f < 20; f++) {
+        assert_memory_equal(run.b->pal.rgb, practice.b->pal.rgb, COLOURS * sizeof *run.b->pal.rgb);
+        assert_memory_equal(run.b->bg.map, practice.b->bg.map, BG_SLOTS * sizeof *run.b->bg.map);
+        assert_int_equal(practice.b->bg.shown[0], 2);
+        rig_run(&run, 1);
+        rig_run(&practice, 1);
+    }
+    assert_int_equal(practice.b->pal.rgb[5], 0xffffff);
+    assert_int_equal(practice.b->pal.rgb[8], 0x00ff00);
+    rig_free(&run);
+    rig_free(&practice);
+    rig_game_free(&g);
+}
+
 /* ---- without ---- */
 
 static void test_off(void **state)
@@ -572,6 +631,9 @@ static void test_said(void **state)
     static const char *const said[][2] = {
         { "bg.layer(5)", "bg.layer: i: expected a whole number from 1 to 4, got 5" },
         { "bg.layer(1).map = 'see'", "layer: map \"see\" is not in rom.lua (did you mean \"sea\"?)" },
+        { "bg.layer(1).x = bg.layer(2) + 0.5",
+          "layer: x: expected a number from -16383 to 16383 px, got 4.6116860229572e+18 (a thing in arithmetic? name "
+          "what of it is meant, as its x)" },
         { "bg.layer(1).layer = 'middle'", "layer: layer: expected back or front, got \"middle\"" },
         { "bg.layer(1).vz = 1", "a layer has no property \"vz\" (did you mean \"vx\"?)" },
         { "bg.plane().wrap = true", "a plane has no property \"wrap\" (did you mean \"map\"?)" },
@@ -608,8 +670,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_plain),  cmocka_unit_test(test_covers), cmocka_unit_test(test_rows),
         cmocka_unit_test(test_shades), cmocka_unit_test(test_motion), cmocka_unit_test(test_wave),
-        cmocka_unit_test(test_show),   cmocka_unit_test(test_phase),  cmocka_unit_test(test_off),
-        cmocka_unit_test(test_said),   cmocka_unit_test(test_lumps),
+        cmocka_unit_test(test_show),   cmocka_unit_test(test_phase),  cmocka_unit_test(test_practice),
+        cmocka_unit_test(test_off),    cmocka_unit_test(test_said),   cmocka_unit_test(test_lumps),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

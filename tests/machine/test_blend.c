@@ -49,7 +49,7 @@ static void expect_one(const char *thing, const char *sprite, int picture, int b
     rig_script(&g, NULL, "");
     rig_ruled_blends(&g, ghost, glow);
     cart_sprite(&g.cart, cart_find_sprite(&g.cart, sprite), &s);
-    const uint8_t *table = g.cart.blend[cart_find_blend(&g.cart, blend)];
+    const uint8_t *table = g.cart.main.blend[cart_find_blend(&g.cart, blend)];
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
             int u = x - X + s.ox, v = y - Y + s.oy, want = under[y][x];

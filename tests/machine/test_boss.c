@@ -67,6 +67,22 @@ static const struct story stories[] = {
       "boss.def('b', { title = 'B', kind = 'e', x = 50, y = 40, phases = l }) alone()\n"
       "task.go(function() while true do wait(60) say(made) end end)",
       430, "0 p1 true true 1 1 p2 true true 1 p3 true true 1 true 345 p4 true true 2 2" },
+    { "and the one that is shown",
+      "local made = 0 bg.def('hall', function() made = made + 1 end)\n"
+      "task.go(function() bg.show('hall', { over = 0 }) end)\n"
+      "one(phase { bg = 'hall', run = down(40) }) alone() task.go(function() wait(200) say(made) end)",
+      220, "true 102 a true true 1" },
+    { "whose portrait a phase has: its own, its leader's, the boss's",
+      "local c = { { name = 'a', title = 'A', kind = 'e', x = 40, y = 40 },\n"
+      "  { name = 'b', title = 'B', kind = 'e', x = 60, y = 40, portrait = 'wink', portrait_left = true } }\n"
+      "local l = { phase { hp = { b = 5 } }, phase { hp = { a = 5, b = 5 } }, phase { hp = 9 },\n"
+      "  phase { hp = { b = 5 }, portrait = 'dot', portrait_left = false }, phase { hp = { b = 5 }, cut_in = false } "
+      "}\n"
+      "for i, p in ipairs(l) do p.id, p.spell = 'p' .. i, 'Sign' end\n"
+      "boss.def('two', { title = 'T', portrait = 'arrow', cast = c, phases = l })\n"
+      "boss.each(function(b) for _, p in ipairs(b.phases) do\n"
+      "  say(p.portrait, p.portrait_left, p.cut_in) end end)",
+      1, "wink true true arrow false true arrow false true dot false true wink true false" },
     { "a last phase", "one(phase { run = down(2) }, phase { id = 'l', last = true, run = down(2) }) alone()", 99,
       "a true true true 67 l true true" },
     { "is not there after a loss",
@@ -335,6 +351,7 @@ static void test_errors(void **state)
     says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is more than the bonus, 5");
     says("one(phase { spell = 'S', cut_in = true })",
          "boss.def: phase \"a\": cut_in: the boss has no portrait (portrait = a sprite)");
+    says("one(phase { portrait = 'none' })", "boss.def phase \"a\": sprite \"none\" is not in rom.lua");
     says("one({ talk = 3 }, phase {})", "boss.def talk: talk: expected a function, got 3");
     says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\" (it takes talk)");
     says("one({ talk = idle }, { hp = 5 })", "boss.def phase \"#2\": id: expected a string, got nil");

@@ -64,7 +64,7 @@ static void paint_kind(const struct board *b, const struct bullets *s, const str
         if (is_used(&s->s, i) && s->kind[i] == kind) {
             struct image image = image_of(b, s, k, i);
             paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i],
-                  blend ? b->cart.blend[blend - 1] : NULL);
+                  blend ? b->cart.main.blend[blend - 1] : NULL);
         }
 }
 
@@ -208,7 +208,13 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
         want[i] = backdrop[i] = (uint8_t)rng_next(&rng);
     paint_all(b, s, k, want);
     for (size_t i = 0; i < sizeof overdraw / sizeof *overdraw; i++) {
-        struct draw_target c = { b, &r->fb, m->field_x, m->field_y, r->scratch, overdraw[i], 0, 0, 0, NULL };
+        struct draw_target c = { .b = b,
+                                 .fb = &r->fb,
+                                 .x = m->field_x,
+                                 .y = m->field_y,
+                                 .scratch = r->scratch,
+                                 .overdraw = overdraw[i],
+                                 .look = b->cart.main };
         for (int y = 0; y < m->screen_h; y++)
             memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
         fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);

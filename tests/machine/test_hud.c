@@ -104,19 +104,19 @@ static void test_low(void **state)
     rig_run(&r, 1);
     row_is(3, 1, "DEEP 7                DEEP 7");
     row_is(4, -1, "");
-    row_is(37, 1, "GLASS -------  GLASS -------");
+    row_is(37, 1, "GLASS -----      GLASS -----");
     row_is(36, 1, "x1.25                  x1.25");
     row_is(35, -1, "");
     assert_int_equal(bank_at(37, 1), 2 | FIX_RIM);
     rig_run(&r, 3);
-    row_is(37, 1, "GLASS ====---  GLASS -------");
+    row_is(37, 1, "GLASS ===--      GLASS -----");
     assert_int_equal(bank_at(37, 1), 5 | FIX_RIM);
     row_is(35, 25, "C 12");
     rig_run(&r, 4);
     row_is(36, 1, "x10.00                 x1.25");
     row_is(35, -1, "");
     rig_run(&r, 4);
-    row_is(37, 16, "GLASS -------");
+    row_is(37, 18, "GLASS -----");
     close_it();
 }
 
@@ -197,6 +197,37 @@ static void test_panel(void **state)
     close_it();
 }
 
+/* What stands at the lower edge goes while a craft is near; and a word stands before the grazes. */
+static void test_shy(void **state)
+{
+    static const char text[] =
+        "player.def('p', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
+        "  a = { max = 100, show = 'bar', at = 'low', label = 'GLASS' },\n"
+        "  b = { start = 100, show = 'times', at = 'low', label = '' } } })\n"
+        "string.sys.join(1, 'p') hud.shy, hud.graze = 8, 'GRAZE' hud.start(string.sys.scope(), 1)\n"
+        "local p = player.get(1) task.go(function() wait(4) p.x, p.y = 60, 300 wait(4) p.x = 107 wait(4) p.x = 113\n"
+        "  wait(4) p.x, p.b = 60, 101 wait(4) p.y = 280 end)";
+
+    (void)state;
+    open_with(NULL, text);
+    rig_run(&r, 3);
+    row_is(2, 1, "**                   GRAZE 0");
+    row_is(38, 1, "GLASS -----");
+    row_is(37, -1, ""); /* a factor of 1 says nothing */
+    rig_run(&r, 4);
+    row_is(38, -1, "");
+    rig_run(&r, 4);
+    row_is(38, -1, ""); /* it comes back a little later than it goes */
+    rig_run(&r, 4);
+    row_is(38, 1, "GLASS -----");
+    rig_run(&r, 4);
+    row_is(38, -1, "");
+    rig_run(&r, 4);
+    row_is(38, 1, "GLASS -----");
+    row_is(37, 1, "x1.01");
+    close_it();
+}
+
 /* Two players: side by side where there is room, a bar as long as it leaves; in a panel one below the other, in rows
  * that stay where they are when one is out. */
 static void test_two(void **state)
@@ -264,23 +295,19 @@ static void boss_text(char *text, size_t size, const char *title, int phases)
              title, list);
 }
 
-/* A star for each phase to come stands behind the title's last row where a blank is left between, or else below. */
+/* A star for each phase to come stands behind the bar, and the title in one row below, whatever of it has room. */
 static void test_title(void **state)
 {
     static char text[2048];
     static const struct {
         const char *title, *row[2];
-        int phases, col[2];
+        int phases;
     } rows[] = {
-        { "NINE", { "NINE               ***    11", "" }, 4, { 1, -1 } },
-        { "A TITLE OF EIGHTEE", { "A TITLE OF EIGHTEE ***    11", "" }, 4, { 1, -1 } },
-        { "A TITLE OF NINETEEN", { "A TITLE OF NINETEEN       11", "***" }, 4, { 1, 26 } },
-        { "A TITLE THAT GOES OVER TWO OF THEM",
-          { "A TITLE THAT GOES OVER    11", "TWO OF THEM                *" },
-          2,
-          { 1, 1 } },
-        { "NINE", { "NINE                      11", "" }, 1, { 1, -1 } },
-        { "NINE", { "NINE            ******    11", "" }, 9, { 1, -1 } },
+        { "NINE", { "================== ***    11", "NINE                      11" }, 4 },
+        { "A TITLE OF TWENTY-THREE", { "================== ***    11", "A TITLE OF TWENTY-THREE   11" }, 4 },
+        { "A TITLE THAT GOES OVER TWO OF THEM", { "==================== *    11", "A TITLE THAT GOES OVER    11" }, 2 },
+        { "THE FOURTH OF ALL: TITLES", { "======================    11", "TITLES                    11" }, 1 },
+        { "NINE", { "=============== ******    11", "NINE                      11" }, 9 },
     };
 
     (void)state;
@@ -288,14 +315,15 @@ static void test_title(void **state)
         boss_text(text, sizeof text, rows[i].title, rows[i].phases);
         open_with(NULL, text);
         rig_run(&r, 120);
-        for (int k = 0; k < 2; k++)
-            row_is(5 + (uint32_t)k, rows[i].col[k], rows[i].row[k]);
+        for (uint32_t k = 0; k < 2; k++)
+            row_is(3 + k, 1, rows[i].row[k]);
+        row_is(5, -1, "");
         close_it();
     }
 }
 
 /* A fight as it is shown: the clock in letters of two cells by two, what its bar has lost, a spell that is declared in
- * the middle, slides up and rests below the title, its bonus, and what it came to. */
+ * the middle, slides up and rests below the title, its bonus beside it, and what it came to. */
 static const char spell_game[] =
     "player.def('p', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'p')\n"
     "hud.banks.alarm, hud.banks.faint = 7, 6 hud.start(string.sys.scope(), 1)\n"
@@ -319,36 +347,34 @@ static void test_spell(void **state)
     (void)state;
     open_spell(NULL, "");
     rig_run(&r, 68);
-    row_is(4, 1, "===-------------------  1111"); /* it fills */
-    row_is(5, 1, "NINE                 *  1111");
-    assert_int_equal(bank_at(4, 25), 2 | FIX_RIM | FIX_BIG);
-    assert_int_equal(bank_at(5, 28), 2 | FIX_RIM | 4 * FIX_BIG);
+    row_is(3, 1, "===----------------- *  1111"); /* it fills */
+    row_is(4, 1, "NINE                    1111");
+    assert_int_equal(bank_at(3, 25), 2 | FIX_RIM | FIX_BIG);
+    assert_int_equal(bank_at(4, 28), 2 | FIX_RIM | 4 * FIX_BIG);
     row_is(25, 10, "GLASS");
     rig_run(&r, 22);
     row_is(25, 10, "GLASS SIGN");
     rig_run(&r, 22);
-    row_is(4, 1, "======----------------  1111");
-    assert_int_equal(bank_at(4, 1) & FIX_BANK, 5);
+    row_is(3, 1, "=====--------------- *  1111");
+    assert_int_equal(bank_at(3, 1) & FIX_BANK, 5);
     row_is(25, -1, "");
-    row_is(11, 17, "GLASS SIGN");
+    row_is(10, 3, "GLASS SIGN");
     rig_run(&r, 18);
-    row_is(11, -1, "");
-    row_is(6, 19, "GLASS SIGN");
-    row_is(7, 2, "CAPTURED 0/1  BONUS 0005910");    /* this is the first try */
-    assert_int_equal(bank_at(4, 28) & FIX_BANK, 7); /* ten seconds are left */
+    row_is(10, -1, "");
+    row_is(5, 1, "GLASS SIGN     BONUS 0005910");
+    assert_int_equal(bank_at(3, 28) & FIX_BANK, 7); /* ten seconds are left */
     rig_run(&r, 270);
-    row_is(5, 1, "NINE                 *    66");
-    row_is(7, 2, "CAPTURED 0/1  BONUS 0003210");
+    row_is(4, 1, "NINE                      66");
+    row_is(5, 1, "GLASS SIGN     BONUS 0003210");
     rig_run(&r, 215);
-    row_is(4, -1, "");
-    row_is(5, 1, "NINE                 *");
-    row_is(6, -1, "");
-    row_is(7, -1, "");
-    row_is(13, 11, "CAPTURED");
-    row_is(15, 13, "1090");
-    rig_run(&r, 250);
+    row_is(3, 22, "*");
+    row_is(4, 1, "NINE");
     row_is(5, -1, "");
-    row_is(13, -1, "");
+    row_is(18, 11, "CAPTURED");
+    row_is(20, 13, "1090");
+    rig_run(&r, 250);
+    row_is(4, -1, "");
+    row_is(18, -1, "");
     close_it();
 }
 
@@ -360,7 +386,7 @@ static void test_failed(void **state)
         const char *text;
     } rows[2][5] = { { { 1, "IRIS    =======-------  8833" },
                        { 1, "OPAL TH ===========---  8833" },
-                       { 1, "TWO" },
+                       { -1, "" }, /* the title would say the same */
                        { -1, "" },
                        { -1, "" } },
                      { { 21, "TWO" }, { 21, "IRIS" }, { 21, "=====----" }, { 21, "OPAL THE" }, { 21, "=======--" } } };
@@ -370,10 +396,10 @@ static void test_failed(void **state)
     (void)state;
     open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y");
     rig_run(&r, 200);
-    row_is(7, 9, "CAPTURED 0/1  FAILED");
-    assert_int_equal(bank_at(7, 23), 6 | FIX_RIM);
+    row_is(5, 1, "GLASS SIGN       0/1  FAILED"); /* this is the first try */
+    assert_int_equal(bank_at(5, 23), 6 | FIX_RIM);
     rig_run(&r, 430);
-    row_is(13, 9, "BONUS FAILED");
+    row_is(18, 9, "BONUS FAILED");
     close_it();
     for (int panel = 0; panel < 2; panel++) {
         m.field_w = panel ? 160 : 240;
@@ -388,7 +414,7 @@ static void test_failed(void **state)
         open_with(&m, text);
         rig_run(&r, 120);
         for (uint32_t i = 0; i < 5; i++)
-            row_is(panel ? i + 8 : i + 4, rows[panel][i].col, rows[panel][i].text);
+            row_is(panel ? i + 8 : i + 3, rows[panel][i].col, rows[panel][i].text);
         close_it();
     }
 }
@@ -561,11 +587,11 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_margins), cmocka_unit_test(test_low),    cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_panel),   cmocka_unit_test(test_two),    cmocka_unit_test(test_rim),
-        cmocka_unit_test(test_errors),  cmocka_unit_test(test_title),  cmocka_unit_test(test_again),
-        cmocka_unit_test(test_spell),   cmocka_unit_test(test_failed), cmocka_unit_test(test_warning),
-        cmocka_unit_test(test_large),
+        cmocka_unit_test(test_margins),   cmocka_unit_test(test_low),    cmocka_unit_test(test_shy),
+        cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),  cmocka_unit_test(test_two),
+        cmocka_unit_test(test_rim),       cmocka_unit_test(test_errors), cmocka_unit_test(test_title),
+        cmocka_unit_test(test_again),     cmocka_unit_test(test_spell),  cmocka_unit_test(test_failed),
+        cmocka_unit_test(test_warning),   cmocka_unit_test(test_large),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -42,7 +42,20 @@ static void close_it(void)
 
 enum { SOFT = 2 };
 
-/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour; SOFT: every second pixel in it), and
+/* Is one of the four pixels beside (u, v) of a picture one that is drawn? */
+static bool beside(const struct sprite *s, int frame, unsigned flip, int u, int v)
+{
+    for (int k = 0; k < 4; k++) {
+        const int x = u + (k < 2 ? 2 * k - 1 : 0), y = v + (k < 2 ? 0 : 2 * k - 5);
+        if (x < 0 || y < 0 || x >= s->w || y >= s->h)
+            continue;
+        if (s->pix[(frame * s->rotations * s->h + y) * s->pitch + (flip & BLIT_FLIP_X ? s->w - 1 - x : x)])
+            return true;
+    }
+    return false;
+}
+
+/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour; SOFT: a line round it is), and
  * nothing else anywhere. NULL: none. */
 static void shows(const char *name, int frame, int bank, int white, unsigned flip)
 {
@@ -64,8 +77,10 @@ static void shows(const char *name, int frame, int bank, int white, unsigned fli
             if (u >= 0 && v >= 0 && u < s.w && v < s.h) {
                 u = flip & BLIT_FLIP_X ? s.w - 1 - u : u;
                 int p = s.pix[(frame * s.rotations * s.h + v) * s.pitch + u];
-                want = !p ? 0 : white == 1 || (white && (u + v) % 2 == 0) ? brightest : (p + 16 * bank) % 256;
+                want = !p ? 0 : white == 1 ? brightest : (p + 16 * bank) % 256;
             }
+            if (!want && white == SOFT && beside(&s, frame, flip, x - X + s.ox, y - Y + s.oy))
+                want = brightest;
             seen += want != 0;
             if (r.fb.pix[y * r.fb.pitch + x] != want)
                 fail_msg("frame %u: %s%s: pixel %d,%d is %d, expected %d", r.b->core.frame, name ? name : "nothing",
@@ -141,6 +156,29 @@ static void test_blink(void **state)
         "local e = enemy.spawn { kind = 'e', x = 100, y = 80 } e.safe = 9 task.go(function() e:hurt(5) e:hurt(0) end)");
     rig_run(&r, 1), shows("dot", 0, 2, false, 0);
     close_it();
+}
+
+/* Sparks of the layer middle are under bullets and players, others over them. */
+static void test_sparks(void **state)
+{
+    static const char *const who[] = {
+        "bullet.def('b', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "task.go(function() bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank = 2 } ",
+        "task.go(function() string.sys.join(1, 'first') local p = player.get(1) p.x, p.y, p.safe = 100, 80, 0 ",
+    };
+    char text[512];
+
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        snprintf(text, sizeof text,
+                 "spark.def('s', { sprite = 'dot', life = 99, bank = 9%s })\n"
+                 "%s spark.burst { kind = 's', x = 100, y = 80, speed = 0 } end)",
+                 i & 1 ? ", layer = 'middle'" : "", who[i / 2]);
+        open_with(text);
+        rig_run(&r, 2);
+        shows("dot", 0, i & 1 ? i / 2 ? 0 : 2 : 9, false, 0);
+        close_it();
+    }
 }
 
 static void held(uint16_t buttons, const char *name, int frame)
@@ -285,9 +323,9 @@ static void test_state(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink), cmocka_unit_test(test_banking),
-        cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),  cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_state),
+        cmocka_unit_test(test_sparks),  cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink),
+        cmocka_unit_test(test_banking), cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_errors),  cmocka_unit_test(test_state),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -279,6 +279,12 @@ static const struct story screens[] = {
     { GAME "run({ ending = 'deep', staff = 'deep' }, {})", "30 deep 2, 191 - 0, 561 deep 2", 690 },
     { GAME "run({ ending = 'deep', staff = 'tide' }, { ending = stands(50) })",
       "30 deep 2, 191 - 0, 561 deep 2, 641 tide 3", 690 },
+    /* an ending of its own music */
+    { GAME "local t = { ending = 'deep', staff = 'tide' }\n"
+           "boot.run { stages = { 's' }, players = { 'ship' }, music = t, staff = {}, ending = {\n"
+           "  { when = { ship = 'x' }, show = stands(9) }, { show = stands(50), music = 'tide' } },\n"
+           "  screens = { title = stands(30, 'start', 1), results = stands(150), staff = stands(50) } }",
+      "30 deep 2, 191 - 0, 561 tide 3", 640 },
     /* the last life goes in frame 130 */
     { GAME "bullet.def('o', { sprite = 'dot', hit = { circle = 3 } })\n"
            "on.stage(function() task.go(function() wait(99) local p = player.get(1) p.safe = 0\n"

@@ -360,8 +360,8 @@ static uint64_t picture(const struct session *s)
     return hash;
 }
 
-static const char habit[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4 } }";
-static const char faster[] = "n = by_difficulty { easy = 1, normal = 3, hard = 4 } }";
+static const char habit[] = "n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 3 } }";
+static const char faster[] = "n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 3 } }";
 
 static void lands(struct session *s, uint32_t frame, const struct board_start *start)
 {
@@ -388,7 +388,7 @@ static void reloads(void **state)
     uint64_t shown = picture(&s);
     assert_true(session_reload(&s, dir, false)); /* the same ROM */
     assert_int_equal(s.state, SESSION_PLAYING);
-    edit("stages/habits.lua", habit, faster);
+    edit("stages/one/habits.lua", habit, faster);
     lands(&s, 1900, &demo.start);
     assert_true(picture(&s) != shown); /* the stage being played has changed */
     session_goto(&s, 900);             /* its past is of the new script */
@@ -396,7 +396,7 @@ static void reloads(void **state)
     assert_true(board_hash(session_board(&s)) == hash);
     assert_true(session_reload(&s, dir, false) && s.state == SESSION_PLAYING);
     play_to(&s, 1600);
-    edit("stages/habits.lua", faster, habit);
+    edit("stages/one/habits.lua", faster, habit);
     lands(&s, 1600, &demo.start);
     at(&s, 1600);
     assert_true(session_close(&s));
@@ -428,12 +428,12 @@ static void bad_edits(void **state)
     (void)state;
     open_session(&s, false, NULL);
     play_to(&s, 1000);
-    edit("stages/habits.lua", habit, "n = = 2");
-    keeps(&s, "stages/habits.lua:20:");
-    edit("stages/habits.lua", "n = = 2", "n = 'two' }"); /* found where it is called, in the run */
-    keeps(&s, "stages/habits.lua:19: pattern.aimed: n: expected");
+    edit("stages/one/habits.lua", habit, "n = = 2");
+    keeps(&s, "stages/one/habits.lua:40:");
+    edit("stages/one/habits.lua", "n = = 2", "n = 'two' }"); /* found where it is called, in the run */
+    keeps(&s, "stages/one/habits.lua:38: pattern.aimed: n: expected");
     assert_non_null(strstr(s.err, "of the run)"));
-    edit("stages/habits.lua", "n = 'two' }", habit);
+    edit("stages/one/habits.lua", "n = 'two' }", habit);
     edit("main.lua", "boot.run", "boot.ran");
     keeps(&s, "main.lua:");
     edit("main.lua", "boot.ran", "boot.run");
@@ -453,7 +453,7 @@ static void mends_a_fault(void **state)
     struct cart its;
 
     (void)state;
-    edit("stages/habits.lua", habit, "n = 'two' }");
+    edit("stages/one/habits.lua", habit, "n = 'two' }");
     assert_true(rom_image_load(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
     assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
     while (!board_last(session_board(&s))->fault)
@@ -465,7 +465,7 @@ static void mends_a_fault(void **state)
     assert_null(board_last(session_board(&s))->fault);
     at(&s, frame - 10);
     session_goto(&s, frame);
-    edit("stages/habits.lua", "n = 'two' }", habit);
+    edit("stages/one/habits.lua", "n = 'two' }", habit);
     assert_true(session_reload(&s, dir, false));
     get_there(&s);
     at(&s, frame);
@@ -484,10 +484,10 @@ static void reloads_a_playback(void **state)
     open_session(&s, true, NULL);
     session_goto(&s, 1200);
     get_there(&s);
-    edit("stages/habits.lua", habit, faster);
+    edit("stages/one/habits.lua", habit, faster);
     lands(&s, 1200, &demo.start);
     assert_ptr_equal(s.demo, &demo);
-    edit("stages/habits.lua", faster, habit);
+    edit("stages/one/habits.lua", faster, habit);
     lands(&s, 1200, &demo.start);
     at(&s, 1200);
     session_goto(&s, 1300);
@@ -508,11 +508,11 @@ static void watches(void **state)
     assert_false(folder_open(&f, "/nowhere/at/all"));
     assert_true(folder_open(&f, dir));
     assert_false(folder_changed(&f) || folder_changed(&f));
-    edit("stages/habits.lua", habit, faster);
+    edit("stages/one/habits.lua", habit, faster);
     assert_false(folder_changed(&f)); /* seen once */
     assert_true(folder_changed(&f));
     assert_false(folder_changed(&f));
-    edit("stages/habits.lua", faster, habit);
+    edit("stages/one/habits.lua", faster, habit);
     assert_false(folder_changed(&f));
     snprintf(name, sizeof name, "%s/art/new.png", dir);
     assert_true(plat_save(name, "x", 1));

@@ -82,6 +82,12 @@ static void all_views(struct rig *r)
 
 static long covered, behind, mixed;
 
+/* Where the table of shades of the palette that is loaded stands. */
+static const uint8_t **shades_at(struct board *b)
+{
+    return b->cart.has_looks ? &b->cart.looks[board_palette(b)].shades : &b->cart.main.shades;
+}
+
 /* What covers the background is what is the same whatever that is shown as. There the dim changes nothing, else it
  * shows the table's entry; but for what is mixed with what is behind, of which a game with blends has a little. */
 static void dims(struct rig *r)
@@ -89,7 +95,7 @@ static void dims(struct rig *r)
     static struct picture plain, a, b, dimmed;
     static uint8_t one[CART_SHADES], other[CART_SHADES];
     const struct manifest *m = &r->b->cart.m;
-    const uint8_t *made = r->b->cart.shades, *shades = made ? made : shade_for(&kept, &r->game->cart);
+    const uint8_t **at = shades_at(r->b), *made = *at, *shades = made ? made : shade_for(&kept, &r->game->cart);
     struct view view = { .dim = VIEW_DIM_QUARTER, .shades = one };
 
     if (screen_dim(&r->b->screen, r->b->core.frame)) /* it moves entries */
@@ -97,11 +103,11 @@ static void dims(struct rig *r)
     memset(one, 0x30, sizeof one); /* the ends of two ramps: few blends show both as one */
     memset(other, 0xcf, sizeof other);
     draw(r, NULL, VIEW_AS_EVER, &plain);
-    r->b->cart.shades = one;
+    *at = one;
     draw(r, &view, VIEW_AS_EVER, &a);
-    r->b->cart.shades = other;
+    *at = other;
     draw(r, &view, VIEW_AS_EVER, &b);
-    r->b->cart.shades = made;
+    *at = made;
     for (int dim = VIEW_DIM_QUARTER; dim < VIEW_DIMS; dim++) {
         view = (struct view){ .dim = (enum view_dim)dim, .shades = shades };
         draw(r, &view, VIEW_AS_EVER, &dimmed);
@@ -134,8 +140,8 @@ static void play(const char *name, const char *section, const char *demo, uint32
 
     rig_folder(&g, name);
     shade_make(cart_palette(&g.cart, "main"), made);
-    assert_non_null(g.cart.shades); /* what is packed has them */
-    assert_memory_equal(g.cart.shades, made, CART_SHADES);
+    assert_non_null(g.cart.main.shades); /* what is packed has them */
+    assert_memory_equal(g.cart.main.shades, made, CART_SHADES);
     if (section)
         snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     for (int i = 0; i < g.cart.m.n_dips; i++)
@@ -296,7 +302,7 @@ static void test_none(void **state)
     (void)state;
     things_power(&g, &r);
     rig_run(&r, 2);
-    assert_null(g.cart.shades);
+    assert_null(g.cart.main.shades);
     draw(&r, NULL, VIEW_AS_EVER, &plain);
     draw(&r, &view, VIEW_AS_EVER, &p);
     same("no tables", &r, &plain, &p);

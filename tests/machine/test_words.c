@@ -122,11 +122,11 @@ static void test_boss(void **state)
 
     (void)state;
     boss_with(&m, "\xc3\x89t\xc3\xa9");
-    row_is(4, 1,
+    row_is(5, 1,
            "\xc9t\xe9\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2"
            "1144"); /* and the clock's lower half */
-    row_is(5, 7, "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9");
-    row_is(6, 23, "\xe9toil\xe9");
+    row_is(6, 7, "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9");
+    row_is(7, 23, "\xe9toil\xe9");
     end();
     m.field_w = 160;
     boss_with(&m, "\xc3\x89t\xc3\xa9 \xc3\x89t\xc3\xa9 \xc3\x89t\xc3\xa9 \xc3\x89t\xc3\xa9");

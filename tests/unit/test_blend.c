@@ -37,7 +37,7 @@ static int wanted(const uint8_t *rgb, int under, int over, int mix)
 static void check(const uint8_t *rgb, int mix)
 {
     memset(table, 0xaa, sizeof table);
-    assert_true(blend_make(&rgb, 1, mix, table));
+    assert_true(blend_make(rgb, mix, table));
     for (int under = 0; under < 256; under++)
         for (int over = 0; over < 256; over++)
             assert_int_equal(table[under * 256 + over], wanted(rgb, under, over, mix));
@@ -69,41 +69,14 @@ static void random_palettes(void **state)
     }
 }
 
-/* One table for several palettes: where two entries are equally good in the first, the second one decides; and
- * palettes that are all the same change nothing. */
-static void several_palettes(void **state)
-{
-    static uint8_t one[CART_PALETTE], two[CART_PALETTE], alone[CART_BLEND];
-    const uint8_t *both[] = { one, two }, *same[] = { one, one, one };
-
-    (void)state;
-    art_default_palette(one);
-    memcpy(two, one, sizeof two);
-    memset(one + 3 * 17, 200, 3);
-    memset(one + 3 * 40, 200, 3); /* entry 40 is as entry 17 is, in the first alone */
-    memset(two + 3 * 40, 200, 3);
-    memset(two + 3 * 17, 9, 3);
-    for (int i = 0; i < 3; i++) {
-        one[3 * 1 + i] = two[3 * 1 + i] = 100;
-        one[3 * 2 + i] = two[3 * 2 + i] = 100;
-    }
-    assert_true(blend_make(both, 2, BLEND_ADD, table));
-    assert_int_equal(table[1 * 256 + 2], 40);
-    assert_true(blend_make(both, 1, BLEND_ADD, alone));
-    assert_true(blend_make(same, 3, BLEND_ADD, table));
-    assert_memory_equal(alone, table, sizeof table);
-    assert_int_equal(alone[1 * 256 + 2], 17);
-}
-
 /* Of ramps: what the rule says, whatever the colours. */
 static void of_ramps(void **state)
 {
     static const uint8_t black[CART_PALETTE];
-    const uint8_t *rgb = black;
 
     (void)state;
     for (int rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
-        assert_true(blend_make(&rgb, 1, BLEND_RULE + BLIT_RAMP_ADD - rule, table));
+        assert_true(blend_make(black, BLEND_RULE + BLIT_RAMP_ADD - rule, table));
         for (int i = 0; i < CART_BLEND; i++)
             assert_int_equal(table[i], blit_ramp((enum blit_mix)rule, (uint8_t)(i >> 8), (uint8_t)i));
     }
@@ -142,8 +115,11 @@ static void ends(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(default_palette), cmocka_unit_test(random_palettes), cmocka_unit_test(several_palettes),
-        cmocka_unit_test(of_ramps),        cmocka_unit_test(equal_colours),   cmocka_unit_test(ends),
+        cmocka_unit_test(default_palette),
+        cmocka_unit_test(random_palettes),
+        cmocka_unit_test(of_ramps),
+        cmocka_unit_test(equal_colours),
+        cmocka_unit_test(ends),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -13,9 +13,11 @@
 #include "../../src/base/hash.h"
 #include "../../src/board/rom/cart.h"
 #include "../../src/board/api/eval.h"
-#include "../../src/board/machine.h"
+#include "../../src/board/video.h"
 #include "../../src/board/std.h"
 #include "../../src/cab/pack/pack.h"
+#include "../../src/cab/tables/blend.h"
+#include "../../src/cab/tables/shade.h"
 #include "../temp.h"
 
 enum { PATH = 512 };
@@ -579,6 +581,79 @@ static void test_blends(void **state)
     rom_image_free(&again);
 }
 
+/* A palette with the colours of p.png from the other end. */
+static void put_turned(const char *name)
+{
+    uint32_t argb[256];
+
+    for (int i = 0; i < 256; i++)
+        argb[i] = colour(255 - i);
+    put_picture(name, argb, 16, 16);
+}
+
+/* A palette has tables of its own where they differ from those of the first; one of the same colours, and a blend of
+ * ramps, have none. */
+static void test_own_tables(void **state)
+{
+    struct rom_image image;
+    uint8_t *table = malloc(CART_BLEND), shades[CART_SHADES];
+
+    (void)state;
+    put_game("return { palette = 'p.png', palettes = { dusk = 'd.png', same = 'p.png' },"
+             "  blends = { glow = 'add', ramp = { ramp = 'add' } } }");
+    put_palette("p.png");
+    put_turned("d.png");
+    image = packed(false);
+    const uint8_t *dusk = find(&image.rom, "palette/dusk").data, *main = find(&image.rom, "palette/main").data;
+    assert_non_null(table);
+    assert_true(blend_make(dusk, BLEND_ADD, table));
+    assert_memory_equal(find(&image.rom, "blends/dusk/glow").data, table, CART_BLEND);
+    assert_true(blend_make(main, BLEND_ADD, table));
+    assert_memory_equal(find(&image.rom, "blend/glow").data, table, CART_BLEND);
+    shade_make(dusk, shades);
+    assert_memory_equal(find(&image.rom, "shades/dusk").data, shades, CART_SHADES);
+    assert_int_equal(rom_find(&image.rom, "shades/same"), -1);
+    assert_int_equal(rom_find(&image.rom, "blends/same/glow"), -1);
+    assert_int_equal(rom_find(&image.rom, "blends/dusk/ramp"), -1);
+    rom_image_free(&image);
+    free(table);
+}
+
+/* Tables and fog after these lines are those of that palette. */
+static void shown_as(const char *lines, const char *palette)
+{
+    static uint8_t fog[BG_SHADES * 256];
+    struct bed t = bed_open(lines);
+
+    t.b->cart.rom = &t.image.rom; /* it has moved */
+    assert_string_equal(cart_palette_name(&t.b->cart, board_palette(t.b)), palette);
+    const struct cart_look look = video_look(t.b);
+    const bool main = !strcmp(palette, "main");
+    assert_ptr_equal(look.shades, find(&t.image.rom, main ? "shades" : "shades/dusk").data);
+    assert_ptr_equal(look.blend[0], find(&t.image.rom, main ? "blend/glow" : "blends/dusk/glow").data);
+    bg_shade(fog, cart_palette(&t.b->cart, palette), 0x123456);
+    assert_memory_equal(t.b->bg_shades.to + BG_FOG_TABLES, fog, sizeof fog);
+    bed_close(&t);
+}
+
+static void test_loaded(void **state)
+{
+    (void)state;
+    put_game("return { palette = 'p.png', palettes = { dusk = 'd.png' }, blends = { glow = 'add' },"
+             "  maps = { m = { tiles = 's.png', bank = 3, rows = { { 1 } } } } }");
+    put_palette("p.png");
+    put_turned("d.png");
+    put_picture("s.png", (uint32_t[256]){ 0 }, 16, 16);
+#define FOG "bg.plane().fog = { to = 0x123456, far = 100 } "
+    shown_as(FOG, "main");
+    shown_as("palette.load('dusk') " FOG, "dusk");
+    shown_as(FOG "palette.load('dusk')", "dusk");
+    shown_as("palette.load('dusk') " FOG "palette.load('main')", "main");
+    shown_as(FOG "palette.fade { to = 'dusk', over = 20 }", "dusk");
+    shown_as("palette.load('dusk') " FOG "palette.fade { to = 0xffffff, over = 20 }", "dusk");
+    shown_as("palette.load('dusk') " FOG "palette.fade { to = 0, over = 20 } palette.set(33, 0)", "dusk");
+}
+
 static const char art_manifest[] =
     "return { palette = 'p.png', sheets = { s = { file = 'art/s.png', bank = 3 } }, sprites = {\n"
     "  two = { sheet = 's', x = 1, y = 1, w = 3, h = 2, frames = 2, every = 9, origin = { -1, 2 } } } }";
@@ -1070,16 +1145,38 @@ static void test_unpack_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(test_smallest),   TEST(test_what_goes_in),     TEST(test_same_bytes),
-        TEST(test_std),        TEST(test_palette),          TEST(test_blends),
-        TEST(test_sprite),     TEST(test_half_transparent), TEST(test_foreign_colour),
-        TEST(test_turned),     TEST(test_two_sheets),       TEST(test_too_large),
-        TEST(test_id),         TEST(test_many_turns),       TEST(test_font),
-        TEST(test_art_errors), TEST(test_too_large_turned), TEST(test_errors),
-        TEST(test_long_name),  TEST(test_long_text),        TEST(test_load),
-        TEST(test_list),       TEST(test_unpack),           TEST(test_unpack_refuses),
-        TEST(test_pieces),     TEST(test_modules),          TEST(test_library),
-        TEST(test_price),      TEST(test_globals),          TEST(test_not_here),
+        TEST(test_smallest),
+        TEST(test_what_goes_in),
+        TEST(test_same_bytes),
+        TEST(test_std),
+        TEST(test_palette),
+        TEST(test_blends),
+        TEST(test_own_tables),
+        TEST(test_loaded),
+        TEST(test_sprite),
+        TEST(test_half_transparent),
+        TEST(test_foreign_colour),
+        TEST(test_turned),
+        TEST(test_two_sheets),
+        TEST(test_too_large),
+        TEST(test_id),
+        TEST(test_many_turns),
+        TEST(test_font),
+        TEST(test_art_errors),
+        TEST(test_too_large_turned),
+        TEST(test_errors),
+        TEST(test_long_name),
+        TEST(test_long_text),
+        TEST(test_load),
+        TEST(test_list),
+        TEST(test_unpack),
+        TEST(test_unpack_refuses),
+        TEST(test_pieces),
+        TEST(test_modules),
+        TEST(test_library),
+        TEST(test_price),
+        TEST(test_globals),
+        TEST(test_not_here),
         TEST(test_sized),
     };
 

@@ -452,7 +452,7 @@ static void test_cart_blends(void **state)
     assert_true(open_blends(&f, 3, CART_BLEND, &cart, &rom, &b, err, sizeof err));
     assert_int_equal(cart.blends, 3);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(cart.blend[i][65535], i + 1);
+        assert_int_equal(cart.main.blend[i][65535], i + 1);
         assert_int_equal(cart_find_blend(&cart, cart_blend_name(&cart, i)), i);
     }
     assert_string_equal(cart_blend_name(&cart, 2), "c/d");
@@ -490,8 +490,8 @@ static void test_cart_shades(void **state)
         b = make(lumps, there ? FULL + 1 : FULL);
         opened(&rom, b);
         assert_int_equal(cart_open(&cart, &rom, err, sizeof err), good);
-        assert_true(!good || (cart.shades != NULL) == there);
-        assert_true(!good || !there || cart.shades[CART_SHADES - 1] == 77);
+        assert_true(!good || (cart.main.shades != NULL) == there);
+        assert_true(!good || !there || cart.main.shades[CART_SHADES - 1] == 77);
         free(b.p);
     }
     assert_string_equal(err, "lump \"shades\": 769 bytes long, expected 768");

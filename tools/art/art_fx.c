@@ -132,8 +132,8 @@ static void ring(struct sheet *s, int x, int y, int size, double t)
 
 /* -- sherds: the creatures' bank, of every stage; 2..9 glass, 15 the light on it -- */
 
-/* A flat piece of glass that turns about an axis of its own while it spins; its face flashes where it meets the
- * light. */
+/* A flat piece of glass that turns about an axis of its own while it spins; it is dark, so that it is no bullet, and
+ * glows a little where it meets the light. */
 static void sherd(struct sheet *s, int x, int y, int size, double turn, int n, const double *xy)
 {
     double flat = art_cos(turn), c = art_cos(turn * 1.0 + 0.1), q = art_sin(turn * 1.0 + 0.1), points[12];
@@ -145,12 +145,12 @@ static void sherd(struct sheet *s, int x, int y, int size, double turn, int n, c
         points[2 * i] = px * c - py * q;
         points[2 * i + 1] = px * q + py * c;
     }
-    int hi = lit > 0.9 ? 9 : 4 + (int)(5 * lit), lo = hi - 3;
+    int hi = lit > 0.9 ? 6 : 4 + (int)(2 * lit), lo = hi - 2;
     paint_poly(p, (struct mat){ GLASS, lo, hi, 0.1 }, n, points, size * 0.16);
     paint_done(p, s, x, y, 0, 0);
     for (int i = 0; lit > 0.9 && i < size * size; i++) {
         if (sheet_get(s, x + i % size, y + i / size) >= hi - (flat > 0))
-            sheet_set(s, x + i % size, y + i / size, 15);
+            sheet_set(s, x + i % size, y + i / size, 7);
     }
 }
 
@@ -207,6 +207,72 @@ struct sheet art_lights(void)
         ring(&s, RING * i, FLARE, RING, (i + 0.4) / RINGS);
         ring(&s, WAVE * i, FLARE + RING, WAVE, (i + 0.4) / RINGS);
     }
+    return s;
+}
+
+/* Light that runs over the logo: what a slanting band covers of it, white in its middle. */
+struct sheet art_logo_light(void)
+{
+    struct sheet logo = art_logo(), s = sheet_new(logo.w * RINGS, logo.h, 15);
+
+    for (int k = 0; k < RINGS; k++)
+        for (int i = 0; i < logo.w * logo.h; i++) {
+            int x = i % logo.w, y = i / logo.w, shade = sheet_get(&logo, x, y);
+            double at = (k + 0.5) / RINGS * (logo.w + 80) - 20, off = fabs(x + y * 0.5 - at) / 15;
+            if (shade > 1 && off + 0.6 * threshold(x, y) < 1)
+                sheet_set(&s, logo.w * k + x, y, off < 0.4 ? 15 : shade < 10 ? 9 : 14);
+        }
+    sheet_free(&logo);
+    return s;
+}
+
+/* A float of glass in its ring of rope: a bomb, as the craft keeps them. */
+static void glass_float(struct sheet *s, int x0, int y0)
+{
+    static const char *const rows[] = { "....111....", "....1D1....", "..1111111..", ".1CCAA9751.",
+                                        "1CDDA998751", "1CFDA998751", "1CDAA998751", "1AAA9988751",
+                                        "19998887551", ".197775551.", "..1111111.." };
+
+    for (int y = 0; y < (int)(sizeof rows / sizeof *rows); y++)
+        for (int x = 0; rows[y][x]; x++) {
+            const char c = rows[y][x];
+            if (c != '.')
+                sheet_set(s, x0 + x, y0 + y, c >= 'A' ? c - 'A' + 10 : c - '0');
+        }
+}
+
+/* What is found, a row each: pearl, conch and heart, over which a light runs in the first half of their frames; and
+ * below them a bomb. */
+struct sheet art_gems(void)
+{
+    enum { GEM = 16, GEMS = 3, GEM_FRAMES = 10 };
+    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * (GEMS + 1), 0);
+
+    for (int k = 0; k < GEM_FRAMES * GEMS; k++)
+        for (int i = 0; i < GEM * GEM; i++) {
+            int frame = k % GEM_FRAMES, x = i % GEM, y = i / GEM;
+            int shade = sheet_get(&finds, k / GEM_FRAMES * GEM + x, y);
+            double off = fabs(x + y * 0.7 - (frame * 7 - 4));
+            bool lit = shade > 2 && frame < 5 && off < 2.6;
+            sheet_set(&s, frame * GEM + x, k / GEM_FRAMES * GEM + y, lit ? off < 1.4 ? 15 : 13 : shade);
+        }
+    glass_float(&s, 0, GEM * GEMS);
+    sheet_free(&finds);
+    return s;
+}
+
+/* Where a boss is, at the lower edge: an arrow that points up at it. */
+struct sheet art_marker(void)
+{
+    struct sheet s = sheet_new(2 * 24, 10, 1);
+
+    for (int k = 0; k < 2; k++)
+        for (int y = 0; y < 10; y++)
+            for (int x = 0; x < 24; x++) {
+                double d = fabs(x - 11.5), rim = d - y * 1.2;
+                if (rim < 0.8)
+                    sheet_set(&s, 24 * k + x, y, rim > -0.6 || y == 9 ? 1 : y > 6 ? 4 : (k ? 13 : 9) - (int)(d / 4));
+            }
     return s;
 }
 

@@ -118,6 +118,27 @@ static void debris(struct sheet *s)
     paint_done(p, s, 0, 0, 1, 0);
 }
 
+/* Splinters of glass that the tide has left, in heaps; they glimmer, for their shades go round. */
+static void splinters_in_sand(struct sheet *s)
+{
+    struct paint *p = paint_new(240, 320);
+    for (int copy = -1; copy <= 1; copy++) {
+        uint32_t seed = 51;
+        for (int i = 0; i < 11; i++) {
+            double x = pick(&seed, -104, 104), y = pick(&seed, -160, 160) + copy * 320;
+            for (int k = 0; k < 5; k++) {
+                double turn = pick(&seed, 0, 1), far = pick(&seed, 2, 13), long_by = pick(&seed, 2.4, 6.5);
+                double cx = x + art_cos(turn) * far, cy = y + art_sin(turn) * far * 0.7, lean = pick(&seed, 0, 1);
+                double ux = art_cos(lean) * long_by, uy = art_sin(lean) * long_by;
+                double shard[] = { cx - ux, cy - uy, cx + uy * 0.35, cy - ux * 0.35,
+                                   cx + ux, cy + uy, cx - uy * 0.25, cy + ux * 0.25 };
+                paint_poly(p, (struct mat){ GLASS, 13, 15, k % 2 ? -0.1 : 0.05 }, 4, shard, 1.2);
+            }
+        }
+    }
+    paint_done(p, s, 0, 0, 1, 0);
+}
+
 /* Moonlight bent by the waves far above: the borders between cells of scattered points, on a bent grid. */
 static void caustics(struct sheet *s, int y0)
 {
@@ -153,6 +174,7 @@ struct sheet art_floor(void)
     struct sheet s = sheet_new(240, 640, 13);
     sand(&s);
     debris(&s);
+    splinters_in_sand(&s);
     caustics(&s, 320);
     return s;
 }

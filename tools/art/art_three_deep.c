@@ -119,7 +119,7 @@ static void glow(struct sheet *s)
     for (int v = 0; v < LIGHT; v++) {
         for (int u = 0; u < LIGHT; u++) {
             double dx = u + 0.5 - half, dy = v + 0.5 - half, d = sqrt(dx * dx + dy * dy) / half;
-            double shade = d < 1 ? 2.5 * (1 - d) * (1 - 0.35 * d) : 0;
+            double shade = d < 1 ? 1.9 * (1 - d) * (1 - 0.35 * d) : 0;
             sheet_set(s, u, v, (int)(shade + order[v & 3][u & 3]));
         }
     }

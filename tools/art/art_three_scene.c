@@ -83,7 +83,7 @@ struct sheet art_trench(void)
     splinters(p, 100, -108, &seed);
     paint_done(p, &s, 0, 0, 1, 0);
     for (int i = 0; i < GROUND * GROUND; i++) /* the fog knows slate alone */
-        s.px[i] = s.px[i] == 13 ? 10 : s.px[i] > 12 ? 12 : s.px[i];
+        s.px[i] = s.px[i] > 12 ? 2 * s.px[i] - 18 : s.px[i];
     return s;
 }
 
@@ -176,7 +176,7 @@ static void water(struct sheet *s, int y0)
                    bend = 0.16 * art_sin(2 * v + u) + 0.1 * art_sin(u * 3 - v);
             double fold = art_sin(3 * v + bend * 2 + u) + 0.8 * art_sin(2 * u + 2 * v + bend * 3) +
                           0.5 * art_sin(5 * v - u + bend);
-            sheet_set(s, x, y0 + y, (int)art_clamp(2.6 + fold * 1.2 + order[y & 1][x & 1], 1, 7));
+            sheet_set(s, x, y0 + y, (int)art_clamp(2.2 + fold * 0.95 + order[y & 1][x & 1], 1, 5));
         }
     }
 }

@@ -307,7 +307,12 @@ static void ingot(struct sheet *s, int x0, int y0)
             double u = x + 0.5 - 10, v = y + 0.5 - 10, side = v < 0 ? -v : v, along = u < 0 ? -u : u;
             double dx = 9.6 - along, dy = 4.8 - side - (along > 6 ? (along - 6) * 0.5 : 0), d = dx < dy ? dx : dy;
             if (d > 0)
-                sheet_set(s, x0 + x, y0 + y, d < 0.9 ? 2 : d < 1.8 ? (v < 0 ? 11 : 7) : d < 2.7 ? 12 : 15);
+                sheet_set(s, x0 + x, y0 + y,
+                          d < 0.9   ? 2
+                          : d < 1.9 ? 8
+                          : d < 2.8 ? (v < 0 ? 11 : 9)
+                          : d < 3.6 ? 13
+                                    : 15);
         }
 }
 

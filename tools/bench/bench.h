@@ -22,6 +22,7 @@ void section_lasers(void);
 void section_together(void);
 void section_threads(void);
 void section_game(void);
+void section_games(void);
 void section_rewind(void);
 void section_replay(void);
 void section_memory(void);

@@ -1,6 +1,9 @@
 /*
- * game.c - sections "game", the built-in game as its demo plays it, and "memory", what boards and bullets take.
+ * game.c - sections "game", the built-in game as its demo plays it, "games", all its whole games, and "memory", what
+ * boards and bullets take.
  */
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "bench.h"
@@ -180,6 +183,55 @@ void section_game(void)
                  both.slowest >= 1000);
     free(ns);
     demo_free(&demo);
+    rom_image_free(&image);
+}
+
+/* ---- whole games ---- */
+
+/* A row: one of tests/demos/glasstide. Returns frames a second, drawn, in its slowest window. */
+static double whole_game(const struct rom *rom, const char *name)
+{
+    static struct demo demo;
+    char path[256], err[512];
+
+    snprintf(path, sizeof path, "tests/demos/glasstide/%s.demo", name);
+    if (!demo_load(&demo, path, err, sizeof err))
+        report_fail(err);
+    double *ns = malloc((size_t)demo.frames * RUNS * 2 * sizeof *ns);
+    if (!ns)
+        report_fail("out of memory");
+    play(rom, &demo, ns);
+    const struct pace tick = pace_of(ns, demo.frames, 0), both = pace_of(ns, demo.frames, 1);
+    report_row(0, name, report_count(demo.frames), report_count((int64_t)tick.all), report_count((int64_t)both.all),
+               report_count((int64_t)both.slowest), report_count(both.at / SECOND), NULL);
+    free(ns);
+    demo_free(&demo);
+    return both.slowest;
+}
+
+void section_games(void)
+{
+    static const char *const names[] = { "clear-easy",  "clear-normal", "clear-hard",
+                                         "clear-abyss", "two-players",  "lose" };
+    double slowest = INFINITY;
+    struct rom_image image;
+    char err[512];
+
+    if (!rom_image_load(BENCH_GAME, false, &image, err, sizeof err))
+        report_fail(err);
+    report_section("Whole games");
+    report_text("Each recorded game of `tests/demos/glasstide`: frames a second, each frame's median of %d runs, of "
+                "which two boards, one that draws and one that does not, take a second each in turn.",
+                RUNS);
+    report_table(NULL,
+                 "| frames> | ticks a second> | and drawn> | in the slowest 600 frames> | which begin at second>");
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const double now = whole_game(&image.rom, names[i]);
+        slowest = now < slowest ? now : slowest;
+    }
+    report_table_end();
+    bench_target("the slowest 600 frames of all whole games, drawn", "3,000 frames a second",
+                 report_count((int64_t)slowest), slowest >= 3000);
     rom_image_free(&image);
 }
 

@@ -31,7 +31,8 @@ static const struct report_part SECTIONS[] = {
     { "prices", clocked_prices },   { "battle", clocked_battle },     { "pictures", clocked_pictures },
     { "lasers", clocked_lasers },   { "together", clocked_together }, { "threads", clocked_threads },
     { "game", section_game },       { "rewind", section_rewind },     { "replay", section_replay },
-    { "memory", section_memory },   { "sound", section_sound },       { "guards", section_guards },
+    { "games", section_games },     { "memory", section_memory },     { "sound", section_sound },
+    { "guards", section_guards },
 };
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 

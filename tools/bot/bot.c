@@ -5,12 +5,15 @@
  *     --ship NAME     with that kind of player; a second one is player 2's,
  *     --players 2     in two
  *     --form WORD     the ship is NAME_WORD
+ *     --first STAGE   which begins with that stage
+ *     --wait N        frames until the title is there (150), before anything is pressed
  *     --stage S       practice start instead of the title
  *     --frames N      stop after N frames (default 20000)
  *     --finish        stop two seconds after a score was entered into a table
  *     --seed N        seed
  *     --deaths N      let the first N bullets that come hit (a run with deaths in it)
- *     --lose          dodge for half a minute, then no more, and do not continue
+ *     --lose SECONDS  dodge for so long, then no more, and do not continue
+ *     --after DEMO    with the scores and what is unlocked at the end of that demo
  *     --prints WORD   auto, every, seconds: as curtain's option
  *     --quiet         no report
  *
@@ -32,8 +35,8 @@
 struct wanted {
     struct menus_wish wish;
     struct pilot pilot;
-    const char *stage, *difficulty, *form;
-    uint32_t frames;
+    const char *stage, *difficulty, *form, *after;
+    uint32_t frames, wait;
     uint64_t seed;
     int prints, ships;
     bool quiet;
@@ -70,8 +73,6 @@ static int take(struct wanted *w, char **argv, const char *more)
 
     if (!strcmp(word, "--finish"))
         return w->pilot.finish = true;
-    if (!strcmp(word, "--lose"))
-        return w->pilot.lose = true;
     if (!strcmp(word, "--quiet"))
         return w->quiet = true;
     if (!more)
@@ -80,8 +81,16 @@ static int take(struct wanted *w, char **argv, const char *more)
         w->frames = (uint32_t)atoi(more);
     else if (!strcmp(word, "--stage"))
         w->stage = more;
+    else if (!strcmp(word, "--first"))
+        w->wish.first = more;
+    else if (!strcmp(word, "--wait"))
+        w->wait = (uint32_t)atoi(more);
     else if (!strcmp(word, "--seed"))
         w->seed = (uint64_t)atoll(more);
+    else if (!strcmp(word, "--lose"))
+        w->pilot.lose = atoi(more);
+    else if (!strcmp(word, "--after"))
+        w->after = more;
     else if (!strcmp(word, "--deaths"))
         w->pilot.deaths = atoi(more);
     else if (!strcmp(word, "--difficulty"))
@@ -113,6 +122,30 @@ static void wish(struct wanted *w, const struct manifest *m)
             snprintf(w->ship[p] + n, sizeof w->ship[p] - n, "_%s", w->form);
         w->wish.ship[p] = w->ship[p];
     }
+}
+
+/* What a demo leaves in nvram becomes that of the start. */
+static void take_nvram(struct run *r, const struct rom *rom, const char *path)
+{
+    struct trial t;
+    struct demo d;
+    char err[512];
+    size_t size;
+
+    if (!demo_load(&d, path, err, sizeof err) || !demo_fits(&d, r->cart, err, sizeof err) ||
+        !trial_open(&t, rom, &d.start, err, sizeof err))
+        bot_fail(err);
+    for (uint32_t f = 0; f < d.frames; f++)
+        trial_tick(&t, d.pads[f]);
+    const uint8_t *nvram = board_nvram(t.b, &size, &(uint32_t){ 0 });
+    uint8_t *copy = malloc(size + 1);
+    if (!copy)
+        bot_fail("out of memory");
+    memcpy(copy, nvram, size);
+    r->start.nvram = copy;
+    r->start.nvram_size = size;
+    trial_close(&t);
+    demo_free(&d);
 }
 
 /* From power-on once more, into the demo; and what happens in it. */
@@ -150,7 +183,7 @@ static void play(struct run *r, struct wanted *w)
 
     w->pilot.r = r;
     if (wished && !w->stage) {
-        for (int f = 0; f < 150; f++) /* the title comes */
+        for (uint32_t f = 0; f < w->wait; f++)
             run_tick(r, (const uint16_t[PADS]){ 0 });
         if (!menus_enter(r, &w->wish))
             bot_fail("no way through the menus was found to such a game");
@@ -160,7 +193,7 @@ static void play(struct run *r, struct wanted *w)
 
 int main(int argc, char **argv)
 {
-    struct wanted w = { .frames = 20000, .seed = 1, .wish.players = 1 };
+    struct wanted w = { .frames = 20000, .wait = 150, .seed = 1, .wish.players = 1 };
     struct run r = { .quiet = false };
     struct tally t = { 0 };
     struct rom_image image;
@@ -180,6 +213,8 @@ int main(int argc, char **argv)
     for (int i = 0; i < cart.m.n_dips; i++)
         r.start.dip[i] = cart.m.dips[i].value;
     r.cart = &cart;
+    if (w.after)
+        take_nvram(&r, &image.rom, w.after);
     r.limit = w.frames;
     r.quiet = w.quiet;
     r.pads = calloc(w.frames + 1, sizeof *r.pads);

@@ -29,6 +29,7 @@ struct menus_wish {
     const char *ship[PADS]; /* kinds of players; NULL: any */
     int difficulty;         /* an index; -1: any */
     int players;
+    const char *first; /* stage; NULL: any */
 };
 
 /* Looks for what to press from where the run is until a game begins as it is wished, and presses it. False: no way was
@@ -40,7 +41,7 @@ bool menus_enter(struct run *r, const struct menus_wish *wish);
 struct pilot {
     struct run *r;
     int deaths;                            /* so often it lets itself be hit, before it begins to dodge */
-    bool lose;                             /* after a minute it dodges no more, and never goes on */
+    int lose;                              /* after so many seconds it dodges no more, and never goes on; 0: it does */
     bool finish;                           /* it stops two seconds after a score was entered */
     unsigned bombs, specials, hits, backs; /* what it came to */
 };

@@ -45,6 +45,7 @@ struct work {
     int places;
     struct forecast forecast;
     uint16_t guess[AHEAD][PADS];
+    bool eager; /* to be under what can be shot */
     uint32_t taste, back, tried, furthest, special;
 };
 
@@ -134,7 +135,7 @@ static void plan_for(struct work *w, int p, const struct trial_mark *at, uint32_
         w->guess[f][p] = 0;
     if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, ship.way.x, ship.way.y)) {
         reach_back(&r);
-        plan_make(&plan, &r, ship.way.x, ship.way.y, WAYS, w->taste, true);
+        plan_make(&plan, &r, ship.way.x, ship.way.y, WAYS, w->taste, w->eager ? 2 : 1);
         for (uint32_t f = 0; f < plan.frames && f < AHEAD; f++)
             w->guess[f][p] = plan.pads[f];
     }
@@ -166,6 +167,7 @@ static void look(struct work *w, const struct trial_mark *at, uint32_t frames, u
     best->n = 0;
     memset(w->guess, 0, sizeof w->guess);
     for (int k = 0; k < TURNS && best->n < frames; k++) {
+        w->eager = k + 1 < TURNS && !w->tried;
         trial_restore(w->t, at);
         const bool both[PADS] = { steers(w->t->b, 0), steers(w->t->b, 1) };
         for (int p = 0; p < PADS; p++)
@@ -342,7 +344,7 @@ bool pilot_play(struct pilot *p)
         bot_fail("out of memory");
     w->p = p;
     w->t = &p->r->t;
-    const uint32_t lose = p->lose ? board_frame(w->t->b) + 1800 : UINT32_MAX;
+    const uint32_t lose = p->lose ? board_frame(w->t->b) + 60 * (uint32_t)p->lose : UINT32_MAX;
     while (board_frame(w->t->b) < p->r->limit) {
         const struct board *b = w->t->b;
         const uint32_t now = board_frame(b);

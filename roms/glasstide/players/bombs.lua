@@ -1,4 +1,5 @@
--- players/bombs.lua - the three craft's last ways out: the heron's undertow, the petrel's bell, the tern's lamp.
+-- players/bombs.lua - the three craft's last ways out: the heron's undertow, the petrel's bell,
+-- the tern's lamp.
 
 local GREEN <const> = 4
 
@@ -21,8 +22,8 @@ bomb.def("undertow", { over = 90, safe = 150, run = function(p)
   item.group():pull(p)
 end })
 
--- Three strokes: what is near stands still as glass does when it is struck, further out each time, and at last all
--- that stands breaks.
+-- Three strokes: what is near stands still as glass does when it is struck, further out each time,
+-- and at last all that stands breaks.
 local STROKES <const>, APART <const> = 3, 22
 
 local function ring(x, y, radius)
@@ -43,7 +44,9 @@ bomb.def("bell", { over = 120, safe = 170, run = function(p)
     for _, b in ipairs(query.near { what = "bullet", x = x, y = y, radius = radius }) do
       b.frozen = STROKES * APART
     end
-    for _, e in ipairs(query.near { what = "enemy", x = x, y = y, radius = radius }) do e:hurt(16, p) end
+    for _, e in ipairs(query.near { what = "enemy", x = x, y = y, radius = radius }) do
+      e:hurt(16, p)
+    end
     wait(APART)
   end
   sound.play("shatter", { from = p })
@@ -56,8 +59,8 @@ bomb.def("bell", { over = 120, safe = 170, run = function(p)
 end })
 
 -- A broad beam ahead, for as long as the lamp burns; nothing stays in it, and nothing comes near.
-laser.def("lamplight", { strip = "lamp_ray", width = 56, hit = { share = 0.9 }, damage = 5, every = 4,
-                         bank = GREEN, clearable = false, blend = "glow" })
+laser.def("lamplight", { strip = "lamp_ray", width = 56, hit = { share = 0.9 },
+                         damage = 5, every = 4, bank = GREEN, clearable = false, blend = "glow" })
 
 bomb.def("lamp", { over = 130, safe = 160, run = function(p)
   sound.play("lamp_bomb", { from = p })

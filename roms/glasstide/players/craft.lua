@@ -1,10 +1,13 @@
--- players/craft.lua - what all craft share: the dot and halo of focus, beads that fly along, a gauge that is let go,
--- and the registers that are scored. Each craft has two forms, a kind of player each.
+-- players/craft.lua - what all craft share: the dot and halo of focus, beads that fly along, a
+-- gauge that is let go, and the registers that are scored. Each craft has two forms, a kind of
+-- player each.
 local scoring = require "scoring"
 require "players/bombs"
 local items = require "items"
+local lamps = require "lamps"
 
-local craft = { MOST = items.BOMBS, GREEN = 4 } -- bombs that can be kept; the bank of all that a craft fires
+-- Bombs that can be kept; the bank of all that a craft fires.
+local craft = { MOST = items.BOMBS, GREEN = 4 }
 
 local BOMBS <const> = 3 -- in each life
 local HELD <const> = 4  -- frames that a press of special stays good
@@ -27,18 +30,24 @@ end
 local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
 -- A cell off the edges, as the hud; so a talk's plate covers all of them.
-local function show_bombs(set, p, bead)
+local function show_bombs(set, p)
   for i = 1, craft.MOST do
     local x = p.index == 1 and 12 * i + 3 or rom.screen.w - 12 * i - 3
-    local s = keep(set, "bomb" .. i, { sprite = bead, x = x, y = rom.screen.h - 15, screen = true })
-    s.hidden = i > p.bombs
+    local s = keep(set, "bomb" .. i, { sprite = "bomb", bank = craft.GREEN, x = x,
+                                       y = rom.screen.h - 14, screen = true })
+    s.hidden = i > p.bombs or hud.gone[p.index]
   end
 end
 
 local function show_focus(set, p)
   local slow = pad.down("focus", p)
-  keep(set, "halo", { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" }).hidden = not slow
+  local halo = keep(set, "halo",
+                    { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" })
+  halo.hidden = not slow
   keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
+  -- the dot is there faintly at any time: nothing covers where one is hit
+  local faint = keep(set, "faint", { sprite = "dot", follow = p, bank = 1, blend = "ghost" })
+  faint.hidden = slow or p.state ~= "fly"
 end
 
 -- Calls f(thing, beat) each frame while player p fires; beat counts from 0 anew with each press.
@@ -70,9 +79,10 @@ function craft.ray(thing, p, spec)
   end
 end
 
--- Declares a form of a craft: def as of player.def. arms: ship, whose pictures it has; fire(p, beat) and bead(o, beat);
--- or ray(p) and bead_ray(o), which are tasks; bomb; options, as of player.def but for its kind. What is near comes by
--- itself, and all of it if one dares to fly up high.
+-- Declares a form of a craft: def as of player.def. arms: ship, whose pictures it has; fire(p,
+-- beat) and bead(o, beat); or ray(p) and bead_ray(o), which are tasks; bomb; options, as of
+-- player.def but for its kind. What is near comes by itself, and all of it if one dares to fly up
+-- high.
 function craft.def(name, def, arms)
   local bead, ship = name .. "_bead", arms.ship or name
   option.def(bead, { sprite = ship .. "_bead", run = function(o)
@@ -80,6 +90,7 @@ function craft.def(name, def, arms)
     while_firing(o, o.by, arms.bead)
   end })
   def.sprite, def.lives, def.bomb = ship, 3, arms.bomb
+  def.pictures = lamps.pictures(ship)
   def.registers = scoring.registers()
   def.registers.bombs = { start = BOMBS, max = craft.MOST }
   def.options = arms.options
@@ -87,13 +98,15 @@ function craft.def(name, def, arms)
   def.magnet, def.collect_line = 30, 96
   def.run = function(p)
     local set <close> = wardrobe()
+    lamps.wear(p)
     if arms.fire then task.own(p, while_firing, p, arms.fire) end
     if arms.ray then task.own(p, arms.ray, p) end
     while true do
       show_focus(set, p)
-      show_bombs(set, p, ship .. "_bead")
+      show_bombs(set, p)
       scoring.watch(p)
-      if p.gauge >= scoring.NEED and p.state == "fly" and pad.take("special", HELD, p) then scoring.release(p) end
+      local lets_go = p.gauge >= scoring.NEED and p.state == "fly"
+      if lets_go and pad.take("special", HELD, p) then scoring.release(p) end
       wait(1)
     end
   end

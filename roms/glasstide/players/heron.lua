@@ -1,5 +1,5 @@
--- players/heron.lua - Iri's: fast and narrow. Two darts abreast with beads that aim ahead; or a lens, a ray that goes
--- through all that it meets, with threads of light from the beads.
+-- players/heron.lua - Iri's: fast and narrow. Two darts abreast with beads that aim ahead; or a
+-- lens, a ray that goes through all that it meets, with threads of light from the beads.
 local craft = require "players/craft"
 
 shot.def("dart",   { sprite = "dart",   bank = craft.GREEN, hit = { box = { 8, 14 } },
@@ -7,9 +7,9 @@ shot.def("dart",   { sprite = "dart",   bank = craft.GREEN, hit = { box = { 8, 1
 shot.def("sliver", { sprite = "sliver", bank = craft.GREEN, hit = { box = { 6, 10 } },
                     damage = 1, turns = true })
 laser.def("lens", { strip = "lens_ray", width = 12, hit = { share = 0.8 }, damage = 2, every = 3,
-                    bank = craft.GREEN, clearable = false })
+                    bank = craft.GREEN, clearable = false, blend = "glow" })
 laser.def("thread", { strip = "lens_ray", width = 6, hit = { share = 0.8 }, damage = 1, every = 6,
-                      bank = craft.GREEN, clearable = false })
+                      bank = craft.GREEN, clearable = false, blend = "glow" })
 
 local function darts(p, beat)
   if beat % 4 ~= 0 then return end
@@ -53,5 +53,6 @@ craft.def("heron", { hit = { circle = 2 }, graze = 14, speed = 4, focus = 1.8 },
   { fire = darts, bead = bead, bomb = "undertow", options = craft.pairs_of(NEAR, FAR) })
 craft.def("heron_lens", { hit = { circle = 2 }, graze = 14, speed = 3.8, focus = 1.6 },
   { ship = "heron", ray = lens, bead_ray = thread, bomb = "undertow",
-    options = craft.pairs_of({ wide = { { -16, 8 }, { 16, 8 } }, close = { { -7, -12 }, { 7, -12 } } },
-                             { wide = { { -27, 14 }, { 27, 14 } }, close = { { -14, -8 }, { 14, -8 } } }) })
+    options = craft.pairs_of(
+      { wide = { { -16, 8 }, { 16, 8 } }, close = { { -7, -12 }, { 7, -12 } } },
+      { wide = { { -27, 14 }, { 27, 14 } }, close = { { -14, -8 }, { 14, -8 } } }) })

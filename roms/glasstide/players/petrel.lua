@@ -1,9 +1,12 @@
--- players/petrel.lua - Sen's: slower and wide. A fan of fangs that closes while focused, with beads that fire straight;
--- or a swarm of motes that find their way, from the craft and from beads that circle it.
+-- players/petrel.lua - Sen's: slower and wide. A fan of fangs that closes while focused, with
+-- beads that fire straight; or a swarm of motes that find their way, from the craft and from beads
+-- that circle it.
 local craft = require "players/craft"
 
 shot.def("fang",  { sprite = "fang",   bank = craft.GREEN, hit = { box = { 10, 10 } },
                     damage = 1, turns = true })
+shot.def("tusk",  { sprite = "fang",   bank = craft.GREEN, hit = { box = { 10, 10 } },
+                    damage = 2, turns = true })
 shot.def("spine", { sprite = "sliver", bank = craft.GREEN, hit = { box = { 6, 10 } },
                     damage = 2, turns = true })
 shot.def("mote",  { sprite = "mote",   bank = craft.GREEN, hit = { circle = 5 }, damage = 2,
@@ -17,9 +20,10 @@ local hurry = motion.def { { home = 10, over = 60 } }
 local function fangs(p, beat)
   if beat % 6 ~= 0 then return end
   sound.play("fang", { from = p })
-  local step = pad.down("focus", p) and 3 or 8
+  local step = pad.down("focus", p) and 3 or 6
   for i = -2, 2 do
-    shot.fire { kind = "fang", from = p, dx = 3 * i, dy = -10, speed = 9, dir = 270 + step * i }
+    shot.fire { kind = i == 0 and "tusk" or "fang", from = p, dx = 3 * i, dy = -10, speed = 9,
+                dir = 270 + step * i }
   end
 end
 
@@ -28,7 +32,7 @@ local function bead(o, beat)
 end
 
 local function swarm(p, beat)
-  if beat % 7 ~= 0 then return end
+  if beat % 6 ~= 0 then return end
   sound.play("mote", { from = p })
   local out = pad.down("focus", p) and 14 or 42
   for side = -1, 1, 2 do
@@ -45,8 +49,9 @@ end
 
 craft.def("petrel", { hit = { circle = 2.5 }, graze = 18, speed = 3.2, focus = 1.5 },
   { fire = fangs, bead = bead, bomb = "bell",
-    options = craft.pairs_of({ wide = { { -26, 6 }, { 26, 6 } }, close = { { -14, -10 }, { 14, -10 } } },
-                             { wide = { { -40, 12 }, { 40, 12 } }, close = { { -24, -4 }, { 24, -4 } } }) })
+    options = craft.pairs_of(
+      { wide = { { -20, 6 }, { 20, 6 } }, close = { { -14, -10 }, { 14, -10 } } },
+      { wide = { { -36, 12 }, { 36, 12 } }, close = { { -24, -4 }, { 24, -4 } } }) })
 craft.def("petrel_swarm", { hit = { circle = 2.5 }, graze = 18, speed = 3.4, focus = 1.6 },
   { ship = "petrel", fire = swarm, bead = circling, bomb = "bell",
     options = { by = "shards", style = "orbit", radius = 34, close = 20, spin = 4,

@@ -1,7 +1,8 @@
 -- players/pilots.lua - who flies, as a talk names them: by the kind of player, whichever form.
 local function pilot(kinds, name, voice)
   for _, kind in ipairs(kinds) do
-    talk.def(kind, { name = name, voice = voice, faces = { calm = voice, cross = voice .. "_cross" } })
+    talk.def(kind, { name = name, voice = voice,
+                     faces = { calm = voice, cross = voice .. "_cross" } })
   end
 end
 

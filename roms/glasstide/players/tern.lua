@@ -1,5 +1,5 @@
--- players/tern.lua - Ono's: quick in a straight line, and heavy. Lances that go through, with beads that trail behind;
--- or hooks that fly out and come back, and hit on both ways.
+-- players/tern.lua - Ono's: quick in a straight line, and heavy. Lances that go through, with
+-- beads that trail behind; or hooks that fly out and come back, and hit on both ways.
 local craft = require "players/craft"
 
 shot.def("pike",  { sprite = "pike", bank = craft.GREEN, hit = { box = { 6, 24 } }, damage = 5,
@@ -9,8 +9,8 @@ shot.def("splinter", { sprite = "sliver", bank = craft.GREEN, hit = { box = { 6,
 shot.def("hook",  { sprite = "hook", bank = craft.GREEN, hit = { circle = 8 }, damage = 3,
                     turns = true, pierce = forever, every = 9 })
 
-local back = motion.def { { speed = -9, over = 54 } }
-local soon = motion.def { { speed = -8, over = 34 } }
+local back = motion.def { { speed = -10, over = 84 } }
+local soon = motion.def { { speed = -8, over = 56 } }
 
 local function lances(p, beat)
   if beat % 8 ~= 0 then return end
@@ -29,27 +29,30 @@ local function bead(o, beat)
 end
 
 local function hooks(p, beat)
-  if beat % 14 ~= 0 then return end
+  if beat % 18 ~= 0 then return end
   sound.play("hook", { from = p })
-  local out = p.focus and 4 or 15
-  for side = -1, 1, 2 do
-    shot.fire { kind = "hook", from = p, dx = 6 * side, dy = -10, speed = 10, dir = 270 + out * side,
-                motion = back }
+  local out = p.focus and 5 or 17
+  for side = -1, 1 do
+    shot.fire { kind = "hook", from = p, dx = 6 * side, dy = -10, speed = 11,
+                dir = 270 + out * side, motion = back }
   end
 end
 
 local function flick(o, beat)
   if (beat + 6 * o.index) % 24 == 0 then
     local side = o.index % 2 == 1 and -1 or 1
-    shot.fire { kind = "hook", from = o, speed = 8, dir = 270 + (o.focus and 8 or 30) * side,
+    shot.fire { kind = "hook", from = o, speed = 8, dir = 270 + (o.focus and 8 or 28) * side,
                 motion = soon }
   end
 end
 
-craft.def("tern", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4 },
+craft.def("tern", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
   { fire = lances, bead = bead, bomb = "lamp",
-    options = { by = "shards", style = "trail", apart = 9, levels = { { at = 100, n = 2 }, { at = 300, n = 4 } } } })
-craft.def("tern_hooks", { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4 },
+    options = { by = "shards", style = "trail", apart = 9,
+                levels = { { at = 100, n = 2 }, { at = 300, n = 4 } } } })
+craft.def("tern_hooks",
+  { hit = { circle = 2.2 }, graze = 16, speed = 3.6, focus = 1.4, needs = "tern" },
   { ship = "tern", fire = hooks, bead = flick, bomb = "lamp",
-    options = craft.pairs_of({ wide = { { -18, -4 }, { 18, -4 } }, close = { { -10, 10 }, { 10, 10 } } },
-                             { wide = { { -30, 4 }, { 30, 4 } }, close = { { -18, 16 }, { 18, 16 } } }) })
+    options = craft.pairs_of(
+      { wide = { { -18, -4 }, { 18, -4 } }, close = { { -10, 10 }, { 10, 10 } } },
+      { wide = { { -30, 4 }, { 30, 4 } }, close = { { -18, 16 }, { 18, 16 } } }) })

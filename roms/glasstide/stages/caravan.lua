@@ -1,6 +1,6 @@
--- stages/caravan.lua - two minutes, and all that swims by in them. A formation that is gone calls the next, so who
--- shoots faster sees more; one of which none got away is worth more each time. At 2:00 all stops, and what is left
--- is paid for.
+-- stages/caravan.lua - two minutes, and all that swims by in them. A formation that is gone calls
+-- the next, so who shoots faster sees more; one of which none got away is worth more each time.
+-- At 2:00 all stops, and what is left is paid for.
 local clock = require "clock"
 local herds = require "stages/caravan/herds"
 require "stages/caravan/scene"
@@ -51,7 +51,7 @@ end
 
 local function tick(left)
   while true do
-    if left() <= LATE and left() > 0 and left() % 60 == 0 then sound.play("time") end
+    if left() <= LATE and left() > 0 and left() % 60 == 0 then sound.play("tick") end
     wait(1)
   end
 end
@@ -92,6 +92,8 @@ stage.def("caravan", function()
   sound.play("phase")
   pay()
   wait(180)
+  text.clear { col = 0, row = 6, w = hud.cols, h = 1 }
+  text.clear { col = 8, row = hud.rows - 2, w = hud.cols - 16, h = 1 }
 end, { music = "caravan" })
 
 return caravan

@@ -1,10 +1,11 @@
--- stages/moon.lua - under the abyss: the Drowned Moon, who holds the other end of the tide. It is met at the end of
--- a good run, and can be practised.
+-- stages/moon.lua - under the abyss: the Drowned Moon, who holds the other end of the tide. It is
+-- met at the end of a good run, and can be practised.
 require "stages/moon/creatures"
 require "stages/moon/scene"
 require "stages/moon/boss"
 local meeting = require "stages/moon/meeting"
 local sea = require "sea"
+local fx = require "fx"
 
 local SHARDS <const> = 300 -- hundredths: the multiplier that it wakes for
 
@@ -35,7 +36,7 @@ local function fight()
   meeting()
   boss.fight("moon")
   music.stop { fade = 140 }
-  wait(150)
+  wait(fx.COLLAPSE)
 end
 
 -- The way down from the queen.

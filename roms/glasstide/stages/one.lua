@@ -5,6 +5,7 @@ require "stages/one/crab"
 local habits = require "stages/one/habits"
 local hatches = require "stages/one/hatches"
 local scene = require "stages/one/scene"
+local fx = require "fx"
 local sea = require "sea"
 
 local swoop = path.def {
@@ -119,5 +120,5 @@ stage.def("one", function()
   sea.speed(0.8)
   boss.fight("crab")
   sea.speed(2.4)
-  wait(60)
+  wait(fx.COLLAPSE)
 end, { music = "tide" })

@@ -1,4 +1,5 @@
--- stages/rush.lua - all who guard something, one after the other, against the clock. Each is fought where it lives.
+-- stages/rush.lua - all who guard something, one after the other, against the clock. Each is
+-- fought where it lives.
 local clock = require "clock"
 local sea = require "sea"
 
@@ -35,22 +36,20 @@ local function fight(who)
 end
 
 stage.def("rush", function()
-  local frames, split = 0, nil -- those of fights alone count
-  local fighting = false
+  local frames = 0 -- those of phases alone count
   task.go(function()
     while true do
-      if fighting then frames = frames + 1 end
+      if boss.now() then frames = frames + 1 end
       wait(1)
     end
   end)
-  local shown <close> = clock.show(function() return frames end)
+  local shown <close> = clock.show(function() return boss.now() and frames or nil end)
   for i, who in ipairs(ORDER) do
-    split, fighting = frames, true
+    local before = frames
     fight(who)
-    fighting = false
     wait(90)
     if not stage.skipping() then
-      hud.banner({ ("%d/%d"):format(i, #ORDER), clock.text(frames - split) }, 120)
+      hud.banner({ ("%d/%d"):format(i, #ORDER), clock.text(frames - before) }, 120)
       provide()
     end
     wait(120)
@@ -58,8 +57,8 @@ stage.def("rush", function()
   if stage.skipping() then return end
   local best = rush.best()
   keep(frames)
-  hud.banner({ "ALL OF THEM", clock.text(frames),
-               best and best < frames and text.lang("BEST %s"):format(clock.text(best)) or "BEST TIME" }, 240)
+  local slower = best and best < frames and text.lang("BEST %s"):format(clock.text(best))
+  hud.banner({ "ALL OF THEM", clock.text(frames), slower or "BEST TIME" }, 240)
   wait(240)
 end, { music = "tide" })
 

@@ -2,9 +2,9 @@
 -- Anglerlamp in water without light, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
-local moon = require "stages/moon"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
+local moon = require "stages/moon"
 local sea = require "sea"
 local fx = require "fx"
 
@@ -58,53 +58,53 @@ end
 
 -- Down between the columns.
 local function descent()
-  stage.at(80)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
-  stage.at(230)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
+  stage.at(70)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
+  stage.at(200)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
                         run = habits.spit }
-  stage.at(390)  wave { kind = "viper", n = 4, every = 16, path = pounce, dx = 52,
+  stage.at(340)  wave { kind = "viper", n = 4, every = 16, path = pounce, dx = 52,
                         run = habits.bite }
-  stage.at(590)  pair { kind = "squid", path = sink, run = habits.ink }
-  stage.at(720)  wave { kind = "mite", n = 10, every = 11, path = helix, run = habits.litter }
-  stage.at(960)  lone { kind = "comb", path = hang, run = habits.lights }
-  stage.at(1090) both { kind = "viper", n = 2, every = 18, path = pounce, dx = 34,
+  stage.at(510)  pair { kind = "squid", path = sink, run = habits.ink }
+  stage.at(630)  wave { kind = "mite", n = 10, every = 11, path = helix, run = habits.litter }
+  stage.at(840)  lone { kind = "comb", path = hang, run = habits.lights }
+  stage.at(960)  both { kind = "viper", n = 2, every = 18, path = pounce, dx = 34,
                         run = habits.bite }
-  stage.at(1290) wave { kind = "spider", n = 2, every = 50, path = sink, dx = 112,
+  stage.at(1130) wave { kind = "spider", n = 2, every = 50, path = sink, dx = 112,
                         run = habits.web }
-  stage.at(1440) both { kind = "mite", n = 6, every = 14, path = swoop, run = habits.spit }
-  stage.at(1620)
+  stage.at(1280) both { kind = "mite", n = 6, every = 14, path = swoop, run = habits.spit }
+  stage.at(1440)
   stage.clear(150)
 end
 
 -- The floor of the sea rushes by.
 local function trench()
-  stage.at(1830) both { kind = "mite", n = 6, every = 10, path = swoop, run = habits.litter }
-  stage.at(1950) wave { kind = "shark", n = 2, every = 110, path = patrol, dy = 10,
+  stage.at(1640) both { kind = "mite", n = 6, every = 10, path = swoop, run = habits.litter }
+  stage.at(1740) wave { kind = "shark", n = 2, every = 110, path = patrol, dy = 10,
                         run = habits.hunt }
-  stage.at(2160) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 30, path = dart,
+  stage.at(1920) wave { kind = "viper", n = 5, every = 0, formation = "v", gap = 30, path = dart,
                         run = habits.bite }
-  stage.at(2340) lone { kind = "chain_head", path = hang, run = habits.chain }
-  stage.at(2760)
-  stage.clear(120)
+  stage.at(2080) lone { kind = "chain_head", path = hang, run = habits.chain }
+  stage.at(2420)
+  stage.clear(150)
 end
 
 -- Behind the lamp: all of them, in company.
 local function deep()
-  stage.at(3110) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
-  stage.at(3280) lone { kind = "gulper", path = hang, run = habits.gulp }
-  stage.at(3440) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
+  stage.at(2790) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
+  stage.at(2940) lone { kind = "gulper", path = hang, run = habits.gulp }
+  stage.at(3080) both { kind = "viper", bank = ROSE, n = 3, every = 14, path = pounce, dx = 30,
                         run = habits.bite }
-  stage.at(3620) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
-  stage.at(3740) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
+  stage.at(3240) pair { kind = "comb", bank = ROSE, path = sink, run = habits.lights }
+  stage.at(3350) wave { kind = "mite", n = 8, every = 0, formation = "circle", gap = 22,
                         path = helix, run = habits.spit }
-  stage.at(3920) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
+  stage.at(3510) lone { kind = "shark", bank = ROSE, path = patrol, run = habits.hunt }
                  lone { kind = "spider", bank = ROSE, path = hang, run = habits.web }
-  stage.at(4080) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
+  stage.at(3650) lone { kind = "shark", bank = ROSE, path = patrol, mirror = true,
                         run = habits.hunt }
-  stage.at(4260) pair { kind = "chain_head", path = moor, run = habits.chain }
+  stage.at(3800) pair { kind = "chain_head", path = moor, run = habits.chain }
                  pair { kind = "squid", bank = ROSE, path = sink, run = habits.ink }
-  stage.at(4500) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
-  stage.at(4740)
-  stage.clear(180)
+  stage.at(4010) both { kind = "mite", n = 10, every = 10, path = swoop, run = habits.spit }
+  stage.at(4230)
+  stage.clear(200)
 end
 
 -- She is seen from afar before she comes: a shape in the dark water, which rises and goes.
@@ -122,7 +122,7 @@ stage.def("three", function()
   bg.show("abyss", { over = 0 })
   sea.speed(1.6)
   descent()
-  stage.at(1775)
+  stage.at(1595)
   stage.mark("trench")
   bg.show("trench")
   sea.speed(3.6)
@@ -135,7 +135,7 @@ stage.def("three", function()
   wait(100) -- its light goes out
   bg.show("abyss", { over = 50 })
   sea.speed(2.2)
-  stage.at(3060)
+  stage.at(2745)
   stage.mark("deep")
   deep()
   bg.show("court", { over = 60 })

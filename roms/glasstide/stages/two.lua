@@ -9,7 +9,8 @@ local sweep = path.def {
   { x = -16, y = 60 }, { x = 80, y = 40, over = 50, ease = "out" }, { x = 180, y = 96, over = 60 },
   { x = 260, y = 150, over = 60, ease = "in" } }
 local hook = path.def {
-  { x = 40, y = -20 }, { x = 60, y = 110, over = 70, ease = "out" }, { x = 150, y = 130, over = 50 },
+  { x = 40, y = -20 }, { x = 60, y = 110, over = 70, ease = "out" },
+  { x = 150, y = 130, over = 50 },
   { x = 200, y = -30, over = 80, ease = "in" } }
 local sink = path.def {
   { x = 30, y = -24 }, { x = 30, y = 90, over = 90, ease = "out" },

@@ -7,7 +7,7 @@ run:step(3000)
 test.shot("dive-4800")
 test.equal(run.score, 51894, "points")
 test.equal(run.difficulty, "normal")
-test.equal(run.music, "queen", "the music of the crab")
+test.equal(run.music, "claws", "the music of the crab")
 
 local first = run:moment("stage")
 test.equal(first and first.name, "one", "the stage it begins with")

@@ -43,3 +43,16 @@ end
 local run = test.run { stage = "moon/eclipse", difficulty = "easy", seed = 1, invincible = true, pads = "fire" }
 test.expect(run:wait(function(r) return r:moment("won", "eclipse") end, 60 * 60), "it goes")
 test.expect(run.frame > 44 * 60, "not before its time")
+
+-- It is met behind the queen, by those who have brought shards enough; not on easy, and not with fewer.
+local function behind_the_queen(difficulty, shards)
+  local dive = test.run { stage = "three:queen", difficulty = difficulty, seed = 1, invincible = true,
+                          pads = "fire", registers = { shards = shards } }
+  test.expect(dive:wait(function(r) return r:moment("boss", "moon") or r:moment("clear", "three") end, 30000),
+              "the queen goes")
+  return dive:moment("boss", "moon") ~= nil
+end
+
+test.expect(behind_the_queen("normal", 400), "it is there")
+test.expect(not behind_the_queen("normal", 100), "it is not, without shards")
+test.expect(not behind_the_queen("easy", 400), "it is not, on easy")

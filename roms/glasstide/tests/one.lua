@@ -35,6 +35,7 @@ local function watch(boss, phase, difficulty)
     colours(run, what)
     run:step(60)
   end
+  if difficulty == "normal" then test.shot(boss .. "-" .. phase) end
   test.expect(most > 0, what .. ": something flies")
   test.equal(run:refused("bullets") + run:refused("lasers"), 0, what .. ": there was room")
 end
@@ -49,6 +50,7 @@ end
 local run = test.run { stage = "one", difficulty = "abyss", seed = 1, invincible = true, pads = "fire" }
 while run.frame < 12000 and not run:moment("clear", "one") do
   run:step(120)
+  if run.frame == 1920 then test.shot "wreck" end
   colours(run, "the stage, frame " .. run.frame)
 end
 test.expect(run:moment("won", "lantern") or run:moment("lost", "lantern"), "the nautilus has come")

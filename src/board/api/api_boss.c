@@ -199,11 +199,52 @@ static void check_bonus(lua_State *L, int at, const char *id)
     lua_pop(L, 1);
 }
 
-/* A spell of a boss with a portrait cuts in unless it says otherwise. */
+/* Pushes who leads the phase at `at`: the first of the cast who has a bar in it. */
+static void push_leader(struct reading *r, int at)
+{
+    lua_State *L = r->L;
+    bool found = false;
+
+    field(L, r->boss, "cast");
+    const int list = lua_gettop(L);
+    const bool bars = field(L, at, "hp") == LUA_TTABLE;
+    for (lua_Integer i = 1; bars && !found && i <= (lua_Integer)lua_rawlen(L, list); i++) {
+        lua_settop(L, list + 1);
+        lua_rawgeti(L, list, i);
+        field(L, list + 2, "name");
+        found = lua_rawget(L, list + 1) != LUA_TNIL;
+    }
+    if (found)
+        lua_settop(L, list + 2);
+    else
+        lua_rawgeti(L, list, 1);
+    lua_replace(L, list);
+    lua_settop(L, list);
+}
+
+/* What the phase at `at` does not say of its portrait is its leader's, and then the boss's. Is there one? */
+static bool read_portrait(struct reading *r, int at)
+{
+    static const char *const names[] = { "portrait", "portrait_left" };
+    lua_State *L = r->L;
+
+    push_leader(r, at);
+    const int leader = lua_gettop(L);
+    for (int i = 0; i < 2; i++) {
+        if (field(L, at, names[i]) == LUA_TNIL && field(L, leader, names[i]) == LUA_TNIL)
+            field(L, r->boss, names[i]);
+        lua_setfield(L, at, names[i]);
+        lua_settop(L, leader);
+    }
+    lua_settop(L, leader - 1);
+    return is_true(L, at, "portrait");
+}
+
+/* A spell with a portrait cuts in unless it says otherwise. */
 static void read_cut_in(struct reading *r, int at, const char *id)
 {
     lua_State *L = r->L;
-    const bool face = is_true(L, r->boss, "portrait"), asked = is_true(L, at, "cut_in");
+    const bool face = read_portrait(r, at), asked = is_true(L, at, "cut_in");
 
     if (asked && !face)
         api_error(L, "boss.def", "phase \"%s\": cut_in: the boss has no portrait (portrait = a sprite)", id);

@@ -16,6 +16,13 @@ const char *const api_thing_names[HANDLES] = {
     "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option"
 };
 
+/* Handles are whole numbers (handle.h), and Lua has no way to refuse arithmetic with these. But what it makes of one
+ * and of a fraction is as large as they are, and no argument may be. */
+static bool was_handle(double v)
+{
+    return v >= 0x1p62 && v < 0x1p63;
+}
+
 /* Pushes how a value looks in an error. */
 static const char *push_got(lua_State *L, int at)
 {
@@ -30,6 +37,9 @@ static const char *push_got(lua_State *L, int at)
             return lua_pushfstring(L, "%I", (LUAI_UACINT)lua_tointeger(L, at));
         if (isnan(lua_tonumber(L, at)))
             return lua_pushliteral(L, "nan");
+        if (was_handle(lua_tonumber(L, at)))
+            return lua_pushfstring(L, "%f (a thing in arithmetic? name what of it is meant, as its x)",
+                                   lua_tonumber(L, at));
         return lua_pushfstring(L, "%f", lua_tonumber(L, at));
     case LUA_TSTRING:
         return lua_pushfstring(L, "\"%s\"", lua_tostring(L, at));

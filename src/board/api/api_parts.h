@@ -444,7 +444,7 @@ int64_t api_register_value(lua_State *L, const char *of, const char *name, uint3
 /* The number of a register of that kind of ship, or -1. */
 int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
-/* Tells the table on top how a kind of player wants its register i shown: show, at, label, mark, where they are said. */
+/* Tells the table on top how a kind of player wants its register i shown: show, at, label, mark, where it says so. */
 void api_register_show(lua_State *L, int32_t kind, int i);
 
 /* Pushes the name of the unlock that a kind of player needs, or nil. */
@@ -466,6 +466,9 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
  * happens. After MAX_SKIPS in one turn it is a fault, or, under PRACTICE_LIST, the task is stopped so that the others
  * go on. */
 int api_pass_wait(lua_State *L, struct board *b);
+
+/* A palette was loaded; if it is another one, the tables of the plane's fog and of a fade's black follow. */
+void api_bg_shade(lua_State *L, struct board *b, bool other);
 
 /* Makes the tables of declared names. */
 void api_open_names(lua_State *L);

@@ -124,7 +124,9 @@ static const struct api_param boss_cast[] = { NAME,
                                               { "title", A_STR, REQ, 0, 63, NULL, NULL },
                                               { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
                                               { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL } };
+                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
+                                              { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                              { "portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boss_talk[] = { { "talk", A_FUNC, REQ, 0, 0, NULL, NULL } };
 static const struct api_param boss_fight[] = { NAME, { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
 static const struct api_param boss_history[] = { NAME,
@@ -145,6 +147,8 @@ static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL 
                                           { "rate", A_NUM, OPT, 0, 1, NULL, "0.25" },
                                           { "down", A_DOWN, OPT, 0, 0, NULL, "all" },
                                           { "cut_in", A_BOOL, OPT, 0, 0, NULL, NULL },
+                                          { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
+                                          { "portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL },
                                           { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
                                           { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
                                           { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -219,8 +223,8 @@ static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NUL
                                              { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show }",
-                                               NULL },
+                                             { "ending", A_ANY, OPT, 0, 0,
+                                               "function, or a list of { when, show, music }", NULL },
                                              { "opening", A_FUNC, OPT, 0, 0, NULL, NULL },
                                              { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -268,7 +272,9 @@ static const struct api_entry entries[] = {
     { "wait_for", NULL, NULL, 0, 0, API_LUA | API_GLOBAL | API_MORE, NULL,
       "waits until every given task has ended and every given thing is dead" },
     LUA("by_difficulty", values, 1, API_GLOBAL, "value",
-        "the value for the difficulty being played, else the nearest easier one, else the easiest given"),
+        "the value for the difficulty being played, else the nearest easier one, else the easiest given; by their "
+        "names, or a "
+        "list from the easiest on"),
     LUA("pattern.ring", ring, 0, API_FIRE, NULL, "n bullets over the full circle, the first at dir"),
     LUA("pattern.fan", fan, 0, API_FIRE, NULL, "n bullets over spread degrees, centred on dir, both ends included"),
     LUA("pattern.arc", arc, 0, API_FIRE, NULL, "n bullets from dir through sweep, both ends included"),
@@ -320,9 +326,10 @@ static const struct api_entry entries[] = {
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
-        "it, from the right, or if portrait_left from the left; warning: so long bars of WARNING run before, round a "
-        "card with the epithet and the title; entrance: sparks it leaves on its way in; music: plays during the fight, "
-        "and what was before it goes on after"),
+        "it, "
+        "or a phase's; warning: frames of a WARNING round a card with epithet and title; entrance: sparks; music: "
+        "plays "
+        "during the fight"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

@@ -483,6 +483,26 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static const struct api_param turn_of[] = { { "task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL } };
+
+static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
+        return api_error(L, "sys.turn", "only a task can give one its turn");
+    if (board_alive(b, v[0].i) && handle_slot(v[0].i) != (uint32_t)b->tasks.current)
+        tasks_turn(b, L, handle_slot(v[0].i));
+    return 0;
+}
+
+static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L, (void)v;
+    for (int i = 0; i < COLOURS; i++)
+        if (b->pal.over[i])
+            pal_set(&b->pal, i, b->pal.to[i]);
+    return 0;
+}
+
 /* Which buttons the game does not see: 0 none, 1 those that fire, 2 all that the ship has. Presses from before, or of
  * the time it did not see them, are nobody's. */
 static const struct api_param hold_players[] = { { "how", A_INT, REQ, 0, 2, NULL, NULL } };
@@ -888,6 +908,8 @@ static const struct api_entry entries[] = {
       "a scope that takes what is spawned and put in it along" },
     { "sys.skip", sys_skip, PARAMS(skip), 2, API_SYS | API_CHANGES, NULL,
       "from now on this task, or that one, waits for nothing" },
+    { "sys.turn", sys_turn, PARAMS(turn_of), 1, API_SYS | API_CHANGES, NULL, "a task's turn comes at once" },
+    { "sys.faded", sys_faded, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "fades of the palette are over" },
     { "sys.hold_players", sys_hold_players, PARAMS(hold_players), 1, API_SYS | API_CHANGES, NULL,
       "what the game sees of the buttons: 0 all, 1 none that fires, 2 none of the ship's" },
     { "sys.pad", sys_pad_run, PARAMS(sys_pad), 3, API_SYS, "boolean",

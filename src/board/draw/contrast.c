@@ -32,7 +32,8 @@ static struct image image_of(const struct board *b, uint32_t i)
 }
 
 /* The percent of bullet i's pixels in the clip that stand out; -1: none is there. */
-static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[256], uint32_t i)
+static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[256], const struct cart_look *look,
+                 uint32_t i)
 {
     const struct sprite *pic = &b->pictures[b->bullet_kinds.sprite[b->bullets.kind[i]]];
     unsigned blend = (b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_BLEND) / KIND_BLEND_ONE;
@@ -48,7 +49,7 @@ static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[
                 continue;
             uint8_t under = fb->pix[(y0 + y) * fb->pitch + x0 + x], over = (uint8_t)(p + 16 * b->bullets.bank[i]);
             if (blend)
-                over = b->cart.blend[blend - 1][under << 8 | over];
+                over = look->blend[blend - 1][under << 8 | over];
             all++;
             out += apart(rgb[under], rgb[over]) >= CONTRAST_STEP;
         }
@@ -58,6 +59,7 @@ static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context)
 {
     const struct bullets *s = &b->bullets;
+    const struct cart_look look = video_look(b);
     uint32_t rgb[256];
     int n = 0;
 
@@ -70,7 +72,7 @@ void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contra
                                        .bank = s->bank[i],
                                        .x = fx_floor(s->x[i]),
                                        .y = fx_floor(s->y[i]),
-                                       .share = share(b, fb, rgb, i) };
+                                       .share = share(b, fb, rgb, &look, i) };
         if (one.share < 0 || !one.kind)
             continue;
         visit(context, &one);

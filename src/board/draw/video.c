@@ -1,8 +1,9 @@
 /*
  * video.c - the picture: const RAM to framebuffer, in the fixed draw order
  *
- *     background, back sprites, items, enemies, shots, players' lasers, middle sprites, players, bullets, lasers,
- *     sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites over it, text, lines
+ *     background, back sprites, items, enemies, shots, players' lasers, sparks of the layer middle, middle sprites,
+ *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites
+ *     over it, text, lines
  *
  * Options are drawn over the sprites of their layer. A view (board.h) may dim backgrounds and back sprites, before
  * anything else is drawn over them.
@@ -30,9 +31,8 @@ void video_paint(struct draw_target *c, const struct image *img, int x, int y, u
 {
     if (!blend)
         blit_sprite(c->fb, img, x, y, bank, flip);
-    else if (c->b->cart.mix[blend - 1] == BLIT_TABLE ||
-             !blit_ramped(c->fb, img, x, y, bank, flip, c->b->cart.mix[blend - 1]))
-        blit_blended(c->fb, img, x, y, bank, flip, c->b->cart.blend[blend - 1]);
+    else if (c->look.mix[blend - 1] == BLIT_TABLE || !blit_ramped(c->fb, img, x, y, bank, flip, c->look.mix[blend - 1]))
+        blit_blended(c->fb, img, x, y, bank, flip, c->look.blend[blend - 1]);
 }
 
 void video_batch_begin(struct video_batch *q, struct draw_target *c)
@@ -62,7 +62,7 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
                      unsigned blend)
 {
     const struct fb *fb = q->c->fb;
-    const enum blit_mix mix = blend ? (enum blit_mix)q->c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+    const enum blit_mix mix = blend ? (enum blit_mix)q->c->look.mix[blend - 1] : BLIT_OPAQUE;
 
     if (image->w != q->size.w || image->h != q->size.h || image->pitch != q->size.pitch || mix != q->mix)
         open_batch(q, image, mix);
@@ -193,14 +193,23 @@ static uint8_t extreme(const struct board *b, bool bright)
     return (uint8_t)at;
 }
 
-static void put_white(struct draw_target *c, uint32_t i, unsigned dots)
+static void put_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigned dots)
 {
     const struct enemies *e = &c->b->enemies;
     const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
     struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
 
-    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox, c->y + fx_floor(e->y[i]) - s->oy, extreme(c->b, true),
-               (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox + dx, c->y + fx_floor(e->y[i]) - s->oy + dy,
+               extreme(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
+}
+
+/* What its picture is drawn over then, so that only a line round it is white. */
+static void put_white_rim(struct draw_target *c, uint32_t i)
+{
+    put_white(c, i, -1, 0, 0);
+    put_white(c, i, 1, 0, 0);
+    put_white(c, i, 0, -1, 0);
+    put_white(c, i, 0, 1, 0);
 }
 
 static void draw_enemies(struct draw_target *c)
@@ -212,14 +221,17 @@ static void draw_enemies(struct draw_target *c)
         if (e->flags[i] & ENEMY_HIDDEN)
             continue;
         const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i);
-        const bool soft = k->flags[e->kind[i]] & ENEMY_SOFT;
+        const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_SOFT;
+        const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
+        if (white && soft && !blend)
+            put_white_rim(c, i);
         if (!white || soft)
             put(c, enemies_picture(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i] & ENEMY_BANK,
-                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE);
+                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
         else
             c->drawn++;
-        if (white)
-            put_white(c, i, soft ? BLIT_DOTS : 0);
+        if (white && (!soft || blend)) /* through what is blended a rim would be seen whole */
+            put_white(c, i, 0, 0, soft ? BLIT_DOTS : 0);
     }
 }
 
@@ -234,7 +246,8 @@ static void draw_players(struct draw_target *c)
                 p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
-static void draw_sparks(struct draw_target *c)
+/* Those over the bullets, or those under the players. */
+static void draw_sparks(struct draw_target *c, bool under)
 {
     const struct sparks *s = &c->b->sparks;
     struct video_batch q;
@@ -244,6 +257,8 @@ static void draw_sparks(struct draw_target *c)
         uint16_t kind = s->kind[i];
         const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
         uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
+        if (under != (bool)(bank & SPARK_UNDER))
+            continue;
         uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
         put_later(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
                   bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
@@ -422,9 +437,9 @@ static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "a table for each dim but none");
 
 /* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
-static const uint8_t *shade_of(const struct board *b, const struct view *view)
+static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)
 {
-    const uint8_t *shades = b->cart.shades ? b->cart.shades : view->shades;
+    const uint8_t *shades = look->shades ? look->shades : view->shades;
 
     return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
 }
@@ -433,7 +448,9 @@ static const uint8_t *shade_of(const struct board *b, const struct view *view)
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
-    struct draw_target c = { b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL };
+    struct draw_target c = {
+        b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL, video_look(b), false
+    };
     int dx, dy;
 
     screen_shake(&b->screen, b->core.clock, &dx, &dy);
@@ -471,6 +488,7 @@ static void draw_behind(struct draw_target *c, bool shaken)
     draw_enemies(c);
     video_bullets(c, &b->shots, &b->shot_kinds);
     video_lasers(c, true);
+    draw_sparks(c, true);
     draw_sprites(c, LAYER_MIDDLE);
     draw_options(c, LAYER_MIDDLE);
     draw_players(c);
@@ -494,7 +512,8 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
     bool shaken, over[COLOURS];
     struct draw_target c = target(b, fb, scratch, overdraw, &shaken);
 
-    c.shade = shade_of(b, v);
+    c.shade = shade_of(&c.look, v);
+    c.soft = v->soft_flashes;
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_flash(b, v->soft_flashes, rgb);
     if (dim)
@@ -502,7 +521,7 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
     draw_behind(&c, shaken);
     video_bullets(&c, &b->bullets, &b->bullet_kinds);
     video_lasers(&c, false);
-    draw_sparks(&c);
+    draw_sparks(&c, false);
     draw_sprites(&c, LAYER_FRONT);
     draw_options(&c, LAYER_FRONT);
     video_bg(&c, true);

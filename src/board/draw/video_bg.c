@@ -91,10 +91,11 @@ static const uint8_t *chain(const uint8_t *first, const uint8_t *then, uint8_t b
     return both;
 }
 
-static struct brush brush_of(const struct board *b, uint32_t i)
+static struct brush brush_of(const struct draw_target *c, uint32_t i)
 {
+    const struct board *b = c->b;
     const unsigned blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
-    struct brush brush = { (uint8_t)(b->bg.bank[i] * 16), NULL, blend ? b->cart.blend[blend - 1] : NULL };
+    struct brush brush = { (uint8_t)(b->bg.bank[i] * 16), NULL, blend ? c->look.blend[blend - 1] : NULL };
 
     if (bg_dark(&b->bg))
         brush.to = b->bg_shades.to + BG_BLACK_TABLES + (bg_dark(&b->bg) - 1) * 256;
@@ -207,7 +208,7 @@ static void lay_rows(struct draw_target *c, const struct brush *b, const struct 
 static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
-    struct brush brush = brush_of(c->b, i);
+    struct brush brush = brush_of(c, i);
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
     const bool wraps = g->flags[i] & BG_WRAP;
     struct tiles tiles = { .n = -1 };
@@ -285,12 +286,12 @@ static int fog_at(const struct bg *g, int field_w, int64_t s)
 }
 
 /* The table that fogs, then blackens, then shades. */
-static const uint8_t *plane_table(const struct board *b, int fog, const uint8_t *shade, uint8_t two[256],
+static const uint8_t *plane_table(const struct draw_target *c, int fog, const uint8_t *shade, uint8_t two[256],
                                   uint8_t three[256])
 {
-    const uint8_t *first = fog ? b->bg_shades.to + BG_FOG_TABLES + (fog - 1) * 256 : NULL;
+    const uint8_t *first = fog ? c->b->bg_shades.to + BG_FOG_TABLES + (fog - 1) * 256 : NULL;
 
-    return chain(chain(first, brush_of(b, BG_PLANE).to, two), shade, three);
+    return chain(chain(first, brush_of(c, BG_PLANE).to, two), shade, three);
 }
 
 static void draw_plane(struct draw_target *c, const uint8_t *shade)
@@ -298,7 +299,7 @@ static void draw_plane(struct draw_target *c, const uint8_t *shade)
     const struct bg *g = &c->b->bg;
     const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, horizon = g->horizon[BG_PLANE] + shaken_y(c);
     const bool ceiling = g->flags[BG_PLANE] & BG_CEILING;
-    struct brush brush = brush_of(c->b, BG_PLANE);
+    struct brush brush = brush_of(c, BG_PLANE);
     uint8_t row[ROW], two[256], three[256];
     struct map m;
     int fogged = -1;
@@ -311,7 +312,7 @@ static void draw_plane(struct draw_target *c, const uint8_t *shade)
         int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
         int fog = fog_at(g, w, s);
         if (fog != fogged)
-            brush.to = plane_table(c->b, fogged = fog, shade, two, three);
+            brush.to = plane_table(c, fogged = fog, shade, two, three);
         bool solid = walk_row(&m, skipped(walk_of(g, &m, w, s), &m, -shaken_x(c)), w, row);
         lay(c, &brush, row, 0, y, w, solid);
     }

@@ -74,8 +74,7 @@ static size_t most_bullets(const struct manifest *m)
 size_t video_bullets_scratch(const struct manifest *m)
 {
     return aligned(sizeof(struct lists)) + 2 * aligned(most_bullets(m) * sizeof(uint32_t)) +
-           aligned(stamp_layer_size(m->field_w, m->field_h)) +
-           stamp_cells_size(m->field_w, m->field_h) + 64;
+           aligned(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
 }
 
 static struct lists *open_lists(const struct draw_target *c)
@@ -96,7 +95,7 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
 {
     const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
     const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
-    const enum blit_mix mix = blend ? (enum blit_mix)c->b->cart.mix[blend - 1] : BLIT_OPAQUE;
+    const enum blit_mix mix = blend ? (enum blit_mix)c->look.mix[blend - 1] : BLIT_OPAQUE;
     const bool along = flags & KIND_TURNS, cloud = flags & KIND_CLOUD;
     const ang spin = k->spin[kind];
     const bool turns = (along || spin) && pic->rotations > 1;

@@ -90,7 +90,7 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
     struct strip_corner corner[LASER_POINTS];
     const struct strip s = { .image = &img,
                              .bank = c->b->laser_heads.bank[i],
-                             .blend = blend ? c->b->cart.blend[blend - 1] : NULL,
+                             .blend = blend ? c->look.blend[blend - 1] : NULL,
                              .width = width,
                              .along = dashed ? 8 - age / 2 % 8 : 0,
                              .dashed = dashed };

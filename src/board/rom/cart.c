@@ -84,16 +84,21 @@ static uint8_t rule_of(const uint8_t table[CART_BLEND])
     return BLIT_TABLE;
 }
 
+static bool sized(const struct lump *l, uint32_t size, char *err, size_t err_size)
+{
+    return l->size == size ||
+           err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %" PRIu32, l->name, l->size, size);
+}
+
 static bool open_shades(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->shades = NULL;
+    c->main.shades = NULL;
     if (!find(c->rom, "shades", &l))
         return true;
-    c->shades = l.data;
-    return l.size == CART_SHADES ||
-           err_set(err, err_size, "lump \"shades\": %" PRIu32 " bytes long, expected %d", l.size, CART_SHADES);
+    c->main.shades = l.data;
+    return sized(&l, CART_SHADES, err, err_size);
 }
 
 static bool open_blends(struct cart *c, char *err, size_t err_size)
@@ -105,12 +110,52 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
         return err_set(err, err_size, "%d lumps \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
     for (int i = 0; i < c->blends; i++) {
         rom_lump(c->rom, c->first_blend + i, &l);
-        if (l.size != CART_BLEND)
-            return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
-                           CART_BLEND);
-        c->blend[i] = l.data;
-        c->mix[i] = rule_of(l.data);
+        if (!sized(&l, CART_BLEND, err, err_size))
+            return false;
+        c->main.blend[i] = l.data;
+        c->main.mix[i] = rule_of(l.data);
     }
+    return true;
+}
+
+/* What palette i has of its own stands in for what main has. */
+static bool open_look(struct cart *c, int i, char *err, size_t err_size)
+{
+    struct cart_look *look = &c->looks[i];
+    char folder[2 * ROM_NAME];
+    struct lump l;
+
+    *look = c->main;
+    if (find_in(c->rom, "shades/", cart_palette_name(c, i), "", &l)) {
+        look->shades = l.data;
+        if (!sized(&l, CART_SHADES, err, err_size))
+            return false;
+    }
+    snprintf(folder, sizeof folder, "blends/%s/", cart_palette_name(c, i));
+    for (int k = 0; k < c->blends; k++) {
+        if (!find_in(c->rom, folder, cart_blend_name(c, k), "", &l))
+            continue;
+        if (!sized(&l, CART_BLEND, err, err_size))
+            return false;
+        look->blend[k] = l.data;
+        look->mix[k] = rule_of(l.data);
+    }
+    return true;
+}
+
+static bool open_looks(struct cart *c, char *err, size_t err_size)
+{
+    int shades, blends;
+
+    range(c->rom, "shades/", "shades0", &shades);
+    range(c->rom, "blends/", "blends0", &blends);
+    c->has_looks = shades + blends > 0;
+    if (c->has_looks && c->palettes > CART_MAX_LOOKS)
+        return err_set(err, err_size, "%d lumps \"palette/...\" and tables of their own, expected at most %d",
+                       c->palettes, CART_MAX_LOOKS);
+    for (int i = 0; i < c->palettes && c->has_looks; i++)
+        if (!open_look(c, i, err, err_size))
+            return false;
     return true;
 }
 
@@ -466,9 +511,10 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
 {
     cart->rom = rom;
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
-           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_langs(cart, err, err_size) &&
-           open_faces(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size) &&
-           open_hits(cart, err, err_size) && open_maps(cart, err, err_size) && open_sounds(cart, err, err_size);
+           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_looks(cart, err, err_size) &&
+           open_langs(cart, err, err_size) && open_faces(cart, err, err_size) && open_font(cart, err, err_size) &&
+           open_sprites(cart, err, err_size) && open_hits(cart, err, err_size) && open_maps(cart, err, err_size) &&
+           open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -552,6 +598,15 @@ const char *cart_palette_name(const struct cart *cart, int i)
     assert(i >= 0 && i < cart->palettes);
     rom_lump(cart->rom, cart->first_palette + i, &l);
     return l.name + strlen("palette/");
+}
+
+const uint8_t *cart_palette_at(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->palettes);
+    rom_lump(cart->rom, cart->first_palette + i, &l);
+    return l.data;
 }
 
 const char *cart_map_name(const struct cart *cart, int i)

@@ -7,8 +7,10 @@
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
  *         shades          CART_SHADES bytes, of palette/main: the entry shown for each of 256 where a view dims
  *                         (board.h) by a quarter, then by a half, then by three quarters; older ROMs have none
+ *         shades/X        the same of palette/X, where it is another
  *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
  *                         most CART_MAX_BLENDS of them
+ *         blends/P/X      the table of blend X while palette/P is loaded, where it is another
  *         font/X          a font of its own widths: face.h
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
@@ -46,6 +48,7 @@ enum {
     CART_BLEND = 65536, /* bytes */
     CART_SHADES = 768,  /* bytes */
     CART_MAX_BLENDS = 3,
+    CART_MAX_LOOKS = 65, /* palettes that have tables of their own */
     CART_MAX_FACES = 8,
     CART_GLYPH = 64, /* bytes */
     CART_FIRST_CHAR = 32,
@@ -87,18 +90,25 @@ enum cart_cue {
 };
 extern const char *const cart_cues[CART_CUES]; /* "shot" */
 
+/* Tables that follow from colours: those of one palette. */
+struct cart_look {
+    const uint8_t *shades;                 /* NULL: none */
+    const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
+    uint8_t mix[CART_MAX_BLENDS];          /* enum blit_mix: the rule that makes the same table, or BLIT_TABLE */
+};
+
 struct cart {
     const struct rom *rom;
     struct manifest m;
     int first_sprite, sprites; /* lumps gfx/...: sprite i is lump first_sprite + i */
     int first_palette, palettes;
-    const uint8_t *shades; /* NULL: none */
+    bool has_looks; /* some palette has tables of its own; else all have those of main */
     int first_blend, blends;
     int first_lang, langs;
     int first_map, maps;
-    const uint8_t *blend[CART_MAX_BLENDS]; /* in the order of their names */
-    uint8_t mix[CART_MAX_BLENDS];          /* enum blit_mix: the rule that makes the same table, or BLIT_TABLE */
-    const uint8_t *glyphs;                 /* NULL: no font */
+    struct cart_look main;                  /* of palette/main, and of all that have none */
+    struct cart_look looks[CART_MAX_LOOKS]; /* of each palette, where has_looks */
+    const uint8_t *glyphs;                  /* NULL: no font */
     int n_glyphs;
     int first_face, faces;
     int first_tune, tunes;
@@ -163,6 +173,7 @@ int cart_find_map(const struct cart *cart, const char *name);
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);
 const char *cart_palette_name(const struct cart *cart, int i); /* from 0 on, below palettes */
+const uint8_t *cart_palette_at(const struct cart *cart, int i);
 
 /* Font i of rom.lua's `fonts`, 0 <= i < faces: its name; itself; the index of a name, or -1. */
 const char *cart_face_name(const struct cart *cart, int i);

@@ -205,6 +205,7 @@ static enum result check_all(struct check *c)
     check_recordings(c);
     check_langs(c);
     check_unused(c);
+    check_spells(c);
     if (!c->broken)
         check_run(c);
     progress_end();

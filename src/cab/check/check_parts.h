@@ -70,6 +70,9 @@ void check_art(struct check *c);
 void check_recordings(struct check *c);
 void check_langs(struct check *c);
 void check_unused(struct check *c);
+
+/* Spells whose bonus does not fall where that of others does. */
+void check_spells(struct check *c);
 void check_sounds(struct check *c);
 void check_run(struct check *c);
 

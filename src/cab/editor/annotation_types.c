@@ -234,7 +234,9 @@ static const char *return_type(const char *word)
                  { "frames", "integer" },  { "row", "integer" },         { "degrees", "number" },
                  { "number", "number" },   { "share", "number" },        { "list", "any[]" },
                  { "name", "string" },     { "name or nil", "string?" }, { "string", "string" },
-                 { "value", "any" },       { "tries", "integer" },       { "captures", "integer" },
+                 { "value", "any" },       { "tries", "integer" },       { "boss", "string" },
+                 { "id", "string" },       { "stars", "integer" },       { "ship", "string" },
+                 { "got", "integer" },     { "most", "integer" },        { "captures", "integer" },
                  { "scope", "task" },      { "route", "route" } };
 
     for (size_t i = 0; i < COUNT(list); i++)
@@ -268,6 +270,10 @@ const char *annotation_plain(const char *name)
                  { "game.continues", "integer" },
                  { "game.frames", "integer" },
                  { "hud.banks", "{ plain: integer, bright: integer, faint: integer, alarm: integer }" },
+                 { "hud.low", "integer" },
+                 { "hud.shy", "integer" },
+                 { "hud.gone", "boolean[]" },
+                 { "hud.graze", "string|false" },
                  { "hud.cols", "integer" },
                  { "hud.rows", "integer" },
                  { "talk.look", "{ dim: number, bank: integer, font?: font_name }" },

@@ -18,7 +18,8 @@
 /* Tables whose fields a game sets. */
 static bool is_written(const char *full)
 {
-    return !strcmp(full, "hud.banks") || !strcmp(full, "talk.look");
+    return !strcmp(full, "hud.banks") || !strcmp(full, "hud.low") || !strcmp(full, "hud.shy") ||
+           !strcmp(full, "hud.graze") || !strcmp(full, "talk.look");
 }
 
 /* One that has more than the table knows, to read and to set: the registers that game.def declares. luacheck cannot

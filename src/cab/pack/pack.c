@@ -282,22 +282,53 @@ static bool add_shades(struct packer *p)
     uint8_t tables[CART_SHADES];
 
     shade_make(p->palette, tables);
-    return add_copy(p, "", "shades", tables, sizeof tables);
+    if (!add_copy(p, "", "shades", tables, sizeof tables))
+        return false;
+    for (int i = 0; i < p->art.n_palettes; i++) {
+        uint8_t own[CART_SHADES];
+        shade_make(p->palettes[i], own);
+        if (memcmp(own, tables, sizeof own) != 0 && !add_copy(p, "shades/", p->art.palettes[i].name, own, sizeof own))
+            return false;
+    }
+    return true;
+}
+
+/* The table of a blend in one palette; malloc. NULL: out of memory. */
+static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
+{
+    uint8_t *table = malloc(CART_BLEND);
+
+    if (table != NULL && blend_make(rgb, mix, table))
+        return table;
+    free(table);
+    err_set(p->err, p->err_size, "out of memory");
+    return NULL;
+}
+
+/* Tables of the other palettes, where they differ. */
+static bool add_blend_looks(struct packer *p, const struct art_blend *blend, const uint8_t *main)
+{
+    char folder[ROM_NAME + 16];
+
+    for (int i = 0; i < p->art.n_palettes && blend->mix > BLEND_RULE; i++) {
+        uint8_t *own = blend_table(p, p->palettes[i], blend->mix);
+        if (own == NULL)
+            return false;
+        snprintf(folder, sizeof folder, "blends/%s/", p->art.palettes[i].name);
+        if (memcmp(own, main, CART_BLEND) == 0)
+            free(own);
+        else if (!add(p, folder, blend->name, own, CART_BLEND))
+            return false;
+    }
+    return true;
 }
 
 static bool add_blends(struct packer *p)
 {
-    const uint8_t *all[1 + MAX_ART_PALETTES] = { p->palette };
-
-    for (int i = 0; i < p->art.n_palettes; i++)
-        all[1 + i] = p->palettes[i];
     for (int i = 0; i < p->art.n_blends; i++) {
-        uint8_t *table = malloc(CART_BLEND);
-        if (table == NULL || !blend_make(all, 1 + p->art.n_palettes, p->art.blends[i].mix, table)) {
-            free(table);
-            return err_set(p->err, p->err_size, "out of memory");
-        }
-        if (!add(p, "blend/", p->art.blends[i].name, table, CART_BLEND))
+        uint8_t *table = blend_table(p, p->palette, p->art.blends[i].mix);
+        if (table == NULL || !add(p, "blend/", p->art.blends[i].name, table, CART_BLEND) ||
+            !add_blend_looks(p, &p->art.blends[i], table))
             return false;
     }
     return true;

@@ -99,18 +99,18 @@ void practice_reloaded(struct practice_menu *m, const struct cart *cart)
     practice_stop_counting(m);
 }
 
-/* Does the marker mean that the section ended well? */
+/* Does the marker mean that the section ended well? With which ship, "@NAME", is no matter. */
 static bool ends_well(const char *section, const struct board_marker *marker)
 {
     char name[80];
 
     if (marker->kind == MARKER_WON) {
-        snprintf(name, sizeof name, "%s/%s", marker->of, marker->name);
-        return strcmp(section, name) == 0;
+        const size_t n = (size_t)snprintf(name, sizeof name, "%s/%s", marker->of, marker->name);
+        return strncmp(section, name, n) == 0 && (section[n] == '\0' || section[n] == '@');
     }
     if (marker->kind != MARKER_CLEAR || strchr(section, '/'))
         return false;
-    size_t n = strcspn(section, ":");
+    size_t n = strcspn(section, ":@");
     return n == strlen(marker->name) && memcmp(section, marker->name, n) == 0;
 }
 

@@ -20,7 +20,7 @@ static bool fits(const struct forecast *f, fx grown, fx x, fx y)
 
     if (good) {
         reach_back(&r);
-        good = plan_make(&p, &r, x, y, WAYS_GAP, 0, false) && p.frames == f->frames;
+        good = plan_make(&p, &r, x, y, WAYS_GAP, 0, 0) && p.frames == f->frames;
     }
     plan_free(&p);
     reach_close(&r);

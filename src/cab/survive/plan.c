@@ -21,7 +21,7 @@ struct search {
     struct step *step;
     uint8_t *seen; /* a bit a cell a frame */
     uint32_t taste;
-    bool aims;
+    int aims;
 };
 
 bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_way *way, fx grown)
@@ -72,7 +72,7 @@ static int64_t worth(const struct search *s, uint32_t t, fx x, fx y, int way, in
     const struct box *a = &s->r->area;
     const fx low = a->y0 + (fx)(((int64_t)a->y1 - a->y0) * 4 / 5);
     const fx middle = s->aims ? frame->foe_x : a->x0 + (a->x1 - a->x0) / 2;
-    int64_t v = (int64_t)room_round(s->r, t + 1, x, y) * 16 * FX_ONE;
+    int64_t v = (int64_t)room_round(s->r, t + 1, x, y) * (s->aims > 1 ? 2 : 16) * FX_ONE;
 
     v -= ((int64_t)fx_abs(x - middle) + fx_abs(y - low)) * 2 / 3;
     v += way == before ? 2 * FX_ONE : way == 0 ? FX_ONE : 0;
@@ -171,7 +171,7 @@ static void run(struct search *s, uint64_t most)
     keep(s, t);
 }
 
-bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most, uint32_t taste, bool aims)
+bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most, uint32_t taste, int aims)
 {
     const size_t n = (size_t)r->f->frames + 1;
     struct search s = { .r = r, .plan = p, .taste = taste, .aims = aims };

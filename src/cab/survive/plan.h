@@ -14,9 +14,9 @@ struct plan {
 };
 
 /* Looks from (x, y) on for a way that stays in the sets of r, which reach_back has seen. At most `most` ways are looked
- * at; of every cell one place is tried in a frame. `taste` varies which of the good ways is taken. `aims`: it would
- * rather be under what can be shot. False: no memory. */
-bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most, uint32_t taste, bool aims);
+ * at; of every cell one place is tried in a frame. `taste` varies which of the good ways is taken. `aims`: 1: it
+ * would rather be under what can be shot; 2: much rather than where there is room. False: no memory. */
+bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most, uint32_t taste, int aims);
 void plan_free(struct plan *p);
 
 /* Is that way hit in a frame of the forecast? grown: added to the ship's radius. */

@@ -41,6 +41,7 @@ struct work {
     uint16_t *now; /* the pads of the present run */
     uint16_t guess[AHEAD];
     uint32_t guessed;
+    bool astray; /* a whole way through all that was foreseen was hit: bullets went elsewhere */
 };
 
 /* ---- frames ---- */
@@ -212,16 +213,17 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
     if (good && !decided) {
         reach_back(&r);
         s->plans++;
-        good = plan_make(&p, &r, x, y, WAYS_ALL, 0, true);
+        good = plan_make(&p, &r, x, y, WAYS_ALL, 0, 1);
         trial_restore(s->t, start);
         const enum trial_end end = fly(w, &p, s->begin, &lived);
         const bool kept = decided;
         note(w, s->begin + lived);
+        w->astray = end == TRIAL_HIT && p.frames == w->forecast.frames;
         decided = kept || ((end != TRIAL_ON || s->begin + lived >= s->limit) && end != TRIAL_HIT && over(s, end));
     } else if (good) { /* as far as it goes */
         const uint32_t last = s->last;
         reach_back(&r);
-        if (plan_make(&p, &r, x, y, WAYS_ALL / 8, 0, true)) {
+        if (plan_make(&p, &r, x, y, WAYS_ALL / 8, 0, 1)) {
             trial_restore(s->t, start);
             fly(w, &p, s->begin, &lived);
             note(w, s->begin + lived);
@@ -242,7 +244,11 @@ static bool all_at_once(struct work *w, const struct trial_mark *start)
         s->verdict = SEEK_FAULT;
         return true;
     }
-    return try_all(w, start, FX_ONE) || (!s->reacts && try_all(w, start, FX_ONE / 2));
+    /* the largest cells are the cheapest; smaller ones are no use where a way led through and was hit all the same */
+    for (fx cell = 2 * FX_ONE; cell >= FX_ONE / 2 && !s->reacts && !w->astray; cell /= 2)
+        if (try_all(w, start, cell))
+            return true;
+    return false;
 }
 
 /* ---- in pieces ---- */
@@ -291,7 +297,7 @@ static enum trial_end turn(struct work *w, uint32_t *best, uint16_t keep[AHEAD])
     s->plans++;
     if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, x, y)) {
         reach_back(&r);
-        plan_make(&p, &r, x, y, WAYS_PIECE, w->taste, true);
+        plan_make(&p, &r, x, y, WAYS_PIECE, w->taste, 1);
         trial_restore(s->t, &at->mark);
         end = fly(w, &p, at->frame, &lived);
         note(w, at->frame + lived);

@@ -2,7 +2,7 @@
  * blend.c - see blend.h. 65536 colours are looked for among 241. The colour cube is cut into cells, and each cell in
  * which a colour is looked for gets a list of the entries that can be nearest to one there: an entry whose distance
  * from the cell's nearest point is above another's from its farthest is none of them. So a search looks at some thirty
- * entries and finds what a look at all would find. Where a game has several palettes it looks at all.
+ * entries and finds what a look at all would find.
  */
 #include "blend.h"
 
@@ -79,38 +79,7 @@ static int blended(int under, int over, int mix)
     return (under * (100 - mix) + over * mix + 50) / 100;
 }
 
-/* How far `entry` is from the blend of the two in one palette, squared. */
-static int error(const uint8_t *rgb, int under, int over, int mix, int entry)
-{
-    int d = 0;
-
-    for (int i = 0; i < 3; i++)
-        d += square(blended(rgb[3 * under + i], rgb[3 * over + i], mix) - rgb[3 * entry + i]);
-    return d;
-}
-
-/* The entry with the least sum of errors in all palettes; one that is too far off in the first few is given up. */
-static uint8_t nearest_in_all(const uint8_t *const *rgb, int n, int under, int over, int mix, uint8_t first)
-{
-    int best = first, off = 0;
-
-    for (int k = 0; k < n; k++)
-        off += error(rgb[k], under, over, mix, first);
-    for (int entry = 0; entry < 256; entry++) {
-        int d = 0;
-        if (!is_shown(entry))
-            continue;
-        for (int k = 0; k < n && d <= off; k++)
-            d += error(rgb[k], under, over, mix, entry);
-        if (d < off || (d == off && entry < best)) {
-            off = d;
-            best = entry;
-        }
-    }
-    return (uint8_t)best;
-}
-
-bool blend_make(const uint8_t *const *rgb, int n, int mix, uint8_t table[CART_BLEND])
+bool blend_make(const uint8_t *rgb, int mix, uint8_t table[CART_BLEND])
 {
     if (mix <= BLEND_RULE) {
         for (int i = 0; i < CART_BLEND; i++)
@@ -121,14 +90,13 @@ bool blend_make(const uint8_t *const *rgb, int n, int mix, uint8_t table[CART_BL
 
     if (g == NULL)
         return false;
-    g->rgb = rgb[0];
+    g->rgb = rgb;
     for (int under = 0; under < 256; under++)
         for (int over = 0; over < 256; over++) {
             int c[3];
             for (int i = 0; i < 3; i++)
                 c[i] = blended(g->rgb[3 * under + i], g->rgb[3 * over + i], mix);
-            uint8_t here = nearest(g, c);
-            table[under * 256 + over] = n > 1 ? nearest_in_all(rgb, n, under, over, mix, here) : here;
+            table[under * 256 + over] = nearest(g, c);
         }
     free(g);
     return true;

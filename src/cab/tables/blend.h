@@ -18,8 +18,7 @@ enum {
 /* Fills table[under * 256 + over], for all pairs of palette entries. The colour looked for is the sum of the two, at
  * most 255 a channel, when mix is BLEND_ADD; else mix percent (1 to 99) of `over` and the rest of `under`, each channel
  * to the nearest, halves up. The entry is the nearest of those that games show, entry 0 and columns 1 to 15 of all
- * banks: the least sum of the channels' squared differences in all n palettes, for one table serves them all; the
- * lowest of equals. False: out of memory. */
-bool blend_make(const uint8_t *const *rgb, int n, int mix, uint8_t table[CART_BLEND]);
+ * banks: the least sum of the channels' squared differences, the lowest of equals. False: out of memory. */
+bool blend_make(const uint8_t *rgb, int mix, uint8_t table[CART_BLEND]);
 
 #endif

@@ -76,6 +76,18 @@ uint32_t pal_mix(uint32_t from, uint32_t to, int32_t k, int32_t n)
     return out;
 }
 
+int pal_likeness(const struct pal *p, const uint8_t *rgb)
+{
+    int sum = 0;
+
+    for (int i = 0; i < COLOURS; i++, rgb += 3) {
+        const uint32_t c = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+        const uint32_t now = p->over[i] ? p->to[i] : p->rgb[i];
+        sum += now == c ? 2 : p->from[i] == c;
+    }
+    return sum;
+}
+
 static void rotate(struct pal *p, int first, int last)
 {
     uint32_t end = p->rgb[last];

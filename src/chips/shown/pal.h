@@ -38,6 +38,10 @@ bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every);
 /* Ends all fades and cycles. */
 void pal_stop(struct pal *p);
 
+/* How much of it is the palette rgb (256 x R G B): 2 for each entry that has that colour, or fades to it, 1 for each
+ * that last began a fade from it. So colours that are faded to black or white still are those of their palette. */
+int pal_likeness(const struct pal *p, const uint8_t *rgb);
+
 /* One frame of fades and cycles. */
 void pal_step(struct pal *p);
 

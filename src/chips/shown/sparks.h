@@ -14,7 +14,8 @@ enum {
     SPARK_BANK = 15,      /* of a kind's `bank`: banks to add */
     SPARK_BLEND = 3 << 4, /* how it is drawn, in units of SPARK_BLEND_ONE: 0 opaque, else blend + 1 */
     SPARK_BLEND_ONE = 1 << 4,
-    SPARK_BANKS = 8 /* one after the other in a life: each but the first is a row after its kind's, with life 0 */
+    SPARK_UNDER = 1 << 6, /* drawn under players and bullets */
+    SPARK_BANKS = 8       /* one after the other in a life: each but the first is a row after its kind's, with life 0 */
 };
 
 /* What spark.def declares. */

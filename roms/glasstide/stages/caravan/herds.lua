@@ -1,11 +1,13 @@
--- stages/caravan/herds.lua - the formations of the caravan, easy ones first; they come round again, larger and faster.
+-- stages/caravan/herds.lua - the formations of the caravan, easy ones first; they come round
+-- again, larger and faster.
 local herds = {}
 
 local arch = path.def {
   { x = -20, y = 150 }, { x = 40, y = 70, over = 44, ease = "out" }, { x = 120, y = 44, over = 40 },
   { x = 200, y = 70, over = 40 }, { x = 264, y = 150, over = 44, ease = "in" } }
 local loop = path.def {
-  { x = 60, y = -20 }, { x = 60, y = 110, over = 56, ease = "out" }, { x = 120, y = 170, over = 34 },
+  { x = 60, y = -20 }, { x = 60, y = 110, over = 56, ease = "out" },
+  { x = 120, y = 170, over = 34 },
   { x = 180, y = 110, over = 34 }, { x = 120, y = 60, over = 34 }, { x = 60, y = 110, over = 34 },
   { x = -30, y = 160, over = 50, ease = "in" } }
 local fall = path.def { { x = 120, y = -40 }, { x = 120, y = 96, over = 60, ease = "out" },
@@ -54,7 +56,8 @@ function herds.send(k, streak, tag)
   for side = 1, h.both and 2 or 1 do
     local many = h.n + (h.every > 0 and math.min(streak // 4, 6) or 0)
     local every = h.every > 0 and math.max(5, h.every - streak // 3) or 0
-    stage.wave { kind = h.kind, n = many, every = every, path = h.path, formation = h.formation, gap = h.gap, dy = h.dy,
+    stage.wave { kind = h.kind, n = many, every = every, path = h.path,
+                 formation = h.formation, gap = h.gap, dy = h.dy,
                  mirror = side == 2 or not h.both and k % 2 == 0, tag = tag, run = h.run or nip }
     n = n + many
   end

@@ -1,5 +1,8 @@
--- stages/caravan/scene.lua - the sea road at dusk: sand that rushes by below, light on it, reefs at both sides.
+-- stages/caravan/scene.lua - the sea road at dusk: sand that rushes by below, light on it, reefs
+-- at both sides.
 local FIRST <const>, LAST <const> = 0x140c1c, 0x4c3c58 -- of the ramp of scenery
+
+local GLIMMER <const> = { 0x40284c, 0x5c3c68, 0x8c6890 }
 
 local function mixed(i)
   local rgb = 0
@@ -13,6 +16,7 @@ end
 bg.def("caravan", function()
   palette.load("one")
   for i = 1, 12 do palette.set(13 * 16 + i, mixed(i)) end
+  for i, rgb in ipairs(GLIMMER) do palette.set(13 * 16 + 12 + i, rgb) end
   local sand, light, left = bg.plane(), bg.layer(2), bg.layer(3)
   sand.map, sand.horizon, sand.height, sand.dir, sand.vy = "floor", 24, 44, 270, -4
   sand.x = 120 -- where the sand does not join is out at the sides

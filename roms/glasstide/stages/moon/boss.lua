@@ -28,7 +28,7 @@ end
 
 -- 2. Half: above the line is air, below it water. What flies in is bent towards the ground, takes
 -- another colour and goes slowly, so that it lies close down there.
-local LINE <const> = 176 -- y of the water
+local LINE <const> = 190 -- y of the water
 local CLASSES <const> = 9
 local SLOW <const> = { easy = 0.9, normal = 1, hard = 1.1, abyss = 0.8 }
 
@@ -62,7 +62,7 @@ local function half(e)
   wait(30)
   for k = 1, forever do
     pattern.ring { from = e, kind = "orb", bank = 6, dir = 5.5 * k + 3 * k * k % 17, speed = 2,
-                   n = by_difficulty { easy = 22, normal = 36, hard = 52, abyss = 58 },
+                   n = by_difficulty { easy = 22, normal = 36, hard = 48, abyss = 58 },
                    each = refract }
     if k % by_difficulty { easy = 6, normal = 5, hard = 4 } == 0 then
       pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
@@ -84,11 +84,13 @@ local whole  = motion.def { { wait = 1 } }
 local loose  = motion.def { { wait = 76 }, { speed = 0, over = 24 }, { wait = 12 },
                             { turn = 90, bank = 7 }, { speed = 1.5, over = 50 } }
 local closer = motion.def { { wait = 70 }, { speed = 0, over = 24 }, { wait = 16 },
-                            { aim = true, bank = 7 }, { speed = 2, over = 60 } }
+                            { aim = true, bank = 7 }, { speed = 1.8, over = 60 } }
 
 local function reap(e, dir, aim, way)
   pattern.points { from = e, dx = 44 * way, dy = 14, kind = "shard", bank = 3, list = sickle,
-                   turns = true, aim = aim, dir = dir, speed = 1.7, delay = 20, motion = way < 0 and
+                   turns = true, aim = aim, dir = dir, delay = 20,
+                   speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.7 },
+                   motion = way < 0 and
                    by_difficulty { easy = whole, normal = loose, hard = loose } or
                    by_difficulty { easy = whole, normal = loose, hard = closer } }
 end
@@ -97,7 +99,7 @@ local function crescent(e)
   e.picture = "sickle"
   task.go(function()
     pattern.spiral { from = e, kind = "pellet", bank = 5, n = forever, step = 29,
-                     arms = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 11 },
+                     arms = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 10 },
                      every = by_difficulty { easy = 16, normal = 12, hard = 10, abyss = 8 },
                      speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 } }
   end)
@@ -105,35 +107,39 @@ local function crescent(e)
     wait(20)
     local way = k % 2 == 0 and 1 or -1
     reap(e, 0, true, way)
-    wait(by_difficulty { easy = 60, normal = 34, hard = 26 })
+    wait(by_difficulty { easy = 60, normal = 40, hard = 34, abyss = 26 })
     if board.difficulty() ~= "easy" then
       reap(e, 90 + 38 * way, false, -way)
       reap(e, 90 - 38 * way, false, way)
     end
-    wait(by_difficulty { easy = 90, normal = 84, hard = 70 })
+    wait(by_difficulty { easy = 90, normal = 84, hard = 78, abyss = 56 })
   end
 end
 
--- A phase that is practised has its own night round it too.
-local function at_night(run)
+-- Each phase is rung in.
+local function tolled(run)
   return function(e)
-    if bg.layer(1).map ~= "water" then bg.show("moon", { over = 0 }) end
     sound.play("toll", { from = e })
     run(e)
   end
 end
 
-boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 84, music = "moon", portrait = "moon_cross",
+boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
+  epithet = "What Pulls the Water", entrance = "bubbles",
+  music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
-    { id = "gibbous", hp = 1600, time = 45 * 60, run = at_night(gibbous), clear = FOAM,
+    { id = "gibbous", hp = 1600, time = 45 * 60, run = tolled(gibbous), clear = FOAM,
       drops = { pearl = 8 } },
     { id = "half", spell = "Half Sign: Two Waters", hp = 2300, time = 50 * 60, bonus = 40000,
-      run = at_night(half), clear = FOAM, drops = { pearl = 8 } },
+      bonus_to = 13000, run = tolled(half), clear = FOAM, drops = { pearl = 8 } },
     { id = "crescent", spell = "Crescent Sign: Reaping Tide", hp = 2300, time = 50 * 60,
-      bonus = 40000, run = at_night(crescent), clear = FOAM, drops = { pearl = 8, conch = 1 } },
+      bonus = 40000, bonus_to = 13000, run = tolled(crescent),
+      clear = FOAM, drops = { pearl = 8, conch = 1 } },
     { id = "new", spell = "New Sign: A Way Through Rings", hp = 2300, time = 55 * 60,
-      bonus = 50000, run = at_night(late.new), clear = FOAM, drops = { pearl = 8 } },
+      bonus = 50000, bonus_to = 16000, run = tolled(late.new), clear = FOAM,
+      drops = { pearl = 8 } },
     { id = "full", spell = "Full Sign: Nearest of Nights", hp = 2600, time = 60 * 60,
-      bonus = 60000, run = at_night(late.full), clear = FOAM, drops = { pearl = 8, heart = 1 } },
+      bonus = 60000, bonus_to = 20000, run = tolled(late.full),
+      clear = FOAM, drops = { pearl = 8, heart = 1 } },
     { id = "eclipse", spell = "Last Sign: The Sea Falls In", survive = true, time = 44 * 60,
-      bonus = 100000, run = at_night(late.eclipse), clear = FOAM } } })
+      bonus = 100000, run = tolled(late.eclipse), clear = FOAM } } })

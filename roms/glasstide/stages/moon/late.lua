@@ -5,7 +5,7 @@ local late = {}
 -- from the last than a craft goes meanwhile.
 local GROW <const> = { easy = 0.8, normal = 0.8, hard = 0.85, abyss = 0.7 }
 local SPIN <const> = 0.1
-local DOWN_THERE <const> = 190 -- px from its middle to where the crafts are
+local DOWN_THERE <const> = 176 -- px from its middle to where the crafts are
 
 local turning = {}
 for name, v in pairs(GROW) do
@@ -18,8 +18,8 @@ end
 local function maze_ring(e, at, way, kind, bank)
   local name = board.difficulty()
   local age = DOWN_THERE / GROW[name]
-  local n = by_difficulty { easy = 48, normal = 80, hard = 94, abyss = 108 }
-  local gap = by_difficulty { easy = 5, normal = 3, hard = 3, abyss = 3 }
+  local n = by_difficulty { easy = 48, normal = 80, hard = 90, abyss = 108 }
+  local gap = by_difficulty { easy = 5, normal = 4, hard = 4, abyss = 3 }
   for i = 1, n - gap do
     local dir = at - way * SPIN * age + 360 * (i + gap / 2 - 0.5) / n
     bullet.fire { kind = kind, bank = bank, from = e, dir = dir, speed = GROW[name],
@@ -38,9 +38,9 @@ function late.new(e)
     maze_ring(e, at, way, by_difficulty { easy = "pellet", normal = "orb" }, way > 0 and 6 or 7)
     if k % 5 == 0 then
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
-                      n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 2 } }
+                      n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
     end
-    wait(by_difficulty { easy = 110, normal = 70, hard = 58, abyss = 54 })
+    wait(by_difficulty { easy = 110, normal = 70, hard = 60, abyss = 50 })
   end
 end
 
@@ -50,7 +50,7 @@ local GOLDEN <const> = 137.508
 
 function late.full(e)
   e.picture = "full"
-  e:move { x = 120, y = 100, over = 120, ease = "both" }
+  e:move { x = 120, y = 114, over = 120, ease = "both" }
   task.go(function()
     local n = by_difficulty { easy = 2, normal = 2, hard = 3, abyss = 4 }
     local speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 }
@@ -73,9 +73,9 @@ end
 
 -- 6. Dark: it is outlived. The sea falls in in four pieces, and at last in all of them.
 local pulled = {}
-for name, v in pairs { easy = 1.4, normal = 1.7, hard = 1.9, abyss = 2.1 } do
+for name, v in pairs { easy = 2.4, normal = 2.7, hard = 2.9, abyss = 3.1 } do
   pulled[name] = motion.def { { speed = v, over = 1 }, { speed = 0, over = 150 },
-    { bank = 1 }, { wait = 24 }, { go_to = { 120, 84 }, over = 190, ease = "in" }, { die = true } }
+    { bank = 1 }, { wait = 24 }, { go_to = { 120, 100 }, over = 190, ease = "in" }, { die = true } }
 end
 
 -- Walls from above, and the way through them goes to and fro.
@@ -84,7 +84,7 @@ local function walls(frames, apart)
   for k = 1, frames // apart do
     local gap = (9 + 5 * angle.sin(53 * k) - wide / 2) // 1
     pattern.line { x = 120, y = -8, kind = "rice", bank = 6, n = 19, width = 252, dir = 90,
-                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.6, abyss = 1.2 },
+                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.4 },
                    skip = { gap, gap + wide - 1 } }
     wait(apart)
   end
@@ -104,7 +104,7 @@ end
 local function corona(e, frames)
   local n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 8 }
   local p = player.nearest(e.x, e.y)
-  local dir = (p and angle.to(e, p) or 90) + 180 / n
+  local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
   sound.play("charge", { from = e })
   for i = 1, n do
     laser.beam { kind = "ray", bank = 3, follow = e, dir = dir + 360 * i / n, length = 380,
@@ -115,7 +115,7 @@ local function corona(e, frames)
   sound.play("beam", { from = e })
   for k = 1, (frames - 100) // 48 do
     pattern.ring { from = e, kind = "pellet", bank = 7, dir = 11 * k, speed = 1.2,
-                   n = by_difficulty { easy = 16, normal = 28, hard = 36, abyss = 60 } }
+                   n = by_difficulty { easy = 16, normal = 28, hard = 36, abyss = 46 } }
     wait(48)
   end
   wait(30)
@@ -125,7 +125,7 @@ function late.eclipse(e)
   e.picture = "eclipse"
   screen.flash { over = 40, share = 0.4 }
   wait(50)
-  walls(560, by_difficulty { easy = 80, normal = 64, hard = 52, abyss = 60 })
+  walls(560, by_difficulty { easy = 80, normal = 64, hard = 54, abyss = 50 })
   wait(60)
   corona(e, 640)
   recall(e, 8)

@@ -1,6 +1,7 @@
 -- stages/one/crab.lua - where the shallows end: the Chandelier Crab, five phases. Its claws are
 -- parts of it, and break off; what they did, the shell then does in another way.
 local meeting = require "stages/one/meeting"
+local rank = require "rank"
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 
@@ -15,11 +16,15 @@ local function either(e, f)
 end
 
 local function wander(e, over)
-  e:move { x = rng.int(86, 154), y = rng.int(74, 92), over = over, ease = "both" }
+  e:move { x = rng.int(86, 154), y = rng.int(84, 100), over = over, ease = "both" }
 end
 
 -- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
-local snap = motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = 2.8, over = 24 } }
+local function snapping(speed)
+  return motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = speed, over = 24 } }
+end
+local snap = { easy = snapping(2.4), normal = snapping(2.6), hard = snapping(2.4),
+               abyss = snapping(2.2) }
 
 local function sweep(e, side)
   local dir = 90 + 60 * side
@@ -27,15 +32,16 @@ local function sweep(e, side)
     local claw = claws(e)[side < 0 and 1 or 2]
     if claw and claw.alive then
       pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
-                    spread = 20, dir = dir, speed = 1.9,
-                    n = by_difficulty { easy = 2, normal = 3, hard = 4 } }
+                    spread = 20, dir = dir, n = by_difficulty { easy = 2, normal = 3 },
+                    speed = rank.faster(by_difficulty { easy = 1.6, normal = 1.8, hard = 1.7,
+                                                        abyss = 1.5 }) }
     elseif k % 8 == 0 then
       pattern.ring { from = e, dx = 43 * side, dy = 17, kind = "orb",
                      bank = side < 0 and MAGENTA or RUBY, dir = dir, speed = 1.3,
                      n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 20 } }
     end
     dir = dir - 13 * side
-    wait(by_difficulty { easy = 12, normal = 9, hard = 6 })
+    wait(by_difficulty { easy = 12, normal = 9, hard = 8, abyss = 7 })
   end
 end
 
@@ -43,17 +49,20 @@ local function pincers(e)
   task.go(sweep, e, -1)
   task.go(sweep, e, 1)
   for k = 1, forever do
-    wait(by_difficulty { easy = 110, normal = 96, hard = 80, abyss = 70 })
+    wait(by_difficulty { easy = 60, normal = 50, hard = 46, abyss = 40 })
+    if by_difficulty { easy = false, abyss = true } then
+      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1, n = 22 }
+    end
+    wait(by_difficulty { easy = 50, normal = 46, hard = 42 })
     either(e, function(claw, side)
       local at = claw and claw.alive and { claw, 0, 24 } or { e, 43 * side, 20 }
       sound.play("snap", { from = e })
-      pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, width = 40,
-                     dir = 90, speed = 2.2, delay = 24, motion = snap,
-                     n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 7 } }
+      pattern.line { from = at[1], dx = at[2], dy = at[3], kind = "kunai", bank = AMBER, dir = 90,
+                     width = by_difficulty { easy = 24, normal = 28, hard = 30, abyss = 32 },
+                     speed = 2.2, delay = 24,
+                     motion = by_difficulty(snap),
+                     n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } }
     end)
-    if by_difficulty { easy = false, abyss = true } then
-      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1.1, n = 26 }
-    end
     wander(e, 50)
   end
 end
@@ -66,19 +75,20 @@ local function grotto(e)
     for i = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       pattern.ring { from = e, kind = "ring", bank = AMBER, dir = 11 * (k + i),
                      speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.4 },
-                     n = by_difficulty { easy = 12, normal = 17, hard = 22, abyss = 24 },
+                     n = by_difficulty { easy = 12, normal = 17, hard = 21, abyss = 22 },
                      motion = echo }
       wait(24)
     end
     either(e, function(claw, side)
       local held = claw and claw.alive
       pattern.whip { from = held and claw or e, dx = held and 0 or 43 * side, dy = 18,
-                     kind = "kunai", bank = RUBY, aim = true, speed = 1.7, speed_to = 3,
+                     kind = "kunai", bank = RUBY, aim = true,
+                     speed = by_difficulty { easy = 1.7, abyss = 1.5 }, speed_to = 2.8,
                      bend = 30 * side, delay = 14,
                      n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
     end)
     wander(e, 50)
-    wait(by_difficulty { easy = 84, normal = 52, hard = 38, abyss = 24 })
+    wait(by_difficulty { easy = 84, normal = 52, hard = 40, abyss = 32 })
   end
 end
 
@@ -89,11 +99,13 @@ local function lamplight(e)
     local n = by_difficulty { easy = 3, normal = 4, hard = 5 }
     local way = k % 2 == 0 and -1 or 1
     local p = player.nearest(e.x, e.y)
-    local dir = (p and angle.to(e, p) or 90) + 180 / n -- whoever is there stands between two
+    -- whoever is there stands between two
+    local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
-                   spin = way * by_difficulty { easy = 0.22, normal = 0.3, hard = 0.36, abyss = 0.4 } }
+                   spin = way * by_difficulty { easy = 0.22, normal = 0.28, hard = 0.32,
+                                                abyss = 0.34 } }
     end
     sound.play("charge", { from = e })
     wait(56)
@@ -111,18 +123,20 @@ local function lamplight(e)
   end
 end
 
--- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides; shot
--- down, it clears a space.
+-- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides;
+-- shot down, it clears a space.
 local hang = motion.def {
   { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
-local function falling(every, n)
-  local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA, speed = 0.8 }
+-- It sheds so often and no more: not where you are.
+local function falling(every, n, times)
+  local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA,
+                 speed = 0.8, delay = 20 }
   return motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" }, { aim = true },
-    { speed = 2.3, over = 30 }, { loop = forever, { wait = every }, { emit = shed } } }
+    { speed = 2.3, over = 30 }, { loop = times, { wait = every }, { emit = shed } } }
 end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
-               normal = falling(34, 2), hard = falling(12, 3), abyss = falling(13, 4) }
+               normal = falling(30, 2, 2), hard = falling(16, 3, 3), abyss = falling(12, 4, 5) }
 -- A bubble slows, bursts, and is a splinter that falls.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
@@ -141,14 +155,14 @@ local function chandelier(e)
     for i = 1, 3 do
       pattern.ring { from = e, kind = "ring", bank = CRACKS[i], dir = 9.5 * (3 * k + i),
                      speed = 1.4 + i, motion = crack,
-                     n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 30 } }
+                     n = by_difficulty { easy = 12, normal = 18, hard = 23, abyss = 32 } }
       wait(14)
     end
     wander(e, 50)
     wait(60)
     lamps.motion = by_difficulty(fall)
     lamps.tag = "fallen"
-    wait(by_difficulty { easy = 130, normal = 90, hard = 64, abyss = 44 })
+    wait(by_difficulty { easy = 130, normal = 90, hard = 70, abyss = 40 })
   end
 end
 
@@ -162,11 +176,11 @@ local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
 
 local function wax(e)
   while true do
-    wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 80 })
+    wait(by_difficulty { easy = 110, normal = 80, hard = 64, abyss = 40 })
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
-                      n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 2.0, lock = true,
-                      delay = 12 }
+                      n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 },
+                      speed = 2.0, lock = true, delay = 12 }
     end
   end
 end
@@ -174,28 +188,30 @@ end
 local function harbour(e)
   local ways = by_difficulty(ebbing)
   task.go(wax, e)
-  e:move { x = 120, y = 82, over = 60, ease = "both" }
+  e:move { x = 120, y = 90, over = 60, ease = "both" }
   wait(40)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
-                   n = by_difficulty { easy = 12, normal = 20, hard = 28, abyss = 40 },
+                   n = by_difficulty { easy = 12, normal = 22, hard = 29, abyss = 40 },
                    dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
-    wait(by_difficulty { easy = 28, normal = 21, hard = 16, abyss = 12 })
+    wait(by_difficulty { easy = 28, normal = 20, hard = 14, abyss = 12 })
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 82, music = "claws",
-                   warning = 120, phases = {
+boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, music = "claws",
+                   epithet = "Keeper of the Shallows", entrance = "bubbles",
+                   portrait = "crab_cross", warning = 120, phases = {
   { talk = meeting },
   { id = "pincers", hp = 1000, time = 30 * 60, run = pincers, clear = FOAM, drops = { pearl = 5 } },
   { id = "grotto", spell = "Echo Sign: Grotto of Rings", hp = 1100, time = 35 * 60, bonus = 15000,
-    run = grotto, clear = FOAM, drops = { pearl = 8 } },
+    bonus_to = 5000, run = grotto, clear = FOAM, drops = { pearl = 8 } },
   { id = "lamplight", spell = "Light Sign: Waltz of Lamps", hp = 1100, time = 35 * 60,
-    bonus = 15000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
+    bonus = 15000, bonus_to = 5000, run = lamplight, clear = FOAM, drops = { conch = 1 } },
   { id = "chandelier", spell = "Shell Sign: Falling Chandelier", hp = 900, time = 40 * 60,
-    bonus = 20000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
+    bonus = 20000, bonus_to = 6000, run = chandelier, clear = FOAM, drops = { pearl = 6 } },
   { id = "harbour", spell = "Last Sign: Harbour Lights", hp = 1400, time = 45 * 60,
-    bonus = 30000, run = harbour, clear = FOAM, drops = { pearl = 8, heart = 1 } } } })
+    bonus = 30000, bonus_to = 10000, run = harbour, clear = FOAM,
+    drops = { pearl = 8, heart = 1 } } } })

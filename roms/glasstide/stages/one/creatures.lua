@@ -1,7 +1,7 @@
 -- stages/one/creatures.lua - who lives in the shallows.
 local kinds = require "kinds"
 local creature, small, large, burst = kinds.creature, kinds.small, kinds.large, kinds.burst
-local collapse, COLD, WARM = kinds.collapse, kinds.COLD, kinds.WARM
+local huge, collapse, COLD, WARM = kinds.huge, kinds.collapse, kinds.COLD, kinds.WARM
 
 value.def("rest") -- frames that a bullet waits before its next step
 
@@ -13,7 +13,7 @@ creature("jelly",    WARM, 28, 26, 70,  1500,  large, { pearl = 3 })
 creature("ray",      COLD, 40, 26, 60,  1600,  large, { pearl = 3 })
 creature("urchin",   COLD, 28, 28, 90,  2400,  burst, { pearl = 4 })
 creature("nautilus", WARM, 32, 32, 150, 5000,  large, { pearl = 6, conch = 1 })
-creature("lantern_nautilus", COLD, 54, 46, 100, 15000, large, { pearl = 8, conch = 1 })
+creature("lantern_nautilus", COLD, 54, 46, 100, 15000, huge, { pearl = 8, conch = 1 })
 
 -- A float harms nobody: bullets end at it, so it is a shelter for as long as it holds.
 enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 160, score = 800,
@@ -22,26 +22,25 @@ enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 
 
 -- A hatch of the wreck: it lies on the deck, so nobody flies into it.
 enemy.def("hatch", { sprite = "hatch", bank = COLD, hit = { circle = 15 }, hp = 48, score = 1200,
-                     spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip, on_death = large,
+                     spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip, on_death = large,
                      pictures = { ajar = "hatch_ajar", half = "hatch_half", open = "hatch_open" },
                      drops = { pearl = 3 }, touch = false })
 
 -- A claw breaks off, and what flies near it goes with it.
 local function break_off(e, p)
-  large(e, p)
+  huge(e, p)
   sound.play("shatter", { from = e })
-  screen.shake { size = 3, over = 24 }
   spark.burst { kind = "glint", x = e.x, y = e.y, n = 24, speed = 3 }
   bullet.sweep { x = e.x, y = e.y, radius_to = 110, over = 18, spark = "pop", items = "foam" }
 end
 
-enemy.def("claw", { sprite = "claw", bank = COLD, hit = { box = { 26, 44 } }, hp = 340, score = 5000,
-                    spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
+enemy.def("claw", { sprite = "claw", bank = COLD, hit = { box = { 26, 44 } }, hp = 340, blink_soft = true,
+                    score = 5000, spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
                     on_death = break_off, drops = { pearl = 5 },
                     run = function(e) e.flip_x = e.dx < 0 end })
 
-enemy.def("crab", { sprite = "crab", bank = COLD, hit = { box = { 58, 34 } }, hp = 100, score = 30000,
-                    spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
+enemy.def("crab", { sprite = "crab", bank = COLD, hit = { box = { 58, 34 } }, hp = 100, blink_soft = true,
+                    score = 30000, spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip,
                     on_death = collapse, drops = { pearl = 9 }, parts = {
   { kind = "claw", dx = -52, dy = 42, share = 0.6, tag = "left claw" },
   { kind = "claw", dx = 52, dy = 42, share = 0.6, tag = "right claw" } } })

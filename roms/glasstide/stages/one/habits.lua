@@ -1,5 +1,7 @@
 -- stages/one/habits.lua - what each creature does while it swims its route. All are `run`
 -- functions: they end with their creature. On each difficulty each has another writing.
+local rank = require "rank"
+
 local habits = {}
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
@@ -33,8 +35,9 @@ function habits.spit(e)
   if not may_fire(e) then return end
   local rows = by_difficulty { easy = 1, abyss = 2 }
   for row = 1, rows do
-    pattern.aimed { from = e, kind = "pellet", bank = MAGENTA, every = 7, speed = 1.6 + 0.3 * row,
-                    delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 3 } }
+    pattern.aimed { from = e, kind = "pellet", bank = MAGENTA, every = 7,
+                    speed = rank.faster(1.6 + 0.3 * row), delay = 20,
+                    n = by_difficulty { easy = 1, normal = 2, hard = 4 } }
   end
 end
 
@@ -46,9 +49,10 @@ function habits.drip(e)
     if e.y < 200 then
       pattern.fan { from = e, kind = "drop", bank = RUBY, dir = 90, n = wide and 3 or 1,
                     spread = 26, delay = 10,
-                    speed = by_difficulty { easy = 1.3, normal = 1.7, hard = 1.9, abyss = 1.5 } }
+                    speed = rank.faster(by_difficulty { easy = 1.3, normal = 1.7, hard = 1.9,
+                                                      abyss = 1.5 }) }
     end
-    wait(by_difficulty { easy = 52, normal = 34, hard = 24, abyss = 20 })
+    wait(by_difficulty { easy = 52, normal = 34, hard = 25, abyss = 17 })
   end
 end
 
@@ -58,8 +62,9 @@ function habits.fan(e)
   for row = 1, 2 do
     if may_fire(e) then
       pattern.fan { from = e, dy = 8, kind = "rice", bank = RUBY, spread = 58, aim = true,
-                    speed = 1.9, delay = 12,
-                    n = by_difficulty { easy = 3, normal = 4 + row, hard = 6 + row, abyss = 8 + row },
+                    speed = rank.faster(1.9), delay = 12,
+                    n = by_difficulty { easy = 3, normal = 4 + row, hard = 6 + row,
+                                        abyss = 8 + row },
                     each = function(a)
         a.n, a.speed_to = by_difficulty { easy = 1, abyss = 3 }, a.speed + 0.8
         pattern.stack(a)
@@ -73,7 +78,7 @@ end
 function habits.wake(e)
   wait(24)
   for k = 1, forever do
-    local speed = by_difficulty { easy = 1.1, normal = 1.3, hard = 1.6, abyss = 1.3 }
+    local speed = by_difficulty { easy = 1.1, normal = 1.3, hard = 1.5, abyss = 1.4 }
     bullet.fire { from = e, dx = -12, kind = "petal", bank = MAGENTA, speed = speed,
                   motion = ribbon }
     if by_difficulty { easy = false, normal = true } then
@@ -107,8 +112,8 @@ function habits.gild(e)
   for i = 1, by_difficulty { easy = 2, normal = 3, abyss = 4 } do
     if may_fire(e) then
       pattern.fan { from = e, dy = 8, kind = "kunai", bank = GOLD, spread = 24 * i, aim = true,
-                    speed = 2.2, delay = 12,
-                    n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 7 } }
+                    speed = rank.faster(2.2), delay = 12,
+                    n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
     end
     wait(30)
   end
@@ -120,10 +125,10 @@ function habits.bristle(e)
   local turn = rng.dir()
   while e.y < 250 do
     pattern.ring { from = e, kind = "needle", bank = GOLD, dir = turn,
-                   speed = by_difficulty { easy = 1.6, normal = 1.8, hard = 1.9, abyss = 1.6 },
+                   speed = rank.faster(by_difficulty { easy = 1.6, normal = 1.8, abyss = 1.6 }),
                    n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 9 } }
     turn = turn + 17
-    wait(by_difficulty { easy = 30, normal = 19, hard = 15, abyss = 14 })
+    wait(rank.sooner(by_difficulty { easy = 30, normal = 20, hard = 16, abyss = 14 }))
   end
 end
 
@@ -153,7 +158,8 @@ function habits.salvo(e)
     if may_fire(e) then
       sound.play("snap", { from = e })
       pattern.fan { from = e, dy = 14, kind = "shard", bank = MAGENTA, aim = true, spread = 76,
-                    n = by_difficulty { easy = 1, hard = 2, abyss = 3 }, speed = 2.1, delay = 20,
+                    n = by_difficulty { easy = 1, hard = 2, abyss = 3 }, speed = rank.faster(2.1),
+                    delay = 20,
                     each = function(a)
         a.list, a.turns, a.aim = by_difficulty { easy = SHORT, normal = ARROW }, true, nil
         pattern.points(a)
@@ -166,7 +172,8 @@ end
 -- Bubble Chain: bubbles that rise and fall as they drift down, and burst into splinters.
 local function drift(n)
   return motion.def { { wave = 14, every = 70, over = 96 },
-    { emit = { pattern = "ring", n = n, kind = "chip", bank = AMBER, speed = 1.2 } },
+    { emit = { pattern = "ring", n = n, kind = "chip", bank = AMBER, speed = 1.2,
+              delay = 20 } },
     { die = true } }
 end
 local DRIFTS = { easy = drift(5), normal = drift(8), hard = drift(11), abyss = drift(14) }
@@ -179,7 +186,7 @@ function habits.bubbles(e)
                     n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 1.1, delay = 16,
                     motion = by_difficulty(DRIFTS) }
     end
-    wait(by_difficulty { easy = 110, normal = 84, hard = 76, abyss = 64 })
+    wait(by_difficulty { easy = 110, normal = 84, hard = 76, abyss = 56 })
   end
 end
 

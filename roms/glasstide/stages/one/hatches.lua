@@ -30,7 +30,7 @@ local rise = path.def {
   { x = 0, y = 330, over = 100, ease = "in" } }
 
 local function swarm(e)
-  for i = 1, by_difficulty { easy = 4, normal = 6 } do
+  for i = 1, by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 8 } do
     enemy.spawn { kind = "krill", path = route[i % 2 + 1], dx = e.x, dy = e.y, run = habits.spit }
     wait(14)
   end
@@ -46,8 +46,9 @@ local function breathe(e)
     if e.y > 190 then return end
     pattern.ring { from = e, kind = "ring", bank = k % 2 == 0 and 3 or 2, dir = 9 * k,
                    n = by_difficulty { easy = 10, normal = 15, hard = 19, abyss = 24 },
-                   speed = by_difficulty { easy = 1.2, normal = 1.4, abyss = 1.15 }, delay = 12 }
-    wait(30)
+                   delay = 12,
+                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.15 } }
+    wait(by_difficulty { easy = 34, normal = 30, hard = 26, abyss = 22 })
   end
 end
 

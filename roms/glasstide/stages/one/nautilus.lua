@@ -1,5 +1,7 @@
 -- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp for its own. It
 -- comes when the wreck has gone by.
+local rank = require "rank"
+
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 local LAMP = { dx = -3, dy = 26 } -- where it holds the lamp
 
@@ -32,7 +34,7 @@ local function lantern(e)
     local left = k // 4 % 2 == 0
     pattern.ring { from = e, kind = "orb", bank = left and MAGENTA or AMBER, n = n, dir = 7 * k,
                    speed = 1.25, motion = left and wind_left or wind_right }
-    wait(by_difficulty { easy = 34, normal = 25, hard = 21, abyss = 18 })
+    wait(rank.sooner(by_difficulty { easy = 34, normal = 26, hard = 21, abyss = 18 }))
   end
 end
 
@@ -42,9 +44,10 @@ local function unwinding(bank, speed)
   return motion.def { { wait = "rest" }, { bank = bank }, { speed = speed, over = 50 } }
 end
 local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
-                 abyss = unwinding(RUBY, 1.3) }
+                 hard = unwinding(RUBY, 1.5), abyss = unwinding(RUBY, 1.3) }
 -- What it lays the other way round looks at you when its turn comes.
-local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true }, { speed = 1.5, over = 40 } }
+local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true },
+                          { speed = 1.5, over = 40 } }
 
 -- One pearl of an arm that winds outwards; none where you are.
 local function lay(e, a, r, way, def)
@@ -70,20 +73,20 @@ end
 local function chambers(e)
   for k = 1, forever do
     local way = k % 2 == 0 and -1 or 1
-    local n = by_difficulty { easy = 36, normal = 60, hard = 54, abyss = 50 }
+    local n = by_difficulty { easy = 36, normal = 54, hard = 56, abyss = 50 }
     local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
-    e:move { x = rng.int(96, 144), y = rng.int(70, 86), over = 30, ease = "both" }
+    e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
     wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
-      wind(e, by_difficulty { hard = 24, abyss = 40 }, 1, 40 * k + 180, -way, "pellet", moth)
+      wind(e, 40, 1, 40 * k + 180, -way, "pellet", moth)
     end
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
       pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "kunai", bank = GOLD, aim = true,
-                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 5 },
-                    speed = 2.0, delay = 12 }
+                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 7 },
+                    speed = by_difficulty { easy = 1.7, normal = 1.8, hard = 2.1 }, delay = 12 }
     end
     wait(by_difficulty { easy = 70, normal = 24, hard = 20, abyss = 10 })
   end
@@ -91,8 +94,9 @@ end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 78,
-                       music = "lantern", phases = {
+boss.def("nautilus", { title = "Lantern Nautilus", kind = "lantern_nautilus", x = 120, y = 86,
+                       entrance = "bubbles",
+                       music = "lantern", portrait = "lantern_nautilus", phases = {
   { id = "lantern", hp = 700, time = 24 * 60, run = lantern, clear = FOAM, drops = { pearl = 5 } },
   { id = "chambers", spell = "Spiral Sign: Chambered Lamp", hp = 950, time = 30 * 60,
-    bonus = 12000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })
+    bonus = 12000, bonus_to = 4000, run = chambers, clear = FOAM, drops = { pearl = 6 } } } })

@@ -2,7 +2,9 @@
 -- its eyes, its teeth, and the lamp that it holds out.
 local kinds = require "kinds"
 local by = require "stages/three/by"
+local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
+local fast, soon = pace.fast, pace.soon
 
 local ROOT <const> = -42  -- where its stalk begins, from its middle
 local FIRST <const>, LAST <const> = 10 * 16 + 1, 13 * 16 + 15 -- colours that light and dark are of
@@ -46,7 +48,7 @@ end
 local function lamp_of(e) return e:parts("lamp")[1] end
 
 local function swing(e, over)
-  e:move { x = rng.int(90, 150), y = rng.int(70, 92), over = over, ease = "both" }
+  e:move { x = rng.int(90, 150), y = rng.int(84, 102), over = over, ease = "both" }
 end
 
 -- 1. The bait goes to and fro, and sheds light to both sides that falls in bows, as of a fountain.
@@ -73,7 +75,7 @@ local function fountain(e)
       bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 336 + lean, speed = speed,
                     motion = name .. " right" }
     end
-    wait(by(26, 17, 12, 9))
+    wait(soon(26, 17, 12, 9))
   end
 end
 
@@ -95,13 +97,13 @@ local function bait(e)
     end
   end)
   while true do
-    wait(by(130, 110, 96, 90))
+    wait(soon(140, 122, 94, 90))
     flare()
     sound.play("angler", { from = e })
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
                   spread = by(30, 40, 54, 80), n = by(3, 5, 7, 11), delay = 20,
-                  speed = by(1.9, 2.2, 2.3, 1.7) }
+                  speed = fast(1.9, 2.2, 2.3, 1.7) }
     swing(e, 60)
   end
 end
@@ -125,10 +127,12 @@ local function strike(lamp)
     if dx * dx + dy * dy > LIT * LIT then return end
     b.dir, b.motion, b.tag = angle.of(dx, dy), motion_name, "fire"
   end)
-  local dir = rng.dir()
+  local aims = by(false, false, true, true)
+  local dir = aims and 0 or rng.dir()
   for i = 1, by(1, 1, 2, 3) do
-    pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24), dir = dir + 5 * i,
-                   speed = by(1.3, 1.6, 1.8, 1.3) - 0.22 * (i - 1), delay = 20 }
+    pattern.ring { from = lamp, kind = "petal", bank = 1, n = by(8, 14, 18, 24),
+                   dir = dir + 5 * i, aim = aims,
+                   speed = by(1.3, 1.6, 1.8, 1.5) - 0.22 * (i - 1), delay = 20 }
   end
 end
 
@@ -155,7 +159,7 @@ local function match(e)
       wait(6)
     end
     strike(lamp)
-    wait(by(86, 70, 58, 50))
+    wait(by(96, 72, 56, 44))
     swing(e, 60)
   end
 end
@@ -214,17 +218,18 @@ local function teeth(e)
     sound.play("charge", { from = e })
     jaws(k)
     wait(44)
-    e:move { x = 120 + 30 * angle.sin(77 * k), y = 76, over = 80, ease = "both" }
+    e:move { x = 120 + 30 * angle.sin(77 * k), y = 88, over = 80, ease = "both" }
     wait(by(190, 172, 160, 150))
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" }
 
-boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 82, music = "lantern",
+boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, music = "lantern",
+  entrance = "bubbles",
   phases = {
-  { id = "bait", hp = 760, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
-  { id = "match", spell = "Lamp Sign: Struck Match", hp = 860, time = 30 * 60, bonus = 20000,
-    run = match, clear = FOAM, drops = { pearl = 6 } },
-  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 860, time = 30 * 60, bonus = 20000,
-    run = teeth, clear = FOAM } } })
+  { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
+  { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,
+    bonus_to = 6000, run = match, clear = FOAM, drops = { pearl = 6 } },
+  { id = "teeth", spell = "Jaw Sign: Closing Teeth", hp = 740, time = 30 * 60, bonus = 20000,
+    bonus_to = 6000, run = teeth, clear = FOAM } } })

@@ -1,13 +1,15 @@
 -- stages/three/habits.lua - what each creature of the abyss does while it swims its route. All are
 -- `run` functions: they end with their creature.
 local by = require "stages/three/by"
+local pace = require "stages/three/pace"
+local fast, soon = pace.fast, pace.soon
 local habits = {}
 
 local NEAR = 44 -- px: nobody fires into a face
 
 local function face_to_face(e)
   local p = player.nearest(e.x, e.y)
-  if not p then return false end
+  if not (p and p.alive) then return false end
   local dx, dy = p.x - e.x, p.y - e.y
   return dx * dx + dy * dy < NEAR * NEAR
 end
@@ -17,15 +19,15 @@ function habits.spit(e)
   wait(rng.int(20, 50))
   if face_to_face(e) then return end
   pattern.aimed { from = e, kind = "pellet", bank = 5, every = 8, delay = 14,
-                  n = by(1, 2, 3, 5), speed = by(1.6, 1.9, 2.1, 2.2) }
+                  n = by(1, 2, 3, 5), speed = fast(1.6, 1.9, 2.1, 2.2) }
 end
 
 -- Those that come in crowds let glass fall behind them.
 function habits.litter(e)
   wait(26)
   while true do
-    bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = by(1.1, 1.3, 1.5, 1.2) }
-    wait(by(52, 34, 24, 15))
+    bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = fast(1.1, 1.3, 1.5, 1.2) }
+    wait(soon(52, 34, 24, 21))
   end
 end
 
@@ -39,7 +41,7 @@ function habits.bite(e)
   for _ = 1, by(1, 1, 2, 3) do
     if not face_to_face(e) then
       pattern.points { from = e, dy = 14, kind = "kunai", bank = 1, aim = true, turns = true,
-                       delay = 22, speed = by(1.6, 2, 2.2, 2.2),
+                       delay = 22, speed = fast(1.6, 2, 2.2, 2.2),
                        list = by(JAW, JAW, WIDE_JAW, WIDE_JAW) }
     end
     wait(34)
@@ -54,13 +56,13 @@ function habits.ink(e)
   wait(70)
   while true do
     pattern.scatter { from = e, dy = 12, kind = "orb", bank = 0, dir = 90, spread = 150,
-                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 26) }
+                      speed = 0.7, speed_to = 2.2, motion = "ink", n = by(7, 11, 16, 19) }
     wait(40)
     if not face_to_face(e) then
       pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
-                    speed = by(1.5, 1.8, 2, 2), n = by(1, 3, 3, 5) }
+                    speed = fast(1.5, 1.8, 2, 2), n = by(1, 3, 3, 5) }
     end
-    wait(by(130, 100, 84, 70))
+    wait(soon(130, 100, 84, 70))
   end
 end
 
@@ -72,13 +74,13 @@ function habits.lights(e)
     local open = 46 + 40 * angle.sin(9 * k)
     for side = -1, 1, 2 do
       bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "petal", bank = 2,
-                    dir = 90 + open * side, speed = by(1.2, 1.4, 1.5, 1.1) }
-      if k % by(9, 4, 2, 1) == 0 then
+                    dir = 90 + open * side, speed = fast(1.2, 1.4, 1.5, 1.1) }
+      if k % by(9, 4, 2, 2) == 0 then
         bullet.fire { from = e, dx = 12 * side, dy = -12 + 3 * (k % 9), kind = "rice", bank = 3,
-                      dir = 90 - 0.6 * open * side, speed = by(1, 1.1, 1.2, 0.9) }
+                      dir = 90 - 0.6 * open * side, speed = fast(1, 1.1, 1.2, 0.9) }
       end
     end
-    wait(by(12, 8, 6, 5))
+    wait(soon(12, 8, 6, 5))
   end
 end
 
@@ -89,14 +91,14 @@ motion.def { name = "web", { speed = 0, over = 44 }, { wait = 22 }, { dir = 90 }
 function habits.web(e)
   wait(76)
   for k = 0, forever do
-    for row = 1, by(2, 3, 3, 4) do
+    for row = 1, by(2, 3, 3, 3) do
       pattern.polygon { from = e, kind = "pellet", bank = 0, sides = 6, dir = 30 * (k % 2),
                         n = 6 * (row + by(0, 0, 1, 1)), speed = 0.7 + 0.75 * row, motion = "web" }
       wait(6)
     end
     pattern.ring { from = e, kind = "drop", bank = 1, n = 6, dir = 30 * (k % 2), motion = "web",
                    speed = 4.2 }
-    wait(by(150, 124, 104, 96))
+    wait(soon(150, 124, 104, 96))
   end
 end
 
@@ -106,9 +108,9 @@ local function shed(bell)
   while true do
     if not face_to_face(bell) then
       bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
-                    speed = by(0.9, 1.1, 1.2, 0.9) }
+                    speed = fast(0.9, 1.1, 1.2, 0.9) }
     end
-    wait(by(40, 28, 20, 13))
+    wait(soon(40, 28, 20, 18))
   end
 end
 
@@ -129,9 +131,9 @@ function habits.chain(e)
     wait(24)
   end
   while true do
-    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 18), dir = rng.dir(),
-                   speed = by(1, 1.2, 1.3, 1) }
-    wait(by(120, 96, 80, 64))
+    pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 16), dir = rng.dir(),
+                   speed = fast(1, 1.2, 1.3, 1) }
+    wait(soon(120, 96, 80, 64))
   end
 end
 
@@ -145,10 +147,10 @@ function habits.hunt(e)
       sound.play("lamp", { from = e })
       spark.burst { kind = "glint", from = e, dy = 26, n = 8, speed = 2 }
       pattern.fan { from = e, dy = 24, kind = "lance", bank = 3, aim = true, delay = 30,
-                    spread = by(0, 26, 40, 64), speed = by(2.4, 2.8, 3.1, 3), n = by(1, 3, 5, 7) }
+                    spread = by(0, 26, 40, 64), speed = fast(2.4, 2.8, 3.1, 3), n = by(1, 3, 5, 7) }
     end
     for _ = 1, 4 do
-      wait(by(26, 20, 16, 14))
+      wait(soon(26, 20, 16, 14))
       pattern.fan { from = e, dy = -20, kind = "needle", bank = 5, n = 2, dir = 270, spread = 150,
                     speed = 1.3, motion = "round the back" }
     end
@@ -174,7 +176,7 @@ function habits.gulp(e)
     pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 5),
                   spread = by(60, 90, 90, 140), speed = 2.3, delay = 20,
                   motion = by("gulp", "gulp", "great gulp", "great gulp") }
-    wait(by(100, 84, 70, 62))
+    wait(soon(100, 84, 70, 62))
   end
 end
 

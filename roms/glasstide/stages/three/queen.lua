@@ -2,10 +2,12 @@
 -- one she comes back with.
 local sea = require "sea"
 local by = require "stages/three/by"
+local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
 local figures = require "stages/three/queen_figures"
 local meeting = require "stages/three/meeting"
 local fx = require "fx"
+local fast, soon = pace.fast, pace.soon
 
 local function wander(e, over)
   e:move { x = rng.int(80, 160), y = rng.int(74, 98), over = over, ease = "both" }
@@ -24,8 +26,8 @@ local function moon(e, dir)
     wait(50)
     while true do
       bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b),
-                    speed = by(1.3, 1.4, 1.5, 0.9) }
-      wait(by(22, 16, 13, 12))
+                    speed = fast(1.3, 1.4, 1.5, 0.9) }
+      wait(soon(22, 16, 13, 12))
     end
   end)
 end
@@ -35,12 +37,12 @@ local function wheels(e)
   local moons = by(2, 4, 5, 6)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
-                            every = by(11, 7, 6, 6), speed = by(1.4, 1.7, 1.8, 0.9),
-                            arms = by(3, 5, 7, 13) })
+                            every = by(14, 7, 6, 6), speed = by(1.3, 1.7, 1.8, 0.9),
+                            arms = by(3, 5, 8, 13) })
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
-                  speed = by(1.9, 2.4, 2.5, 1.8), n = by(2, 4, 6, 7),
+                  speed = fast(1.9, 2.4, 2.5, 1.8), n = by(1, 3, 6, 7),
                   each = function(a) a.n, a.speed_to = 3, a.speed + 1 pattern.stack(a) end }
     wander(e, 90)
   end
@@ -50,18 +52,20 @@ end
 -- flows again; half of the orbs then look at you, and half go home: each has written on it where.
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
-motion.def { name = "pounce", { speed = 0 }, { speed = 2, over = 20 } }
-motion.def { name = "creep", { speed = 0 }, { speed = 1.2, over = 40 } }
+motion.def { name = "pounce", { speed = 0 }, { speed = 1.8, over = 26 } }
+motion.def { name = "creep", { speed = 0 }, { speed = 1.4, over = 40 } }
 
 local function gather(n)
+  local apart = by(4, 4, 4, 2) -- frames
   for i = 1, n do
     player.each(function(p)
       if not p.alive then return end
       local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
-      bullet.fire { kind = "lance", bank = 3, from = p, aim = true, speed = 3,
-                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = 4 * (n - i) + 30 }
+      bullet.fire { kind = "lance", bank = 3, from = p, aim = true,
+                    speed = by(2.4, 2.6, 2.8, 3),
+                    dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = apart * (n - i) + 30 }
     end)
-    wait(4)
+    wait(apart)
   end
   wait(30)
 end
@@ -85,11 +89,11 @@ local function held(e)
   scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
-    local n = by(14, 20, 27, 40)
-    for i = 1, by(5, 6, 6, 10) do
+    local n = by(11, 20, 25, 40)
+    for i = 1, by(4, 6, 6, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
-      wait(10)
+      wait(by(10, 10, 12, 6))
     end
     wait(18)
     do
@@ -97,7 +101,7 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(4, 7, 11, 14))
+      gather(by(3, 6, 7, 16))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
@@ -118,11 +122,11 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(6, 4, 3, 1), by(1, 1, 1, 2)
+  local every, many = by(8, 4, 3, 3), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
-      drop.speed = by(1.2, 1.4, 1.5, 0.8) + 0.1 * (k % 3)
+      drop.speed = by(1.2, 1.4, 1.5, 0.85) + by(0.1, 0.1, 0.1, 0) * (k % 3)
       drop.sway = tide()
       bullet.fire(drop)
     end
@@ -132,8 +136,8 @@ local function rain_over(e)
 end
 
 local function wall(first)
-  local wide = by(7, 5, 4, 5)
-  for row = 0, 2 do
+  local wide = by(9, 5, 4, 6)
+  for row = 0, by(2, 2, 2, 5) do
     pattern.line { x = 120 + 6 * (row % 2), y = -10, kind = "rice", bank = 1, n = 28, width = 324,
                    dir = 90, speed = by(1.2, 1.3, 1.4, 0.9), motion = "sway", sway = tide(),
                    skip = { first + row, first + row + wide } }
@@ -146,12 +150,12 @@ local function ebb(e)
   task.go(rain_over, e)
   for k = 1, forever do
     wait(by(60, 50, 46, 60))
-    wall((12.5 + 3.5 * angle.sin(80 * k)) // 1)
+    wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
-                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 3) }
+                  speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
     wait(by(50, 40, 36, 60))
     pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
-                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 22),
+                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 8),
                    motion = "sway", sway = tide() }
     wander(e, 80)
   end
@@ -173,7 +177,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(7, 10, 14, 18), motion = motion_name,
+                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 16), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -187,15 +191,15 @@ local function flower(e, full)
     wait(12)
     petals(e, turn + 12, right, 5)
     if k % 3 == 0 then
-      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 7), aim = true,
+      pattern.ring { from = e, dy = -6, kind = "bubble", bank = 0, n = by(4, 6, 6, 4), aim = true,
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
-    wait(by(80, 62, 46, 44))
+    wait(by(80, 58, 45, 50))
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),
-                     n = by(10, 20, 30, 40) }
+                     n = by(10, 20, 30, 22) }
     end
   end
 end
@@ -207,35 +211,40 @@ local function window(e)
   figures.window(e)
 end
 
+local returns = 0 -- how often she came back already
+
+-- Each time she has less left: whoever cannot reach her is not held here for ever.
 local function again(e)
   scene.court()
+  e.hp = math.max(60, e.hp - 240 * returns)
   figures.again(e)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
+                    epithet = "Who Took Back the Sea", entrance = "bubbles",
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
-  { id = "wheels", hp = 1150, time = 45 * 60, run = wheels, clear = FOAM,
+  { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
     drops = { pearl = 8 } },
-  { id = "held", spell = "Glass Sign: Held Breath", hp = 1300, time = 50 * 60, bonus = 30000,
-    run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1350, time = 50 * 60, bonus = 30000,
-    run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
-  { id = "window", spell = "Pane Sign: Rose Window", hp = 1400, time = 50 * 60, bonus = 40000,
-    run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
-  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1700, time = 60 * 60, bonus = 60000,
-    run = function(e) flower(e, 1700) end, clear = FOAM } } })
+  { id = "held", spell = "Glass Sign: Held Breath", hp = 1050, time = 50 * 60, bonus = 30000,
+    bonus_to = 10000, run = held, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+  { id = "ebb", spell = "Moon Sign: Ebb and Flow", hp = 1100, time = 50 * 60, bonus = 30000,
+    bonus_to = 10000, run = ebb, clear = FOAM, drops = { pearl = 8, heart = 1 } },
+  { id = "window", spell = "Pane Sign: Rose Window", hp = 1150, time = 50 * 60, bonus = 40000,
+    bonus_to = 13000, run = window, clear = FOAM, drops = { pearl = 8, conch = 1 } },
+  { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60,
+    bonus = 60000, bonus_to = 20000, run = function(e) flower(e, 1350) end, clear = FOAM } } })
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen",
-  phases = { { id = "again", spell = "The Tide Returns", hp = 900, time = 40 * 60,
-               run = again } } })
+  phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
+               bonus = 30000, bonus_to = 5000, run = again } } })
 
 local broken -- she was, as she came back
 
 on.phase(function(_, id, won)
-  if id == "again" then broken = won end
+  if id == "again" then broken, returns = won, won and 0 or returns + 1 end
 end)
 
 local queen = {}
@@ -244,6 +253,7 @@ local queen = {}
 function queen.fight()
   boss.fight("queen")
   if not stage.skipping() then wait(fx.COLLAPSE) end
+  returns = 0
   repeat
     broken = false
     boss.fight("undertow")

@@ -26,7 +26,7 @@ local function light_through(e)
   while true do
     wait(by(forever, 260, 220, 240))
     local p = player.nearest(e.x, e.y)
-    local dir = p and angle.to(e, p) or 90
+    local dir = p and p.alive and angle.to(e, p) or 90
     sound.play("charge", { from = e })
     for side = -1, 1, 2 do
       laser.beam { kind = "ray", bank = 2, from = e, dy = -4, dir = dir + 20 * side, length = 380,
@@ -50,16 +50,16 @@ function figures.window(e)
     if k % 12 == 0 then sound.play("chord", { from = e }) end
     local way = k // 12 % 2 == 0 and 1 or -1
     ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), way)
-    wait(by(34, 27, 23, 21))
+    wait(by(36, 28, 23, 18))
   end
 end
 
 -- The tide returns: arms of kelp hang from her through all of the field and sway. What flows in
 -- them leaves a channel between two, which sways along; now and then an arm has a hole.
 local function kelp(e)
-  local arms = by(12, 14, 16, 20)
+  local arms = by(12, 17, 22, 28)
   local speed = by(1.3, 1.4, 1.5, 0.95)
-  local period, lean = by(420, 380, 340, 420), by(8, 11, 13, 12)
+  local period, lean = by(420, 360, 320, 400), by(8, 12, 15, 14)
   for k = 0, forever do
     if k % 14 < 10 then
       local t = 360 * (by(9, 7, 6, 7) * k % period) / period
@@ -77,8 +77,15 @@ function figures.again(e)
   e:move { x = 120, y = 84, over = 40, ease = "both" }
   wait(40)
   task.go(kelp, e)
+  task.go(function()
+    while true do -- pearls that roll down the channels
+      wait(by(110, 84, 50, 44))
+      pattern.fan { from = e, dy = 10, kind = "pearl", bank = 3, aim = true, n = by(1, 2, 3, 5),
+                    spread = by(0, 40, 36, 60), speed = by(1.4, 1.7, 1.9, 1.4), delay = 20 }
+    end
+  end)
   for k = 1, forever do
-    wait(by(120, 100, 88, 100))
+    wait(by(120, 92, 74, 84))
     pattern.rose { from = e, dy = -4, kind = "petal", bank = 1, petals = 5, dir = 37 * k,
                    aim = k % 2 == 0, n = by(15, 20, 30, 40),
                    speed = 2.4, speed_to = 1.3, motion = bloom }

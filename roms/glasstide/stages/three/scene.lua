@@ -53,6 +53,8 @@ local scene = {}
 function scene.lightless()
   if bg.layer(1).map ~= "depths" or bg.layer(2).map or bg.plane().map then
     bg.show("lightless", { over = 0 })
+  else
+    palette.fade { to = "dark", over = 40, first = 10 * 16 + 1, last = 13 * 16 + 15 }
   end
 end
 

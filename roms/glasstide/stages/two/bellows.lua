@@ -1,8 +1,8 @@
--- stages/two/bellows.lua - halfway through the works: the Bellows, a ray that breathes molten
--- glass.
+-- stages/two/bellows.lua - halfway through the works: the Bellows, a ray that breathes bubbles.
+local rank = require "rank"
 
 local function wander(e, over)
-  e:move { x = rng.int(86, 154), y = rng.int(66, 86), over = over, ease = "both" }
+  e:move { x = rng.int(86, 154), y = rng.int(78, 94), over = over, ease = "both" }
 end
 
 -- 1. Bubbles: each slows down, stands, and falls apart; in the abyss what is left of it does so
@@ -16,8 +16,8 @@ local function bubble(n, after)
                motion = after } },
     { die = true } }
 end
-local bubbles = { easy = bubble(7), normal = bubble(11), hard = bubble(14),
-                  abyss = bubble(12, "crumble") }
+local bubbles = { easy = bubble(7), normal = bubble(10), hard = bubble(15),
+                  abyss = bubble(10, "crumble") }
 
 local function breath(e)
   wait(20)
@@ -25,22 +25,24 @@ local function breath(e)
     sound.play("steam", { from = e })
     local turn = 16 * angle.sin(67 * k)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + turn, spread = 110,
-                  speed = 2.1,
-                  n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 },
+                  speed = rank.faster(2.1),
+                  n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 4 },
                   motion = by_difficulty(bubbles) }
-    wait(by_difficulty { easy = 60, normal = 46, hard = 34, abyss = 34 })
-    pattern.stack { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, speed = 1.7,
-                    speed_to = 2.7,
-                    n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 5 } }
+    wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 34, abyss = 38 }))
+    pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44,
+                  speed = by_difficulty { easy = 1.6, hard = 1.8, abyss = 1.5 },
+                  n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
+      a.n, a.speed_to = by_difficulty { easy = 1, normal = 2, hard = 4 }, a.speed + 0.9
+      pattern.stack(a)
+    end }
     wander(e, 50)
-    wait(by_difficulty { easy = 70, normal = 52, hard = 44, abyss = 40 })
+    wait(rank.sooner(by_difficulty { easy = 76, normal = 56, hard = 40, abyss = 42 }))
   end
 end
 
 -- 2. It draws in its breath: what lies along the walls goes home to it. Then it lets go, wave after
--- wave, and every
--- wave has a gap a little further on.
-local MOUTH_X <const>, MOUTH_Y <const> = 120, 106
+-- wave; each has a gap, which swings to and fro from one to the next.
+local MOUTH_X <const>, MOUTH_Y <const> = 120, 118
 local drawn = motion.def { { go_to = { MOUTH_X, MOUTH_Y }, over = 70, ease = "in" },
                            { die = true } }
 
@@ -49,57 +51,65 @@ local function inhale()
   for i = 1, rows do
     for side = 0, 1 do
       bullet.fire { kind = "drop", bank = 5, x = side == 0 and 6 or 234, y = 18 + 14 * i,
-                    dir = 180 * side,
-                    speed = 0.4, delay = 24 + 3 * i, motion = drawn }
+                    dir = 180 * side, speed = 0.4, delay = 24 + 2 * i, motion = drawn }
     end
   end
-  wait(100 + 3 * rows)
+  wait(74 + 2 * rows)
 end
 
-local function exhale(k)
-  local n = by_difficulty { easy = 26, normal = 34, hard = 42, abyss = 56 }
-  local wide = by_difficulty { easy = 5, normal = 5, hard = 5, abyss = 5 }
-  local way, turn = k % 2 == 0 and 1 or -1, rng.int(-24, 24)
-  for i = 1, by_difficulty { easy = 5, normal = 7, hard = 8, abyss = 12 } do
-    pattern.ring { x = MOUTH_X, y = MOUTH_Y, kind = i % 2 == 0 and "orb" or "ring", n = n,
-                   bank = i % 2 == 0 and 6 or 7, speed = by_difficulty { easy = 1.2, normal = 1.35,
-                                                                         hard = 1.45,
-                                                                         abyss = 1.2 },
-                   dir = 90 + turn + way * 7 * i + 180 * wide / n, skip = { n - wide + 1, n } }
-    wait(by_difficulty { easy = 26, normal = 21, hard = 18, abyss = 16 })
+local function exhale(first)
+  local n = by_difficulty { easy = 24, normal = 40, hard = 54, abyss = 66 }
+  local wide = by_difficulty { easy = 6, normal = 5, hard = 4 }
+  local swing = by_difficulty { easy = 9, normal = 14, hard = 20, abyss = 16 }
+  local waves = by_difficulty { easy = 6, normal = 9, hard = 11, abyss = 26 }
+  for i = 1, waves do
+    local odd = i % 2 == 1
+    pattern.ring { x = MOUTH_X, y = MOUTH_Y, n = n, skip = { n - wide + 1, n },
+                   bank = odd and 7 or 6,
+                   kind = odd and by_difficulty { easy = "ring", abyss = "pellet" } or "orb",
+                   speed = by_difficulty { easy = 1.2, normal = 1.35, hard = 1.5, abyss = 0.95 },
+                   dir = 90 + 30 * angle.sin(first + swing * i) + 180 * (wide + 1) / n }
+    if i % by_difficulty { easy = 99, normal = 6, hard = 5, abyss = 7 } == 0 then
+      pattern.aimed { x = MOUTH_X, y = MOUTH_Y, kind = "kunai", bank = 5, speed = 1.9, every = 6,
+                      n = by_difficulty { normal = 1, hard = 2, abyss = 3 }, delay = 20 }
+    end
+    wait(by_difficulty { easy = 28, normal = 20, hard = 16, abyss = 13 })
   end
+  return first + swing * waves
 end
 
 local function draught(e)
-  e:move { x = 120, y = 74, over = 40, ease = "both" }
-  wait(40)
-  for k = 1, forever do
+  local swung = rng.dir()
+  e:move { x = 120, y = 86, over = 40, ease = "both" }
+  wait(30)
+  while true do
     sound.play("charge", { from = e })
     inhale()
     sound.play("steam", { from = e })
-    exhale(k)
-    wait(by_difficulty { easy = 60, normal = 40, hard = 30, abyss = 20 })
+    swung = exhale(swung)
+    pattern.fan { from = e, dy = 30, kind = "gob", bank = 5, aim = true, spread = 70, speed = 1.6,
+                  delay = 20, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
+    wait(by_difficulty { easy = 50, normal = 30, hard = 20, abyss = 30 })
   end
 end
 
 -- 3. Wheels come down side by side; the teeth of each go between those of the next.
 local REACH <const> = 30 -- px from a wheel's hub to its teeth
-motion.def { name = "teeth left",
-  { orbit = 6, radius_to = REACH, spin = 1.3, over = 40 }, { orbit = REACH, spin = 1.3,
-                                                             over = forever },
-  { die = true } }
-motion.def { name = "teeth right",
-  { orbit = 6, radius_to = REACH, spin = -1.3, over = 40 }, { orbit = REACH, spin = -1.3,
-                                                              over = forever },
-  { die = true } }
+
+local function teeth(name, spin)
+  motion.def { name = name, { orbit = 6, radius_to = REACH, spin = spin, over = 40 },
+    { orbit = REACH, spin = spin, over = forever }, { die = true } }
+end
+teeth("teeth left", 1.3)
+teeth("teeth right", -1.3)
 
 local function wheel(x, y, left, speed)
-  local teeth = by_difficulty { easy = 5, normal = 6, hard = 8, abyss = 10 }
+  local count = by_difficulty { easy = 5, normal = 6, hard = 7, abyss = 8 }
   local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = 90, speed = speed,
                             delay = 20 }
-  for i = 1, teeth do
+  for i = 1, count do
     bullet.fire { kind = "ingot", bank = left and 6 or 7, x = x, y = y, speed = 0, around = hub,
-                  dir = 360 * (i + (left and 0 or 0.5)) / teeth, delay = 20,
+                  dir = 360 * (i + (left and 0 or 0.5)) / count, delay = 20,
                   motion = left and "teeth left" or "teeth right" }
   end
 end
@@ -107,28 +117,27 @@ end
 local function wheels(e)
   wait(30)
   for k = 1, forever do
-    local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 1, abyss = 1 }
+    local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
     local n = by_difficulty { easy = 2, normal = 3, hard = 3, abyss = 4 }
     sound.play("gear", { from = e })
     for i = 1, n do
-      wheel(120 + 62 * (i - (n + 1) / 2) + 24 * angle.sin(90 * k), 40, (i + k) % 2 == 0, speed)
+      wheel(120 + 62 * (i - (n + 1) / 2) + 24 * angle.sin(90 * k), 52, (i + k) % 2 == 0, speed)
     end
     wait(40)
     pattern.fan { from = e, dy = 26, kind = "orb", bank = 5, aim = true, spread = 90, speed = 1.5,
-                  n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
+                  n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 8 } }
     wander(e, 50)
-    wait(by_difficulty { easy = 90, normal = 66, hard = 52, abyss = 44 })
+    wait(by_difficulty { easy = 90, normal = 66, hard = 60, abyss = 52 })
   end
 end
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
-boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 74, music = "lantern",
+boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
+                      entrance = "bubbles",
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
-  { id = "draught", spell = "Breath Sign: Held Draught", hp = 640, time = 26 * 60, bonus = 12000,
-    run = draught,
-    clear = FOAM, drops = { pearl = 6 } },
+  { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,
+    bonus_to = 4000, run = draught, clear = FOAM, drops = { pearl = 6 } },
   { id = "wheels", spell = "Gear Sign: Meshing Wheels", hp = 700, time = 26 * 60, bonus = 15000,
-    run = wheels,
-    clear = FOAM, drops = { conch = 1 } } } })
+    bonus_to = 5000, run = wheels, clear = FOAM, drops = { conch = 1 } } } })

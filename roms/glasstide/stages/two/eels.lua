@@ -1,25 +1,9 @@
 -- stages/two/eels.lua - the two who run the works: Cinder, who melts, and Quench, who cools. Where
--- each has a bar of its
--- own, the one that is left is angry.
+-- each has a bar of its own, the one that is left is angry.
+local rank = require "rank"
 local meeting = require "stages/two/meeting"
-
-local duel = {} -- the two of them, by name, while a phase runs
-
-local function other(e) return e == duel.cinder and duel.quench or duel.cinder end
-
--- Is the other one down? Then by so much less is waited.
-local function angry(e)
-  local o = other(e)
-  return o and (not o.alive or o.hp == 0)
-end
-
-local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
-
--- The functions of a phase in which each has a bar.
-local function pair(cinder, quench)
-  return { cinder = function(e) duel.cinder = e cinder(e) end,
-           quench = function(e) duel.quench = e quench(e) end }
-end
+local duel = require "stages/two/duel"
+local angry, rest, pair = duel.angry, duel.rest, duel.pair
 
 -- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
 local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 0 } } }
@@ -28,12 +12,14 @@ local function sparks(e)
   wait(20)
   local dir = 40
   for k = 1, forever do
-    local arms = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 } + (angry(e) and 2 or 0)
-    pattern.ring { from = e, dy = 14, kind = "petal", bank = 7, dir = dir, n = arms, speed = 1.6 }
+    local arms = by_difficulty { easy = 2, normal = 4, hard = 5 }
+    pattern.ring { from = e, dy = 14, kind = "petal", bank = 7, dir = dir, speed = rank.faster(1.6),
+                   n = arms + (angry(e) and 2 or 0) }
     dir = dir + 11 + 6 * angle.sin(3 * k)
-    if k % 24 == 0 then e:move { x = rng.int(44, 90), y = rng.int(62, 88), over = 60,
-                                 ease = "both" } end
-    wait(by_difficulty { easy = 11, normal = 8, hard = 7, abyss = 6 })
+    if k % 24 == 0 then
+      e:move { x = rng.int(44, 90), y = rng.int(82, 104), over = 60, ease = "both" }
+    end
+    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, hard = 7, abyss = 6 }))
   end
 end
 
@@ -42,15 +28,15 @@ local function bars(e)
   for k = 1, forever do
     pattern.fan { from = e, dy = 16, kind = "ingot", bank = 5, dir = 96 + 20 * angle.sin(77 * k),
                   spread = 120, speed = 2, motion = rebound,
-                  n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
-    rest(e, by_difficulty { easy = 66, normal = 52, hard = 44, abyss = 36 })
-    if angry(e) then
+                  n = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 7 } }
+    rest(e, rank.sooner(by_difficulty { easy = 76, normal = 54, hard = 42, abyss = 34 }))
+    if angry(e) or by_difficulty { easy = false, hard = true } then
       pattern.stack { from = e, dy = 16, kind = "kunai", bank = 6, aim = true, speed = 1.6,
-                      speed_to = 2.6,
-                      n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 6 } }
+                      speed_to = 2.6, n = by_difficulty { easy = 2, normal = 4, abyss = 6 } }
     end
-    if k % 3 == 0 then e:move { x = rng.int(150, 196), y = rng.int(62, 88), over = 60,
-                                ease = "both" } end
+    if k % 3 == 0 then
+      e:move { x = rng.int(150, 196), y = rng.int(82, 104), over = 60, ease = "both" }
+    end
   end
 end
 
@@ -62,41 +48,56 @@ local weave_back = motion.def { { wave = 15, every = 110, phase = 180, over = fo
 local function pour(e)
   wait(46)
   for k = 1, forever do
-    local n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 }
     local left = k % 2 == 0
-    sound.play("beam", { from = e })
-    pattern.fan { from = e, dy = 18, fire = "curve", kind = "pour", bank = left and 7 or 6, n = n,
-                  spread = 130,
-                  dir = 90 + (left and 9 or -9), points = by_difficulty { easy = 36, normal = 44,
-                                                                          hard = 54,
-                                                                         abyss = 60 },
-                  speed = 1.7, motion = left and weave or weave_back, tag = "poured" }
-    wait(34)
-    for i = 1, by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 5 } do
+    sound.play("pour", { from = e })
+    pattern.fan { from = e, dy = 18, fire = "curve", kind = "pour", bank = left and 7 or 6,
+                  speed = 1.7,
+                  spread = 130, dir = 90 + (left and 9 or -9), tag = "poured",
+                  motion = left and weave or weave_back,
+                  n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 },
+                  points = by_difficulty { easy = 30, normal = 44, hard = 54, abyss = 64 } }
+    wait(by_difficulty { easy = 40, normal = 30, hard = 24, abyss = 18 })
+    for i = 1, by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } do
       pattern.ring { from = e, dy = 18, kind = "pellet", bank = 5, dir = 7 * (k + i), speed = 1.25,
-                     n = by_difficulty { easy = 10, normal = 14, hard = 18, abyss = 24 } }
+                     n = by_difficulty { easy = 9, normal = 15, hard = 20, abyss = 25 } }
       wait(12)
     end
-    e:move { x = rng.int(90, 150), y = rng.int(60, 76), over = 50, ease = "both" }
-    wait(by_difficulty { easy = 70, normal = 50, hard = 36, abyss = 20 })
+    e:move { x = rng.int(90, 150), y = rng.int(80, 96), over = 50, ease = "both" }
+    wait(by_difficulty { easy = 80, normal = 40, hard = 30, abyss = 18 })
+  end
+end
+
+-- In the abyss the heads drip on their way.
+local drop = motion.def { { speed = 0.2, over = 10 }, { accel = 0.01, over = 120 } }
+
+local function leak()
+  while true do
+    laser.each("poured", function(l)
+      if l.y > 90 and l.y < 230 then
+        bullet.fire { kind = "drop", bank = 5, x = l.x, y = l.y, dir = 90, speed = 0.5, delay = 24,
+                      motion = drop }
+      end
+    end)
+    wait(by_difficulty { hard = 26, abyss = 14 })
   end
 end
 
 local function simmer(e)
-  e:move { x = 196, y = 46, over = 50, ease = "both" }
+  e:move { x = 196, y = 68, over = 50, ease = "both" }
   wait(80)
   for k = 1, forever do
     sound.play("steam", { from = e })
     pattern.fan { from = e, dy = 16, kind = "steam", bank = 0, dir = 122, spread = 84, speed = 0.9,
-                  n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 7 } }
-    if k % 2 == 0 then e:move { x = k % 4 == 0 and 196 or 44, y = 46, over = 90, ease = "both" } end
+                  n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
+    if k % 2 == 0 then e:move { x = k % 4 == 0 and 196 or 44, y = 68, over = 90, ease = "both" } end
     wait(by_difficulty { easy = 130, normal = 110, hard = 90, abyss = 70 })
   end
 end
 
 local function furnace(cinder, quench)
-  cinder:move { x = 120, y = 64, over = 46, ease = "both" }
+  cinder:move { x = 120, y = 84, over = 46, ease = "both" }
   task.go(simmer, quench)
+  if by_difficulty { easy = false, hard = true } then task.go(leak) end
   pour(cinder)
 end
 
@@ -109,7 +110,7 @@ local function cast(k)
   local gap = (3 + 3 * angle.sin(104 * k) + 0.5) // 1
   for i = 0, count - 1 do
     if i < gap or i >= gap + wide then
-      bullet.fire { kind = "pane", bank = 5, x = 12 + step * i, y = 22, dir = 90, delay = 30,
+      bullet.fire { kind = "pane", bank = 5, x = 12 + step * i, y = 40, dir = 90, delay = 30,
                     tag = "pane",
                     speed = by_difficulty { easy = 0.75, normal = 0.85, hard = 0.95, abyss = 0.9 } }
     end
@@ -117,29 +118,28 @@ local function cast(k)
 end
 
 local function temper(e)
-  e:move { x = 120, y = 66, over = 46, ease = "both" }
+  e:move { x = 120, y = 86, over = 46, ease = "both" }
   wait(50)
   for k = 1, forever do
     sound.play("gear", { from = e })
     cast(k)
     wait(by_difficulty { easy = 60, normal = 46, hard = 40, abyss = 36 })
     pattern.ring { from = e, kind = "steam", bank = 0, dir = 11 * k, speed = 0.85,
-                   n = by_difficulty { easy = 7, normal = 11, hard = 14, abyss = 20 } }
-    e:move { x = rng.int(84, 156), y = rng.int(58, 76), over = 50, ease = "both" }
+                   n = by_difficulty { easy = 7, normal = 12, hard = 17, abyss = 26 } }
+    e:move { x = rng.int(84, 156), y = rng.int(78, 94), over = 50, ease = "both" }
     wait(by_difficulty { easy = 70, normal = 54, hard = 44, abyss = 34 })
   end
 end
 
 local function spit(e)
-  e:move { x = 44, y = 44, over = 50, ease = "both" }
+  e:move { x = 44, y = 68, over = 50, ease = "both" }
   wait(110)
   for k = 1, forever do
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
-                   speed_to = 2.2,
-                   bend = k % 2 == 0 and 34 or -34,
-                   n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
-    wait(by_difficulty { easy = 110, normal = 90, hard = 70, abyss = 60 })
-    if k % 3 == 0 then e:move { x = k % 2 == 0 and 44 or 196, y = 44, over = 80, ease = "both" } end
+                   speed_to = 2.2, bend = k % 2 == 0 and 34 or -34,
+                   n = by_difficulty { easy = 2, normal = 5, hard = 8, abyss = 11 } }
+    wait(by_difficulty { easy = 120, normal = 76, hard = 48, abyss = 34 })
+    if k % 3 == 0 then e:move { x = k % 2 == 0 and 44 or 196, y = 68, over = 80, ease = "both" } end
   end
 end
 
@@ -153,7 +153,7 @@ local FLIGHT <const> = 46 -- frames from the one to the other
 
 local function throw(from, to, k, back)
   local list, out = {}, 90 + 78 * angle.sin(19 * k + (back and 90 or 0))
-  local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
+  local n = by_difficulty { easy = 2, normal = 5, hard = 6, abyss = 7 }
   local dx, dy = to.x - from.x, to.y - from.y
   for i = 1, n do
     list[i] = bullet.fire { from = from, dy = 10, kind = back and "orb" or "rice", bank = 7,
@@ -161,6 +161,7 @@ local function throw(from, to, k, back)
                             delay = 3 * i }
   end
   wait(FLIGHT + 3)
+  sound.play("reflect", { from = to })
   for i, b in ipairs(list) do
     if b.alive then
       b.bank, b.dir, b.speed = back and 6 or 5, out + 34 * (i - (n + 1) / 2), back and 1.3 or 1.5
@@ -173,9 +174,10 @@ local function volleys(cinder, quench)
   wait(60)
   for k = 1, forever do
     task.go(throw, cinder, quench, k)
-    if by_difficulty { easy = k % 2 == 0, normal = true } then task.go(throw, quench, cinder, k,
-                                                                       true) end
-    wait(by_difficulty { easy = 22, normal = 15, hard = 12, abyss = 9 })
+    if by_difficulty { easy = k % 2 == 0, normal = true } then
+      task.go(throw, quench, cinder, k, true)
+    end
+    wait(by_difficulty { easy = 24, normal = 14, hard = 11, abyss = 8 })
   end
 end
 
@@ -184,17 +186,17 @@ local function crossing(cinder, quench)
   for k = 1, forever do
     local left, right = cinder, quench
     if k % 2 == 0 then left, right = quench, cinder end
-    left:move { x = 46, y = 74 + 24 * angle.sin(90 * k), over = 60, ease = "both" }
-    right:move { x = 194, y = 74 - 24 * angle.sin(90 * k), over = 60, ease = "both" }
+    left:move { x = 46, y = 92 + 20 * angle.sin(90 * k), over = 60, ease = "both" }
+    right:move { x = 194, y = 92 - 20 * angle.sin(90 * k), over = 60, ease = "both" }
     wait(60)
-    left:move { dx = 0, dy = 26, over = 70, ease = "both" }
+    left:move { dx = 0, dy = 20, over = 70, ease = "both" }
     right:move { dx = 0, dy = -10, over = 70, ease = "both" }
     wait(90)
-    left:move { x = 120, y = 52, over = 60, ease = "in" }
-    right:move { x = 120, y = 104, over = 60, ease = "in" }
+    left:move { x = 120, y = 70, over = 60, ease = "in" }
+    right:move { x = 120, y = 116, over = 60, ease = "in" }
     wait(60)
     sound.play("gear", { from = left })
-    pattern.ring { x = 120, y = 84, kind = "steam", bank = 0, dir = 8 * k, speed = 1.1,
+    pattern.ring { x = 120, y = 100, kind = "steam", bank = 0, dir = 8 * k, speed = 1.1,
                    n = by_difficulty { easy = 10, normal = 16, hard = 22, abyss = 30 } }
   end
 end
@@ -204,16 +206,14 @@ end
 -- a slow curtain, through which one has to come there.
 local STEP <const>, LOW <const> = 13, 312
 local shut = motion.def {
-  { speed = 0, over = 1 }, { wait = 30 }, { speed = 1.5, over = 20 }, { wait = 58 }, { speed = 0,
-                                                                                       over = 8 },
-  { wait = 20 }, { turn = 180, speed = 0.6 }, { speed = 3, over = 40 } }
+  { speed = 0, over = 1 }, { wait = 30 }, { speed = 1.5, over = 20 }, { wait = 58 },
+  { speed = 0, over = 8 }, { wait = 20 }, { turn = 180, speed = 0.6 }, { speed = 3, over = 40 } }
 
 local function press(e)
   wait(90)
   while true do
-    local open = by_difficulty { easy = 6, normal = 5, hard = 4,
-                                 abyss = 3 } -- bars that are left out
-    local first = rng.int(2, 8)
+    local first = rng.int(2, 7) -- of the bars that are left out
+    local open = by_difficulty { easy = 6, normal = 5, hard = 4, abyss = 3 }
     sound.play("charge", { from = e })
     for row = 0, 15 do
       if row < first or row >= first + open then
@@ -228,45 +228,45 @@ local function press(e)
     sound.play("gear", { from = e })
     screen.shake { size = 2, over = 12 }
     rest(e, by_difficulty { easy = 190, normal = 150, hard = 120, abyss = 110 })
-    e:move { x = rng.int(50, 100), y = rng.int(56, 84), over = 50, ease = "both" }
+    e:move { x = rng.int(50, 100), y = rng.int(80, 100), over = 50, ease = "both" }
   end
 end
 
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 36 }
-    pattern.ring { from = e, dy = 8, kind = k % 3 == 0 and "steam" or "orb",
-                   bank = k % 3 == 0 and 0 or 5 + k % 2,
-                   dir = 137.5 * k, n = n + (angry(e) and 4 or 0),
-                   speed = by_difficulty { easy = 1, normal = 1, hard = 1, abyss = 0.9 } }
-    rest(e, by_difficulty { easy = 54, normal = 40, hard = 34, abyss = 26 })
-    if k % 4 == 0 then e:move { x = rng.int(140, 190), y = rng.int(54, 80), over = 60,
-                                ease = "both" } end
+    local n = by_difficulty { easy = 10, normal = 24, hard = 26, abyss = 34 }
+    local thick = k % 3 == 0 -- steam: fewer, and wider
+    if angry(e) then n = n + 4 end
+    pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
+                   bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
+                   speed = by_difficulty { easy = 1, abyss = 0.85 } }
+    rest(e, by_difficulty { easy = 60, normal = 34, hard = 30, abyss = 22 })
+    if k % 4 == 0 then
+      e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
+    end
   end
 end
 
-local FOAM = { items = "foam",
-               spark = "pop" } -- what is left of their bullets when a phase is beaten
+-- What is left of their bullets when a phase is beaten.
+local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
-  cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 74 },
-           { name = "quench", title = "Quench", kind = "quench", x = 172, y = 74 } },
+  epithet = "Who Kept the Fire In", entrance = "bubbles",
+  cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90,
+             portrait = "cinder_cross" },
+           { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90,
+             portrait = "quench_cross", portrait_left = true } },
   phases = {
     { talk = meeting },
-    { id = "both", hp = { cinder = 420, quench = 420 }, time = 30 * 60, run = pair(sparks, bars),
-      clear = FOAM,
-      drops = { pearl = 6 } },
+    { id = "both", hp = { cinder = 380, quench = 380 }, time = 34 * 60, run = pair(sparks, bars),
+      clear = FOAM, drops = { pearl = 6 } },
     { id = "furnace", spell = "Furnace Sign: Poured Glass", hp = { cinder = 760 }, time = 34 * 60,
-      bonus = 20000,
-      run = furnace, clear = FOAM, drops = { pearl = 8 } },
+      bonus = 20000, bonus_to = 6000, run = furnace, clear = FOAM, drops = { pearl = 8 } },
     { id = "panes", spell = "Temper Sign: Panes in Rows", hp = { quench = 700 }, time = 36 * 60,
-      bonus = 20000,
-      run = panes, clear = FOAM, drops = { conch = 1 } },
+      bonus = 20000, bonus_to = 6000, run = panes, clear = FOAM, drops = { conch = 1 } },
     { id = "crossing", spell = "Alloy Sign: Thrown Back", hp = 800, time = 36 * 60, bonus = 25000,
-      run = crossing,
-      clear = FOAM, drops = { pearl = 8 } },
-    { id = "press", spell = "Last Sign: The Press", hp = { cinder = 460, quench = 460 },
-      time = 44 * 60,
-      bonus = 40000, run = pair(press, curtain), clear = FOAM, drops = { pearl = 8,
-                                                                         heart = 1 } } } })
+      bonus_to = 8000, run = crossing, clear = FOAM, drops = { pearl = 8 } },
+    { id = "press", spell = "Last Sign: The Press", hp = { cinder = 420, quench = 420 },
+      time = 44 * 60, bonus = 40000, bonus_to = 13000, run = pair(press, curtain), clear = FOAM,
+      drops = { pearl = 8, heart = 1 } } } })

@@ -1,13 +1,16 @@
 -- stages/two/habits.lua - what each creature of the works does on its route. All are `run`
 -- functions: they end with
 -- their creature. Who is close to a craft does not aim at it.
+local rank = require "rank"
+
 local habits = {}
 
 local CLOSE <const> = 40 -- px
 
 local function far(e)
   local p = player.nearest(e.x, e.y)
-  local dx, dy = p and p.x - e.x or CLOSE, p and p.y - e.y or CLOSE
+  if not (p and p.alive) then return true end -- the last craft is lost: nobody is near
+  local dx, dy = p.x - e.x, p.y - e.y
   return dx * dx + dy * dy > CLOSE * CLOSE
 end
 
@@ -36,8 +39,9 @@ local halve = motion.def {
 function habits.blink(e)
   wait(rng.int(14, 40))
   if not far(e) then return end
-  pattern.fan { from = e, kind = "pellet", bank = 7, aim = true, spread = 14, speed = 1.9,
-                delay = 14, n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 5 } }
+  pattern.fan { from = e, kind = "pellet", bank = 7, aim = true, spread = 14,
+                speed = rank.faster(1.9), delay = 14,
+                n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 5 } }
 end
 
 -- Drones of the second half: pellets in a row, as a string of beads.
@@ -52,8 +56,9 @@ end
 function habits.cork(e)
   wait(40)
   if not far(e) then return end
-  pattern.fan { from = e, dy = 12, kind = "kunai", bank = 5, spread = 34, dir = 90, speed = 2.1,
-                delay = 10, n = by_difficulty { easy = 1, normal = 1, hard = 3, abyss = 3 } }
+  pattern.fan { from = e, dy = 12, kind = "kunai", bank = 5, spread = 34, dir = 90,
+                speed = rank.faster(2.1), delay = 10,
+                n = by_difficulty { easy = 1, normal = 1, hard = 3, abyss = 3 } }
   if by_difficulty { easy = false, abyss = true } then
     wait(30)
     pattern.ring { from = e, kind = "orb", bank = 6, n = 6, speed = 1 }
@@ -82,7 +87,7 @@ function habits.puff(e)
     pattern.ring { from = e, kind = "orb", bank = k % 2 == 0 and 6 or 5, dir = 13 * k, speed = 2.1,
                    motion = breathe,
                    n = by_difficulty { easy = 9, normal = 13, hard = 18, abyss = 26 } }
-    wait(by_difficulty { easy = 84, normal = 70, hard = 58, abyss = 52 })
+    wait(rank.sooner(by_difficulty { easy = 84, normal = 70, hard = 58, abyss = 52 }))
   end
 end
 
@@ -98,7 +103,7 @@ function habits.spill(e)
       bullet.fire { from = e, dy = 8, kind = "gob", bank = 7, aim = true, speed = 1.8, delay = 20,
                     motion = halve }
     end
-    wait(by_difficulty { easy = 30, normal = 22, hard = 17, abyss = 14 })
+    wait(rank.sooner(by_difficulty { easy = 30, normal = 22, hard = 17, abyss = 14 }))
   end
 end
 
@@ -110,10 +115,9 @@ function habits.vent(e)
     local n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 }
     for side = 0, 180, 180 do
       pattern.stack { from = e, dy = 6, kind = "steam", bank = 0, dir = side, speed = 1,
-                      speed_to = 3,
-                      n = n, motion = sink }
+                      speed_to = 2.3, n = n, motion = sink }
     end
-    wait(by_difficulty { easy = 110, normal = 84, hard = 66, abyss = 56 })
+    wait(rank.sooner(by_difficulty { easy = 110, normal = 84, hard = 66, abyss = 56 }))
   end
 end
 
@@ -128,7 +132,7 @@ function habits.mesh(e)
     pattern.ring { from = e, dx = 13, kind = "rice", bank = 5, dir = 360 / n * k / 2, speed = 1,
                    n = n,
                    motion = wheel_right }
-    wait(by_difficulty { easy = 96, normal = 74, hard = 60, abyss = 50 })
+    wait(rank.sooner(by_difficulty { easy = 96, normal = 74, hard = 60, abyss = 50 }))
   end
 end
 
@@ -139,14 +143,14 @@ function habits.bake(e)
     for k = 1, forever do
       pattern.ring { from = e, dy = -20, kind = "steam", bank = 0, dir = 9 * k, speed = 0.9,
                      n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 18 } }
-      wait(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 60 })
+      wait(rank.sooner(by_difficulty { easy = 120, normal = 90, hard = 76, abyss = 60 }))
     end
   end)
   for k = 1, forever do
     pattern.fan { from = e, dy = 14, kind = "ingot", bank = 6, dir = 90 + 12 * angle.sin(70 * k),
                   spread = 120, speed = 1.9, motion = rebound,
                   n = by_difficulty { easy = 4, normal = 6, hard = 8, abyss = 11 } }
-    wait(by_difficulty { easy = 60, normal = 46, hard = 38, abyss = 32 })
+    wait(rank.sooner(by_difficulty { easy = 60, normal = 46, hard = 38, abyss = 32 }))
   end
 end
 

@@ -1,4 +1,5 @@
--- stages/two/meeting.lua - what is said before the furnace. A line goes after some seconds by itself.
+-- stages/two/meeting.lua - what is said before the furnace. A line goes after some seconds by
+-- itself.
 talk.def("cinder", { name = "Cinder", side = "right", voice = "cinder",
                      faces = { calm = "cinder_face", cross = "cinder_cross" } })
 talk.def("quench", { name = "Quench", side = "right", voice = "quench",

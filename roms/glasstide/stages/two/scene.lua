@@ -24,11 +24,10 @@ end)
 bg.def("street", function()
   palette.load("two")
   local street, skyline, stacks = bg.plane(), bg.layer(1), bg.layer(3)
-  local haze = bg.layer(2)
   street.map, street.horizon, street.height, street.dir = "street", 74, 46, 270
   street.x = 77 -- between the rails
   skyline.map, skyline.wrap, skyline.y = "skyline", false, -5
-  haze.map, haze.wrap, haze.y = "haze", false, 70 -- where the street ends, and would glitter
+  street.fog = { to = 0x1a0f14, far = 620 } -- where it ends it would glitter
   stacks.map, stacks.x = "stacks", -16
   sea.flow { { street, -2.2 }, { stacks, 2.6 } }
   embers(4, 100, 330)

@@ -241,13 +241,27 @@ static void fields(lua_State *L, const char *entry, const struct api_param *para
 }
 
 /* Makes the tables of shades that follow from `to`. */
-static void shade(lua_State *L, struct board *b, int at, uint32_t to)
+static void shade(struct board *b, int at, uint32_t to)
 {
-    vm_charge(L, SHADE_WORK);
     if (!b->bg_shades.s.live)
         memset(b->bg_shades.to, 0, BG_TABLES);
     b->bg_shades.s.live = b->bg_shades.s.cap;
-    bg_shade(b->bg_shades.to + at, cart_palette(&b->cart, "main"), to);
+    bg_shade(b->bg_shades.to + at,
+             b->cart.has_looks ? cart_palette_at(&b->cart, board_palette(b)) : cart_palette(&b->cart, "main"), to);
+}
+
+void api_bg_shade(lua_State *L, struct board *b, bool other)
+{
+    const bool fog = b->bg.fog[BG_PLANE] != BG_NO_FOG, black = b->bg.over[0];
+
+    if (fog) /* also where nothing is made: no palette is part of what a tick computes */
+        vm_charge(L, SHADE_WORK);
+    if (black)
+        vm_charge(L, SHADE_WORK);
+    if (other && fog)
+        shade(b, BG_FOG_TABLES, b->bg.fog[BG_PLANE]);
+    if (other && black)
+        shade(b, BG_BLACK_TABLES, 0);
 }
 
 static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
@@ -259,8 +273,10 @@ static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
         return;
     }
     fields(L, fog_def, fog_params, FOG_PARAMS, v->at, f);
-    if ((uint32_t)f[FOG_TO].i != b->bg.fog[BG_PLANE])
-        shade(L, b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
+    if ((uint32_t)f[FOG_TO].i != b->bg.fog[BG_PLANE]) {
+        vm_charge(L, SHADE_WORK);
+        shade(b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
+    }
     b->bg.fog[BG_PLANE] = (uint32_t)f[FOG_TO].i;
     b->bg.far[BG_PLANE] = f[FOG_FAR].f;
 }
@@ -392,8 +408,10 @@ static const struct api_param shown_params[] = { { "n", A_INT, OPT, 0, UINT16_MA
 /* Returns the frames until it is black. */
 static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (v[ARG_I].i && !b->bg.over[0])
-        shade(L, b, BG_BLACK_TABLES, 0);
+    if (v[ARG_I].i && !b->bg.over[0]) {
+        vm_charge(L, SHADE_WORK);
+        shade(b, BG_BLACK_TABLES, 0);
+    }
     lua_pushinteger(L, bg_fade(&b->bg, (uint32_t)v[ARG_I].i));
     return 1;
 }

@@ -299,7 +299,7 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- spark ---- */
 
-enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS };
+enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
 
 static const struct api_param spark_def[] = {
     { "name", A_STR, REQ, 0, 0, NULL, NULL },
@@ -310,13 +310,14 @@ static const struct api_param spark_def[] = {
     { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "banks", A_TABLE, OPT, 0, 0, NULL, NULL },
+    { "layer", A_LAYER, OPT, 0, 0, NULL, "front" },
 };
 
 static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
                                "kind's banks but the first counts as one)";
 
-/* banks: the first is the kind's, and each other a row after it. */
-static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, int64_t blend)
+/* banks: the first is the kind's, and each other a row after it. drawn: the rest of `bank`. */
+static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
 {
     const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL };
     lua_Unsigned n = lua_rawlen(L, at);
@@ -332,7 +333,7 @@ static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at,
         api_check(L, "spark.def", &bank, lua_gettop(L), &v);
         lua_pop(L, 1);
         k->sprite[row] = k->sprite[i];
-        k->bank[row] = (uint8_t)(v.i | blend * SPARK_BLEND_ONE);
+        k->bank[row] = (uint8_t)(v.i | drawn);
     }
 }
 
@@ -345,14 +346,17 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
         return api_error(L, "spark.def", "bank or banks, not both");
+    if (v[D_LAYER].i != LAYER_FRONT && v[D_LAYER].i != LAYER_MIDDLE)
+        return api_error(L, "spark.def", "layer: sparks are drawn in \"front\" or \"middle\"");
+    const unsigned drawn = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (v[D_LAYER].i == LAYER_MIDDLE ? SPARK_UNDER : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->life[i] = (uint16_t)v[D_LIFE].i;
     k->gravity[i] = v[D_GRAVITY].f;
     k->drag[i] = v[D_DRAG].f;
-    k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLEND].i * SPARK_BLEND_ONE);
+    k->bank[i] = (uint8_t)(v[D_BANK].i | drawn);
     if (v[D_BANKS].given)
-        define_banks(L, k, i, v[D_BANKS].at, v[D_BLEND].i);
+        define_banks(L, k, i, v[D_BANKS].at, drawn);
     return 0;
 }
 
@@ -505,12 +509,20 @@ static uint32_t colour(const uint8_t *p, int i)
     return (uint32_t)p[3 * i] << 16 | (uint32_t)p[3 * i + 1] << 8 | p[3 * i + 2];
 }
 
+/* Which palette is loaded, where that matters. */
+static int loaded(const struct board *b)
+{
+    return b->cart.has_looks ? board_palette(b) : 0;
+}
+
 static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint8_t *p = palette_named(L, b, "palette.load", v[ARG_NAME].at);
+    const int before = loaded(b);
 
     for (int i = 0; i < COLOURS; i++)
         pal_set(&b->pal, i, colour(p, i));
+    api_bg_shade(L, b, loaded(b) != before);
     return 0;
 }
 
@@ -519,6 +531,7 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
     struct api_param number = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL };
     struct api_value to = { 0 };
     const uint8_t *p = NULL;
+    const int before = loaded(b);
 
     if (lua_type(L, v[FADE_TO].at) == LUA_TSTRING)
         p = palette_named(L, b, "palette.fade", v[FADE_TO].at);
@@ -526,6 +539,8 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
         api_check(L, "palette.fade", &number, v[FADE_TO].at, &to);
     for (int i = (int)v[FADE_FIRST].i; i <= (int)v[FADE_LAST].i; i++)
         pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)to.i, (uint16_t)v[FADE_OVER].i);
+    if (p)
+        api_bg_shade(L, b, loaded(b) != before);
     return 0;
 }
 

@@ -1,0 +1,41 @@
+-- ships.lua - every form of every craft hits what is ahead, has its beads, fires in green alone,
+-- and its bomb clears.
+local FORMS <const> = { "heron", "heron_lens", "petrel", "petrel_swarm", "tern", "tern_hooks" }
+local GREEN <const> = 4
+local BANKS <const> = "(function() local t = {} " ..
+                      "shot.each(nil, function(s) t[s.bank] = true end) " ..
+                      "laser.each(nil, function(l) t[l.bank] = true end) local n = {} " ..
+                      "for b in pairs(t) do n[#n + 1] = b end return n end)()"
+
+local function target(run)
+  run:exec "bullet.clear() enemy.each(nil, function(e) e:remove() end)"
+  run:exec "enemy.spawn { kind = 'float', x = 120, y = 90, hp = 100000, tag = 'foe' }"
+end
+
+local function lost(run)
+  return 100000 - run:eval "query.near { what = 'enemy', x = 120, y = 90, radius = 40 }[1].hp"
+end
+
+for _, form in ipairs(FORMS) do
+  local run = test.run { stage = "one@" .. form, invincible = true, frames = 5 }
+  test.equal(run:eval "player.get(1).kind", form, "the ship that was asked for")
+  target(run)
+  run:press("fire,focus")
+  run:step(60)
+  test.equal(run:eval(BANKS), { GREEN }, form .. ": all it fires is green")
+  run:step(120)
+  test.expect(lost(run) >= 60, form .. ": it has hit, for " .. lost(run))
+  test.expect(lost(run) <= 400, form .. ": not too hard, for " .. lost(run))
+
+  local bombs = run:eval "player.get(1).bombs"
+  run:exec [[for i = 1, 40 do
+    bullet.fire { kind = 'orb', x = player.get(1).x, y = player.get(1).y - 20 - i,
+                  dir = 9 * i, speed = 0.1 }
+  end]]
+  local flying = run:live("bullets")
+  run:press("bomb@" .. run.frame .. ":" .. run.frame + 2)
+  run:step(130)
+  test.equal(run:eval "player.get(1).bombs", bombs - 1, form .. ": a bomb is gone")
+  test.expect(run:live("bullets") < flying // 2, form .. ": and most bullets")
+  test.equal(run.fault, nil, form)
+end

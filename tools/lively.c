@@ -1,0 +1,108 @@
+/*
+ * lively.c - where a demo is liveliest: `lively ROM DEMO`. A line for each moment of a mark, a boss or a phase, and
+ * what it begins: KIND NAME FRAME BULLETS, the frame before the next of them in which most bullets and lasers are
+ * about. A boss's name stands before that of its phase: crab/pincers.
+ * floor: tools
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../platform/platform.h"
+#include "../src/board/machine.h"
+#include "../src/cab/demo/demo.h"
+#include "../src/cab/pack/pack.h"
+#include "../src/cab/survive/trial.h"
+
+enum { LASER = 6 /* bullets that a laser counts as */ };
+
+struct piece {
+    char kind[8], name[80], boss[40];
+    uint32_t frame, most;
+};
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "lively: %s\n", what);
+    exit(2);
+}
+
+static void tell(struct piece *p)
+{
+    if (p->kind[0])
+        printf("%s %s %u %u\n", p->kind, p->name, p->frame, p->most);
+    p->kind[0] = 0;
+}
+
+static void begin(struct piece *p, const char *kind, const char *name)
+{
+    tell(p);
+    snprintf(p->kind, sizeof p->kind, "%s", kind);
+    snprintf(p->name, sizeof p->name, "%s", name);
+    p->frame = p->most = 0;
+}
+
+/* A moment begins or ends a part. */
+static void take(struct piece *p, const struct board_marker *m)
+{
+    char name[80];
+
+    switch (m->kind) {
+    case MARKER_STAGE:
+        begin(p, "stage", m->name);
+        break;
+    case MARKER_MARK:
+        begin(p, "mark", m->name);
+        break;
+    case MARKER_BOSS:
+        snprintf(p->boss, sizeof p->boss, "%s", m->name);
+        break;
+    case MARKER_PHASE:
+        snprintf(name, sizeof name, "%s/%s", p->boss, m->name);
+        begin(p, "phase", name);
+        break;
+    case MARKER_WON:
+    case MARKER_LOST:
+    case MARKER_CLEAR:
+    case MARKER_OVER:
+        tell(p);
+        break;
+    default:
+        break;
+    }
+}
+
+static void look(struct piece *p, const struct board *b)
+{
+    const uint32_t now = b->bullets.s.live + LASER * b->lasers.s.live;
+
+    if (p->kind[0] && (now > p->most || !p->frame)) {
+        p->most = now;
+        p->frame = board_frame(b);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct piece part = { .frame = 0 };
+    struct rom_image image;
+    struct cart cart;
+    struct trial t;
+    struct demo d;
+    char err[512];
+
+    if (argc != 3)
+        fail("usage: lively ROM DEMO");
+    if (!rom_image_load(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err) ||
+        !demo_load(&d, argv[2], err, sizeof err) || !demo_fits(&d, &cart, err, sizeof err) ||
+        !trial_open(&t, &image.rom, &d.start, err, sizeof err))
+        fail(err);
+    board_count(t.b, false);
+    for (uint32_t f = 0; f < d.frames && !board_last(t.b)->fault; f++) {
+        const struct board_out *out = board_tick(t.b, d.pads[f]);
+        for (int i = 0; i < out->markers; i++)
+            take(&part, &out->marker[i]);
+        look(&part, t.b);
+    }
+    tell(&part);
+    return 0;
+}
