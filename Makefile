@@ -271,9 +271,9 @@ $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 	$(SAY) "  LINK  $@"
 	$(Q)$(WEB_CC) $(WEB_C) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations \
 		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
-$(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE)
+$(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"
-	$(Q)ports/web/build.sh player $(WEB)/core.wasm $@
+	$(Q)OUT=$(OUT) ports/web/build.sh player $(WEB)/core.wasm $@
 
 # One file with a game inside: make web GAME=DIR.
 web: say-null-web

@@ -5,8 +5,8 @@
 #     ports/web/build.sh game GAME PLAYER.html           the same with a game inside, GAME a folder or a packed game:
 #                                                        NAME.html beside the player
 #
-# A player has three marks left for a game, each once or more: @TITLE@, @ROM@ (base64 of the packed game, of its gzip
-# when that is smaller), and nothing else. OUT is the build folder.
+# A player has two marks left for a game, each once or more: @TITLE@, and @ROM@ (base64 of the packed game, of its gzip
+# when that is smaller). OUT is the build folder.
 set -eu
 cd "$(dirname "$0")/../.."
 here=ports/web
@@ -35,8 +35,12 @@ case ${1:-} in
 player)
     packed "$2" >"$scratch/core"
     base64 -w 0 "$here/worklet.js" >"$scratch/worklet"
-    fill STYLE "$here/player.css" <"$here/page.html" | fill PLAYER "$here/player.js" |
-        fill WORKLET "$scratch/worklet" | fill CORE "$scratch/core" >"$scratch/page"
+    # of the list what is in a page: the engine and Lua
+    "${OUT:-build/release}/curtain-bare" licences --full |
+        sed '/^stb /d; /^glibc /d; /^Packing /,/neither\.$/d
+            s/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g' >"$scratch/licences"
+    fill STYLE "$here/player.css" <"$here/page.html" | fill LICENCES "$scratch/licences" |
+        fill PLAYER "$here/player.js" | fill WORKLET "$scratch/worklet" | fill CORE "$scratch/core" >"$scratch/page"
     mkdir -p "$(dirname "$3")"
     cp "$scratch/page" "$3"
     echo "core $(wc -c <"$2") bytes, $(gzip -9nc "$2" | wc -c) gzipped; $3 $(wc -c <"$3")"
