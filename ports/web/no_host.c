@@ -1,7 +1,7 @@
 /*
  * no_host.c - what Lua's own libraries would ask the C library for, and the sandbox has not: files, and functions whose
- * results differ from host to host, for which it has its own (luamath.c) or none. Defined here, the C library's stay out
- * of the core.
+ * results differ from host to host, for which it has its own (luamath.c) or none. Defined here, the C library's stay
+ * out of the core.
  */
 #include <math.h>
 #include <stdio.h>
