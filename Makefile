@@ -3,7 +3,7 @@
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
-         patterns library ports
+         patterns library ports web
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -68,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -95,6 +95,7 @@ help:
 	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
 	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/library.md"
+	@echo "make web GAME=DIR   the game as one HTML file, for browsers and phones: build/web/NAME.html"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
 deps:
@@ -189,6 +190,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
+WEB     := build/web
 LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
 LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 
@@ -213,9 +215,10 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # Each port's test: build and play it where it is at home.
-ports: deps-play-ports
-	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so
+ports: deps-play-ports-web
+	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so $(WEB)/player.html
 	@OUT=$(OUT) ports/libretro/test.sh
+	@OUT=$(OUT) ports/web/test.sh
 
 library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
@@ -229,6 +232,53 @@ $(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/c
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
 		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+
+# ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
+
+# As Debian compiles Lua, with tools/cross/wasi in place of setjmp. Its sources are fetched once.
+WEB_CC    ?= clang
+WEB_OPT   ?= -Oz -msimd128
+WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -Wno-excess-initializers -ffunction-sections \
+             -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/cross/wasi
+LUA_SRC   := build/cross/lua-bookworm/src
+WEB_LUA   := $(patsubst %,$(WEB)/lua/l%.o,api auxlib baselib code ctype debug do dump func gc lex mathlib mem object \
+             opcodes parser state string strlib table tablib tm undump utf8lib vm zio)
+WEB_OBJ   := $(patsubst $(OUT)/lib/%,$(WEB)/obj/%,$(LIB_OBJ)) \
+             $(WEB)/obj/ports/web/web.o $(WEB)/obj/ports/web/no_host.o
+WEB_PAGE  := $(patsubst %,ports/web/%,page.html player.css player.js worklet.js build.sh)
+
+LUA_H     := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h
+
+$(LUA_SRC)/lua.h:
+	$(Q)tools/cross/lua.sh bookworm
+build/cross/include/lua5.4-deb-multiarch.h:
+	@mkdir -p $(@D)
+	@ln -sfn /usr/include/stb $(@D)/stb
+	@echo '#define DEB_HOST_MULTIARCH "none"' > $@
+$(WEB)/lua/%.o: $(LUA_H)
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $*.c (web)"
+	$(Q)$(WEB_CC) -std=gnu99 $(WEB_C) -DLUA_COMPAT_5_3 -include tools/cross/wasi/lua_try.h -c $(LUA_SRC)/$*.c -o $@
+$(WEB)/obj/gen/std.o: $(OUT)/gen/std.c $(LUA_H)
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (web)"
+	$(Q)$(WEB_CC) $(SEMANTIC) $(WEB_C) -c $< -o $@
+$(WEB)/obj/%.o: %.c $(LUA_H)
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $< (web)"
+	$(Q)$(WEB_CC) $(SEMANTIC) $(WARN) $(WEB_C) -D_DEFAULT_SOURCE -MMD -MP -c $< -o $@
+$(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
+	$(SAY) "  LINK  $@"
+	$(Q)$(WEB_CC) $(WEB_C) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations \
+		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
+$(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
+	$(SAY) "  MAKE  $@"
+	$(Q)OUT=$(OUT) ports/web/build.sh player $(WEB)/core.wasm $@
+
+# One file with a game inside: make web GAME=DIR.
+web: say-null-web
+	@$(MAKE) --no-print-directory $(OUT)/curtain-bare $(WEB)/player.html
+	@OUT=$(OUT) ports/web/build.sh game $(GAME) $(WEB)/player.html
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
@@ -485,6 +535,6 @@ format:
 clean:
 	rm -rf build
 
--include $(shell find $(OUT) -name '*.d' 2>/dev/null)
+-include $(shell find $(OUT) $(WEB)/obj -name '*.d' 2>/dev/null)
 
 endif

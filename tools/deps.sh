@@ -1,10 +1,11 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [cross]
+#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [cross] [web]
 #
 # null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
-# too. Without arguments: all but nightly and cross. With --say
+# too; ports: RetroArch, that the libretro core is tested in; web: what a page is built with, and tested in. Without
+# arguments: play, test, fuzz and bench. With --say
 # it installs nothing: it says, in one line to paste, what is missing, and exits with 3.
 set -eu
 say=""
@@ -118,8 +119,19 @@ for what; do
         have file || need file
         have git || need git
         ;;
+    web)
+        have clang || need clang
+        have wasm-ld || need lld
+        header wasm32-wasi/stdio.h || need wasi-libc
+        ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 ||
+            need libclang-rt-14-dev-wasm32
+        have dpkg-source || need dpkg-dev
+        have xz || need xz-utils
+        have node || need nodejs
+        have chromium || need chromium
+        ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, fuzz, nightly, bench, cross" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, cross, web" >&2
         exit 2
         ;;
     esac

@@ -102,6 +102,13 @@ enum {
         1 << 8, /* takes the values declared for what its name begins with, as API_FIRE those of what it fires */
 };
 
+/* What is read only by who asks for help; a build that nobody can ask has none of it. */
+#ifdef WITHOUT_HELP
+typedef const char api_help_text[1];
+#else
+typedef const char *api_help_text;
+#endif
+
 struct api_entry {
     const char *name;                                                      /* "bullet.fire", "bullet:aim", "wait" */
     int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns how many results it pushed */
@@ -110,7 +117,7 @@ struct api_entry {
     uint8_t plain; /* so many are plain arguments; the others stand in one table */
     uint16_t flags;
     const char *returns; /* NULL: nothing */
-    const char *help;
+    api_help_text help;
 };
 
 /* A property of a thing. PROP_LASTS: only read, and of a player even after it is out. */
@@ -119,7 +126,7 @@ enum { PROP_READ = 0, PROP_WRITE = 1, PROP_LASTS = 2 };
 struct api_prop {
     struct api_param value; /* name, type, range, unit */
     int write;              /* PROP_ */
-    const char *help;
+    api_help_text help;
 };
 
 /* What a kind of handle can do. get pushes property p of a live thing; set writes it. */

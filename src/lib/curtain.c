@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/err.h"
+#include "../board/hits/danger.h"
 #include "lib.h"
 
 static uint8_t *aligned(uint8_t *p)
@@ -384,4 +385,26 @@ const void *curtain_nvram(const struct curtain *c, size_t *size)
 size_t curtain_nvram_room(const struct curtain *c)
 {
     return c->begin.room;
+}
+
+bool curtain_ship(const struct curtain *c, int i, struct curtain_ship *out)
+{
+    enum { UNIT = FX_ONE / 256 };
+    struct danger_ship ship = { .in = false };
+
+    if (i >= 0 && i < PADS)
+        danger_ship(c->board, i, &ship);
+    *out = (struct curtain_ship){ .steers = false };
+    if (!ship.in)
+        return false;
+    *out = (struct curtain_ship){ .steers = ship.steers,
+                                  .x = ship.way.x / UNIT,
+                                  .y = ship.way.y / UNIT,
+                                  .speed = ship.speed / UNIT,
+                                  .slow = ship.focus / UNIT,
+                                  .left = ship.area.x0 / UNIT,
+                                  .top = ship.area.y0 / UNIT,
+                                  .right = ship.area.x1 / UNIT,
+                                  .bottom = ship.area.y1 / UNIT };
+    return true;
 }

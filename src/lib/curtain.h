@@ -157,6 +157,17 @@ CURTAIN_API uint64_t curtain_hash(const struct curtain *c);
 CURTAIN_API const void *curtain_nvram(const struct curtain *c, size_t *size);
 CURTAIN_API size_t curtain_nvram_room(const struct curtain *c); /* bytes it has at most */
 
+/* Where the ship of player i (0 or 1) is, for hosts that steer: a finger, a mouse, a program. It decides nothing: what
+ * comes of it are pads. Lengths are in 1/256 px of the field, which is as large as the picture's. False: that player is
+ * not in play, and all is 0. */
+struct curtain_ship {
+    bool steers;                      /* its buttons move it: nobody talks, and the game does not stand still */
+    int32_t x, y;                     /* its centre */
+    int32_t speed, slow;              /* how far it flies in a frame; with CURTAIN_FOCUS */
+    int32_t left, top, right, bottom; /* where its centre can be */
+};
+CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_ship *out);
+
 /* ---- states ----
  *
  * A state is how the run began and the pads so far, so every machine can load it. Where this process has kept the frame

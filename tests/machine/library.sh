@@ -5,7 +5,7 @@
 sandbox
 cc=${CC:-cc}
 lua="$(pkg-config --libs lua5.4) -pthread"
-for name in states spoil boards slow; do
+for name in states spoil boards slow ship; do
     "$cc" -std=c11 -O1 -g -D_DEFAULT_SOURCE -Wall -Wextra -I"$repo/src/lib" "$repo/tests/machine/library/$name.c" \
         "$OUT/libcurtain.a" $lua -lm -o $name || not_ok "$name.c is built"
 done
@@ -41,6 +41,7 @@ done
 tap ./states torture.rom
 tap ./states glasstide.rom queen/held
 tap ./boards testcard.rom torture.rom
+tap ./ship glasstide.rom one
 mkdir tiny
 echo 'return { id = "tiny", screen = { w = 64, h = 64 }, board = { bullets = 64, lua_kib = 256 } }' >tiny/rom.lua
 cat >tiny/main.lua <<'LUA'

@@ -1,0 +1,231 @@
+/*
+ * web.c - libcurtain for a page: one board, called with numbers alone. What is longer lies in this memory, where the
+ * page reads and writes it. player.js is the other side.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/lib/curtain.h"
+
+#define EXPORT(name) __attribute__((export_name(#name))) name
+
+enum { WORDS = 4, WORD = 256, SOUND = 800, SAID = 512 };
+enum { DIFFICULTY, LANGUAGE, SWITCHES, SECTION };
+
+static struct {
+    struct curtain *c;
+    void *memory;
+    char word[WORDS][WORD]; /* of the next opening; empty: none */
+    char said[SAID];
+    uint32_t rgba[1024 * 1024]; /* the largest picture there is */
+    int16_t sound[2 * SOUND];
+    struct curtain_ship ship;
+    size_t size; /* of what the last call gave */
+} web;
+
+/* ---- memory for what the page hands in ---- */
+
+void *EXPORT(web_take)(size_t size)
+{
+    return malloc(size ? size : 1);
+}
+
+void EXPORT(web_give)(void *at)
+{
+    free(at);
+}
+
+/* Where the word goes that the next opening takes: WORD bytes, ended by a NUL. */
+char *EXPORT(web_word)(int which)
+{
+    return which >= 0 && which < WORDS ? web.word[which] : NULL;
+}
+
+static const char *word(int which)
+{
+    return web.word[which][0] ? web.word[which] : NULL;
+}
+
+/* ---- a run ---- */
+
+void EXPORT(web_close)(void)
+{
+    curtain_close(web.c);
+    free(web.memory);
+    web.c = NULL;
+    web.memory = NULL;
+}
+
+/* The ROM stays where it is until web_close. False: web_said has a sentence. */
+int EXPORT(web_open)(const void *rom, size_t rom_size, uint64_t seed, const void *nvram, size_t nvram_size,
+                     const void *demo, size_t demo_size)
+{
+    struct curtain_config how = { .rom = rom,
+                                  .rom_size = rom_size,
+                                  .seed = seed,
+                                  .difficulty = word(DIFFICULTY),
+                                  .lang = word(LANGUAGE),
+                                  .switches = word(SWITCHES),
+                                  .section = word(SECTION),
+                                  .nvram = nvram_size ? nvram : NULL,
+                                  .nvram_size = nvram_size,
+                                  .demo = demo_size ? demo : NULL,
+                                  .demo_size = demo_size,
+                                  .snapshots = 4 };
+
+    web_close();
+    size_t size = curtain_memory(&how, web.said, SAID);
+    if (size == 0)
+        return 0;
+    web.memory = malloc(size);
+    if (!web.memory)
+        snprintf(web.said, SAID, "there is too little memory for this game");
+    else
+        web.c = curtain_open(&how, web.memory, size, web.said, SAID);
+    if (!web.c)
+        web_close();
+    return web.c != NULL;
+}
+
+const char *EXPORT(web_said)(void)
+{
+    return web.said;
+}
+
+unsigned EXPORT(web_frame)(unsigned one, unsigned two)
+{
+    const uint16_t pads[CURTAIN_PADS] = { (uint16_t)one, (uint16_t)two };
+
+    return curtain_frame(web.c, pads);
+}
+
+/* A frame with the pads of the demo. */
+unsigned EXPORT(web_next)(void)
+{
+    return curtain_frame(web.c, NULL);
+}
+
+/* ---- what is seen and heard ---- */
+
+int EXPORT(web_width)(void)
+{
+    return curtain_width(web.c);
+}
+
+int EXPORT(web_height)(void)
+{
+    return curtain_height(web.c);
+}
+
+/* Bytes red, green, blue, 255: as a canvas has them. */
+const uint32_t *EXPORT(web_picture)(void)
+{
+    const uint8_t *from = curtain_picture(web.c);
+    const uint32_t *rgb = curtain_palette(web.c);
+    const int n = curtain_width(web.c) * curtain_height(web.c);
+    uint32_t colour[256];
+
+    for (int i = 0; i < 256; i++)
+        colour[i] = 0xff000000 | (rgb[i] & 0xff) << 16 | (rgb[i] & 0xff00) | (rgb[i] >> 16 & 0xff);
+    for (int i = 0; i < n; i++)
+        web.rgba[i] = colour[from[i]];
+    return web.rgba;
+}
+
+/* 800 frames, left first; web_size is how many there are. */
+const int16_t *EXPORT(web_sound)(void)
+{
+    web.size = curtain_sound(web.c, web.sound, SOUND);
+    return web.sound;
+}
+
+/* ---- what a run is ---- */
+
+size_t EXPORT(web_size)(void)
+{
+    return web.size;
+}
+
+const char *EXPORT(web_title)(void)
+{
+    return curtain_title(web.c);
+}
+
+const char *EXPORT(web_id)(void)
+{
+    return curtain_id(web.c);
+}
+
+int EXPORT(web_players)(void)
+{
+    return curtain_players(web.c);
+}
+
+uint32_t EXPORT(web_frames)(void)
+{
+    return curtain_frames(web.c);
+}
+
+uint32_t EXPORT(web_demo_frames)(void)
+{
+    return curtain_demo_frames(web.c);
+}
+
+uint64_t EXPORT(web_hash)(void)
+{
+    return curtain_hash(web.c);
+}
+
+const char *EXPORT(web_log)(void)
+{
+    return curtain_log(web.c);
+}
+
+const char *EXPORT(web_fault)(void)
+{
+    return curtain_fault(web.c);
+}
+
+const char *EXPORT(web_asked)(void)
+{
+    return curtain_asked(web.c);
+}
+
+/* NULL: that player is not in play. */
+const struct curtain_ship *EXPORT(web_ship)(int i)
+{
+    return curtain_ship(web.c, i, &web.ship) ? &web.ship : NULL;
+}
+
+/* ---- what is kept ---- */
+
+const void *EXPORT(web_nvram)(void)
+{
+    return curtain_nvram(web.c, &web.size);
+}
+
+/* A state, for web_give; NULL: web_said. */
+void *EXPORT(web_save)(void)
+{
+    size_t room = curtain_state_size(web.c);
+    void *state = malloc(room);
+
+    web.size = state ? curtain_save(web.c, state, room, web.said, SAID) : 0;
+    if (web.size > 0)
+        return state;
+    if (!state)
+        snprintf(web.said, SAID, "there is too little memory for a state");
+    free(state);
+    return NULL;
+}
+
+int EXPORT(web_load)(const void *state, size_t size)
+{
+    return curtain_load(web.c, state, size, web.said, SAID);
+}
+
+/* The run as a demo, for web_give; NULL: web_said. */
+void *EXPORT(web_demo)(void)
+{
+    return curtain_demo(web.c, &web.size, web.said, SAID);
+}
