@@ -40,7 +40,11 @@ boss.def("twin", { title = "Twin", kind = "wall", x = 112, y = 60, warning = 20,
       end
     end },
   { id = "end", hp = 20, time = 60, last = true, run = function(e) e:hurt(30) end },
-  { talk = function(e) board.note(e.alive) board.note((boss.history("twin", "two"))) end } } })
+  { talk = function(e)
+    board.note(e.alive)
+    board.note((boss.history("twin", "two")))
+    board.note(boss.now() or "talks")
+  end } } })
 
 local function ringing(e)
   for k = 1, forever do

@@ -75,7 +75,7 @@ static bool holds(int texts, int frames)
         board_tick(r.b, none);
     const bool fine = !rig_fault(&r);
     if (fine && frames == FRAMES)
-        assert_true(heap_used(r.b->vm.heap) > (500u << 10)); /* what the first frame leaves has the rest */
+        assert_true(heap_used(r.b->vm.heap) > (450u << 10)); /* what the first frame leaves has the rest */
     rig_free(&r);
     rig_game_free(&g);
     return fine;
