@@ -6,7 +6,7 @@ curtain=${1:-build/curtain-null}
 at=$(mktemp -d)
 trap 'rm -rf "$at"' EXIT
 mkdir -p docs/images
-"$curtain" render roms/glasstide --demo roms/glasstide/demos/run.demo --frames 4240,6700,13260 -o "$at/play"
+"$curtain" render roms/glasstide --demo tests/demos/glasstide/clear-abyss.demo --frames 14893,26568,44189 -o "$at/play"
 python3 tools/pictures.py 2 docs/images/glasstide.png "$at"/play/*.png
 "$curtain" render roms/testcard --frames 120 -o "$at/card"
 python3 tools/pictures.py 2 docs/images/testcard.png "$at"/card/*.png
