@@ -611,8 +611,8 @@ static void test_own_tables(void **state)
     assert_true(blend_make(main, BLEND_ADD, table));
     assert_memory_equal(find(&image.rom, "blend/glow").data, table, CART_BLEND);
     shade_make(dusk, shades);
-    assert_memory_equal(find(&image.rom, "shades/dusk").data, shades, CART_SHADES);
-    assert_int_equal(rom_find(&image.rom, "shades/same"), -1);
+    assert_memory_equal(find(&image.rom, "shade/dusk").data, shades, CART_SHADES);
+    assert_int_equal(rom_find(&image.rom, "shade/same"), -1);
     assert_int_equal(rom_find(&image.rom, "blends/same/glow"), -1);
     assert_int_equal(rom_find(&image.rom, "blends/dusk/ramp"), -1);
     rom_image_free(&image);
@@ -629,7 +629,7 @@ static void shown_as(const char *lines, const char *palette)
     assert_string_equal(cart_palette_name(&t.b->cart, board_palette(t.b)), palette);
     const struct cart_look look = video_look(t.b);
     const bool main = !strcmp(palette, "main");
-    assert_ptr_equal(look.shades, find(&t.image.rom, main ? "shades" : "shades/dusk").data);
+    assert_ptr_equal(look.shades, find(&t.image.rom, main ? "shades" : "shade/dusk").data);
     assert_ptr_equal(look.blend[0], find(&t.image.rom, main ? "blend/glow" : "blends/dusk/glow").data);
     bg_shade(fog, cart_palette(&t.b->cart, palette), 0x123456);
     assert_memory_equal(t.b->bg_shades.to + BG_FOG_TABLES, fog, sizeof fog);

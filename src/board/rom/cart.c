@@ -126,7 +126,7 @@ static bool open_look(struct cart *c, int i, char *err, size_t err_size)
     struct lump l;
 
     *look = c->main;
-    if (find_in(c->rom, "shades/", cart_palette_name(c, i), "", &l)) {
+    if (find_in(c->rom, "shade/", cart_palette_name(c, i), "", &l)) {
         look->shades = l.data;
         if (!sized(&l, CART_SHADES, err, err_size))
             return false;
@@ -147,7 +147,7 @@ static bool open_looks(struct cart *c, char *err, size_t err_size)
 {
     int shades, blends;
 
-    range(c->rom, "shades/", "shades0", &shades);
+    range(c->rom, "shade/", "shade0", &shades);
     range(c->rom, "blends/", "blends0", &blends);
     c->has_looks = shades + blends > 0;
     if (c->has_looks && c->palettes > CART_MAX_LOOKS)

@@ -287,7 +287,7 @@ static bool add_shades(struct packer *p)
     for (int i = 0; i < p->art.n_palettes; i++) {
         uint8_t own[CART_SHADES];
         shade_make(p->palettes[i], own);
-        if (memcmp(own, tables, sizeof own) != 0 && !add_copy(p, "shades/", p->art.palettes[i].name, own, sizeof own))
+        if (memcmp(own, tables, sizeof own) != 0 && !add_copy(p, "shade/", p->art.palettes[i].name, own, sizeof own))
             return false;
     }
     return true;
