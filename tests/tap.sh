@@ -76,7 +76,7 @@ engine_build() {
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/$tool" "$copy"/src/board/hits/$objects.c \
         $(printf "$OUT/%s " tools/{$tool,report}/*.c | sed "s/\.c /.o /g") \
-        $(find src -name '*.c' ! -name "$objects.c" ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
+        $(find src -name '*.c' ! -path 'src/lib/*' ! -name "$objects.c" ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
         "$OUT"/fb/*.o "$OUT"/gen/std.o \
         "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) "$@" -lm -pthread
 }

@@ -22,18 +22,22 @@ list() {
     for size in 48 128 256; do
         echo "644 share/icons/$size.png share/icons/hicolor/${size}x$size/apps/curtain.png"
     done
-    echo "644 src/lib/curtain.h include/curtain.h"
-    echo "644 build/curtain.pc lib/pkgconfig/curtain.pc"
-    echo "644 build/libcurtain.a lib/libcurtain.a"
-    echo "755 build/libcurtain.so lib/libcurtain.so.1"
-    echo "755 build/curtain_libretro.so lib/libretro/curtain_libretro.so"
-    echo "644 ports/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
     for page in README.md CHANGELOG.md LICENSE docs/*.md docs/*.txt; do
         echo "644 $page $doc/${page##*/}"
     done
     echo "644 build/curtain.html $doc/curtain.html"
     find docs/accuracy docs/images docs/sound docs/speed -type f | sort | sed "s,^docs/\(.*\),644 & $doc/\1,"
     find examples roms -type f | sort | sed "s,.*,644 & $data/&,"
+}
+
+# What make library made; only then is it installed.
+list_library() {
+    echo "644 src/lib/curtain.h include/curtain.h"
+    echo "644 build/curtain.pc lib/pkgconfig/curtain.pc"
+    echo "644 build/libcurtain.a lib/libcurtain.a"
+    echo "755 build/libcurtain.so lib/libcurtain.so.1"
+    echo "755 build/curtain_libretro.so lib/libretro/curtain_libretro.so"
+    echo "644 ports/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
 }
 
 # What desktops look up is made anew: here, and not where a package is made, whose installation does it.
@@ -47,18 +51,24 @@ look_up() {
 
 case ${1:-} in
 install)
-    list | while read -r mode file target; do
-        [ -e "$file" ] || case $file in build/curtain.html | build/*.so | build/*.a | build/*.pc) continue ;; esac
+    {
+        list
+        [ ! -e build/curtain_libretro.so ] || list_library
+    } | while read -r mode file target; do
+        [ "$file" != build/curtain.html ] || [ -e "$file" ] || continue
         install -d "$root/${target%/*}"
         install -m "$mode" "$file" "$root/$target"
     done
     pc=$root/lib/pkgconfig/curtain.pc
-    [ ! -e "$pc" ] || sed -i "s,^prefix=.*,prefix=${PREFIX:-/usr/local}," "$pc"
-    [ ! -e build/libcurtain.so ] || ln -sf libcurtain.so.1 "$root/lib/libcurtain.so"
+    [ ! -e build/curtain_libretro.so ] || [ ! -e "$pc" ] || sed -i "s,^prefix=.*,prefix=${PREFIX:-/usr/local}," "$pc"
+    [ ! -e build/curtain_libretro.so ] || ln -sf libcurtain.so.1 "$root/lib/libcurtain.so"
     look_up
     ;;
 uninstall)
-    list | while read -r mode file target; do
+    {
+        list
+        list_library
+    } | while read -r mode file target; do
         rm -f "$root/$target"
     done
     rm -f "$root/lib/libcurtain.so"

@@ -38,14 +38,15 @@ check 'a game in two is cleared' says two-players ended clear
 check '... in two' says two-players players 2
 refuse 'planted: another end' 'ended is over, expected clear' says lose ended clear
 
-# A kind of player that can be chosen by its name is flown in one of them, in some form.
+# A craft that is there from the beginning is flown in one of them, in some form.
 flown() {
     python3 - "$scratch" "$game" <<'END'
 import glob, json, re, sys
 flown = {json.load(open(f))["ship"] for f in glob.glob(sys.argv[1] + "/*.json")}
 text = open(sys.argv[2] + "/main.lua").read()
 ships = re.findall(r'"(\w+)"', re.search(r"players = \{([^}]*)\}", text)[1])
-missing = [s for s in ships if not any(f == s or f.startswith(s + "_") for f in flown)]
+earned = [s for s in ships if "needs =" in open("%s/players/%s.lua" % (sys.argv[2], s)).read()]
+missing = [s for s in ships if s not in earned and not any(f == s or f.startswith(s + "_") for f in flown)]
 sys.exit("nobody flies " + ", ".join(missing) if missing or not ships else 0)
 END
 }

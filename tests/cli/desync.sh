@@ -88,10 +88,10 @@ bisect() { # NAME CODE LINES A B
 }
 "$curtain" hash game.rom --demo run.demo --frames 200 >whole 2>/dev/null
 "$curtain" hash game.rom --demo run.demo --frames 200 --parts >parts 2>/dev/null
-"$curtain" hash game.rom --demo run.demo --frames 198:200 --trace input,player,pal >trace 2>/dev/null
+"$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,player,pal >trace 2>/dev/null
 bisect 'equal tracks' 0 'whole and whole are equal: 201 frames, 0 to 200' whole whole
 bisect 'equal tracks of parts' 0 'parts and parts are equal: 201 frames, 0 to 200' parts parts
-bisect 'equal traces' 0 'trace and trace are equal: 3 frames, 198 to 200' trace trace
+bisect 'equal traces' 0 'trace and trace are equal: 3 frames, 2198 to 2200' trace trace
 "$curtain" verify --bisect parts - <parts >out
 same 'standard input' '0 parts and standard input are equal: 201 frames, 0 to 200' "$? $(cat out)"
 sed '101s/ ./ g/' whole >bad
@@ -114,12 +114,12 @@ bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole goes on; as f
     short
 bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' \
     short whole
-"$curtain" hash game.rom --demo run.demo --frames 198:199 --trace input,player,pal >short 2>/dev/null
-bisect 'a shorter trace' 2 'curtain: short ends in frame 199, trace goes on; as far as they go they are equal' trace \
+"$curtain" hash game.rom --demo run.demo --frames 2198:2199 --trace input,player,pal >short 2>/dev/null
+bisect 'a shorter trace' 2 'curtain: short ends in frame 2199, trace goes on; as far as they go they are equal' trace \
     short
 sed 1d whole >other
 bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: not of the same frames' whole other
-"$curtain" hash game.rom --demo run.demo --frames 198:200 --trace input,pal >other 2>/dev/null
+"$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,pal >other 2>/dev/null
 line=$(grep -nm1 ' player ' trace | cut -d: -f1)
 bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: not traces of the same parts" \
     trace other
@@ -143,7 +143,7 @@ bisect 'a column without its value' 2 'curtain: other:2: not a line of "hash" or
 sed '2s/ [a-z]*=.*//' trace >other
 bisect 'a slot without columns' 2 'curtain: other:2: not a line of "hash" or "hash --trace"' trace other
 sed '2s/held=/hold=/' trace >other
-bisect 'a column of another name' 1 "frame 198 is the first that differs
+bisect 'a column of another name' 1 "frame 2198 is the first that differs
   input 0 held: $(sed -n '2s/.*held=\([^ ]*\).*/\1/p' trace) in trace, 0 in other
   input 0 hold: 0 in trace, $(sed -n '2s/.*held=\([^ ]*\).*/\1/p' trace) in other" trace other
 python3 - >many <<'END'
@@ -153,8 +153,8 @@ for line in open("trace"):
 END
 "$curtain" verify --bisect trace many >out
 code=$?
-same 'many differences are counted' "1 42 1 $(($(grep -c '^198 pal .*rgb=' trace) - 40))" \
-    "$code $(wc -l <out) $(grep -c '^frame 198 is' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
+same 'many differences are counted' "1 42 1 $(($(grep -c '^2198 pal .*rgb=' trace) - 40))" \
+    "$code $(wc -l <out) $(grep -c '^frame 2198 is' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
 
 # Files of any size: a megabyte of trace or a hundred, the memory is the same.
 "$curtain" hash game.rom --demo run.demo --frames 1000:1100 --trace all >little 2>/dev/null

@@ -17,7 +17,7 @@ enum {
     STEP = 6,     /* from one press to the next */
     HELD = 2,     /* frames of it */
     DEPTH = 24,   /* moves */
-    PLACES = 1536,/* of one depth */
+    PLACES = 512, /* of one depth */
     SHOWN = 1 << 14
 };
 

@@ -7,7 +7,7 @@
  *         palette/main    768 bytes, 256 x R G B; palette/X more of them
  *         shades          CART_SHADES bytes, of palette/main: the entry shown for each of 256 where a view dims
  *                         (board.h) by a quarter, then by a half, then by three quarters; older ROMs have none
- *         shades/X        the same of palette/X, where it is another
+ *         shade/X         the same of palette/X, where it is another
  *         blend/X         CART_BLEND bytes: the palette entry for each that lies under (256 * it) and each over it; at
  *                         most CART_MAX_BLENDS of them
  *         blends/P/X      the table of blend X while palette/P is loaded, where it is another
