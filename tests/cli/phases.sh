@@ -36,7 +36,7 @@ assert ended >= 0.9 * len(told), "only %d of them come to their end" % ended
 END
 }
 check 'all hold, come to the end, and nobody is hit' unhurt "$scratch/told"
-sed '1s/"kind":"won"/"kind":"death"/; 1s/"kind":"lost"/"kind":"death"/' "$scratch/told" >"$scratch/hit"
+sed '1s/"kind":"phase"/"kind":"death"/' "$scratch/told" >"$scratch/hit"
 refuse 'planted: one who is hit' 'somebody is hit' unhurt "$scratch/hit"
 sed 1d "$scratch/told" >"$scratch/few"
 refuse 'planted: one is missing' 'demos' unhurt "$scratch/few"
