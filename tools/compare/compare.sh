@@ -50,7 +50,8 @@ weigher() {
             [ "$1" = . ] || cmp -s "$here/$own" tools/compare/$own || cp "$here/$own" tools/compare/
         done
         if [ -n "$TABLE" ]; then
-            objects=$(find src fb -name '*.c' ! -path src/cab/main.c ! -path 'src/lib/*' | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
+            objects=$(find src fb -name '*.c' ! -path src/cab/main.c ! -path 'src/lib/*' |
+                sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
             $CC $FLAGS tools/compare/rows.c tools/bench/scene.c $objects "$OUT/platform/null.o" \
                 "$OUT/platform/stdio.o" "$OUT/gen/std.o" "$OUT/gen/no_rom.o" $LIBS -o "$OUT/rows"
             exit
