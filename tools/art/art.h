@@ -93,7 +93,6 @@ struct sheet art_petrel(void);
 struct sheet art_tern(void);
 struct sheet art_arms(void);
 struct sheet art_enemies(void);
-struct sheet art_guard(void);
 struct sheet art_queen(void);
 struct sheet art_iri(void);
 struct sheet art_sen(void);

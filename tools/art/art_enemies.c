@@ -268,14 +268,6 @@ static void crab(struct sheet *s, int x, int frame)
     paint_done(p, s, x, 0, 1, 2);
 }
 
-struct sheet art_guard(void)
-{
-    struct sheet s = sheet_new(320, 60, 12);
-    for (int i = 0; i < 4; i++)
-        crab(&s, 80 * i, i);
-    return s;
-}
-
 static void queen_fins(struct paint *p, int frame)
 {
     double k = wave(frame, 0) * 3.0, l = wave(frame, 0.3) * 3.0;
