@@ -19,7 +19,7 @@ local front = require "fx/front"
 local grades = require "fx/grades"
 local score_page = require "fx/score_page"
 
-hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
+hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 9, 1
 hud.low = 3 -- the bombs stand below
 hud.shy = 6
 hud.graze = "GRAZE"
