@@ -78,4 +78,4 @@ boot.run { modes = {
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
             { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",
-              "that is held out to them,", "and bring up shards threefold:", "look down once more." } } }
+              "that is held out to them,", "and come with shards at x3:", "look down once more." } } }

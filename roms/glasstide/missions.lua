@@ -80,7 +80,7 @@ dive("press", "Stop Press", "Break The Press with fangs.",
 
 dive("trench", "Trench Coat", "Break 18 in the trench.",
   { stage = "three", mark = "trench", to = "angler", lives = 3, goal = { kills = 18 },
-    medals = { 13 * S, 12 * S } })
+    medals = { 14 * S, 13 * S } })
 dive("bait", "Bait", "Graze 50 round the Anglerlamp's bait.",
   { boss = "angler", phase = "bait", difficulty = "normal", goal = { grazes = 50 },
     limit = 26 * S, medals = { 22 * S, 17 * S } })
