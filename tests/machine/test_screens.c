@@ -3,10 +3,7 @@
  * fields of several sizes; those that a game puts in their place, with what they are given and what they answer; what
  * is refused.
  */
-#include "rig.h"
-
-static struct rig_game g;
-static struct rig r;
+#include "pages.h"
 
 /* A game of two modes, difficulties, stages and ships, with all that boot.run can show. Every thing that dies or clears
  * stands in the pads. */
@@ -45,58 +42,6 @@ static void open_sized(const char *text, int w, int h, int field_w, int players)
 static void open_game(const char *text)
 {
     open_sized(text, 240, 320, 240, 1);
-}
-
-static void close_game(void)
-{
-    if (rig_fault(&r))
-        fail_msg("%s", rig_fault(&r)->message);
-    rig_free(&r);
-    rig_game_free(&g);
-}
-
-/* Where in the cells the text stands: its first column plus 1000 a row; -1: nowhere. */
-static int at(const char *text)
-{
-    const struct fix *f = &r.b->fix;
-    char row[128];
-
-    for (uint32_t y = 0; y < f->rows; y++) {
-        for (uint32_t x = 0; x < f->cols; x++)
-            row[x] = (char)(f->code[y * f->cols + x] > 32 ? f->code[y * f->cols + x] : ' ');
-        row[f->cols] = 0;
-        if (strstr(row, text))
-            return (int)(1000 * y) + (int)(strstr(row, text) - row);
-    }
-    return -1;
-}
-
-static void frames(int n)
-{
-    static const uint16_t none[PADS];
-
-    for (; n > 0 && !rig_fault(&r); n--)
-        board_tick(r.b, none);
-}
-
-static void press(uint16_t first, uint16_t second)
-{
-    const uint16_t down[PADS] = { first, second };
-
-    rig_tick(&r, down);
-    rig_tick(&r, down);
-    frames(2);
-}
-
-/* Is shown within so many frames. */
-static void soon(const char *text, int most)
-{
-    for (int i = 0; at(text) < 0; i++) {
-        if (i == most || rig_fault(&r))
-            fail_msg("frame %u: no \"%s\"%s%s", board_frame(r.b), text, rig_fault(&r) ? ": " : "",
-                     rig_fault(&r) ? rig_fault(&r)->message : "");
-        rig_run(&r, 1);
-    }
 }
 
 static void gone(const char *text)
