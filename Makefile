@@ -174,7 +174,7 @@ FORCE:
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
+	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) --plain -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"

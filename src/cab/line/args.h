@@ -81,7 +81,8 @@ struct args {
     const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
     int n_traces;
     uint64_t seed;
-    bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
+    bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
+        play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
     bool update, tap, keys, desktop, full;
     const char *junit, *page;  /* NULL: not given */

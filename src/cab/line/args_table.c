@@ -163,6 +163,8 @@ const struct option_row args_options[OPTIONS] = {
                            "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES, SWITCH(nearest),
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
+    [OPTION_PLAIN] = { "--plain", NULL, FOR_PACK, SWITCH(plain),
+                       "pack: do not compress, for machines that read the ROM where it is; it is the same game" },
     [OPTION_FROM] = { "--from", "NAME", FOR_NEW, TEXT(from),
                       "which game: shooter (ship, stage, boss, music; without --from), first (30 lines), pattern (a "
                       "place to try patterns)" },

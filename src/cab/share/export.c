@@ -11,6 +11,7 @@
 #include "../../board/rom/cart.h"
 #include "../host/files.h"
 #include "../host/report.h"
+#include "../pack/compress.h"
 #include "../pack/icon.h"
 #include "../pack/pack.h"
 #include "image.h"
@@ -24,6 +25,9 @@ struct export
     const struct export_want *want;
     struct rom_image image;
     struct cart cart;
+    uint8_t *small; /* the game compressed; malloc, NULL: it stays plain */
+    const uint8_t *game;
+    size_t game_size;
     const char *out;
     uint8_t *file; /* what is written; malloc */
     size_t size;
@@ -62,7 +66,7 @@ static bool load_program(struct export *e)
 /* The file: the program, its mark, and the game behind. */
 static bool build(struct export *e)
 {
-    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->image.size };
+    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
     size_t at, end = image_trim(e->file, e->size);
 
     m.at = (end + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
@@ -70,13 +74,13 @@ static bool build(struct export *e)
         return err_set(e->err, e->err_size, "export: this program's own file is not the one that runs");
     blank_builtin(e->want, e->file, end);
     mark_put(e->file + at, &m);
-    uint8_t *more = realloc(e->file, (size_t)m.at + e->image.size);
+    uint8_t *more = realloc(e->file, (size_t)m.at + e->game_size);
     if (!more)
         return err_set(e->err, e->err_size, "out of memory");
     e->file = more;
     memset(more + end, 0, (size_t)m.at - end);
-    memcpy(more + m.at, e->image.bytes, e->image.size);
-    e->size = (size_t)m.at + e->image.size;
+    memcpy(more + m.at, e->game, e->game_size);
+    e->size = (size_t)m.at + e->game_size;
     return true;
 }
 
@@ -215,6 +219,10 @@ static bool load_game(struct export *e)
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
     e->out = e->want->out ? e->want->out : e->cart.m.id;
+    if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
+        return err_set(e->err, e->err_size, "out of memory");
+    e->game = e->small ? e->small : e->image.bytes;
+    e->game_size = e->small ? e->game_size : e->image.size;
     return true;
 }
 
@@ -246,6 +254,7 @@ enum result export_run(const struct export_want *want)
     bool good = may_export(&e) && load_game(&e) && may_write(&e) && load_program(&e) && build(&e) && save(&e) &&
                 (!want->desktop || save_entry(&e));
     free(e.file);
+    free(e.small);
     rom_image_free(&e.image);
     return good ? RESULT_DONE : report_error(err);
 }
