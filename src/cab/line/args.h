@@ -50,7 +50,8 @@ enum {
     ARGS_MAX_SPEED = 16,
     ARGS_MAX_SLOWER = 1000,
     ARGS_MAX_JOBS = 64,
-    ARGS_MAX_EFFORT = 1000
+    ARGS_MAX_EFFORT = 1000,
+    ARGS_MAX_BOTS = 1000
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -92,6 +93,7 @@ struct args {
     int prints;                /* as enum demo_prints; 0: not given */
     uint32_t every;            /* 1: not given */
     uint32_t effort;           /* 0: not given */
+    int bots;                  /* the same */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */
     struct press presses[ARGS_MAX_PRESSES];

@@ -45,6 +45,11 @@ static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t e
             return err_set(err, err_size, "--resume does not go with %s", args_options[others[i]].name);
     if (a->command == COMMAND_SURVIVE && a->all && a->map)
         return err_set(err, err_size, "--all does not go with --map, which is of one section");
+    if (a->bots && (a->map || a->out || a->effort))
+        return err_set(err, err_size, "--bots does not go with %s: no way is looked for",
+                       a->map   ? "--map"
+                       : a->out ? "-o"
+                                : "--effort");
     if (a->command == COMMAND_LIST && a->json && !a->replays)
         return err_set(err, err_size, "list: --json needs --replays");
     return true;

@@ -154,6 +154,9 @@ const struct option_row args_options[OPTIONS] = {
                      "it should be easier; with --stage or --difficulty, those of it" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
                         "plans to be made at most, in hundreds, 1 to 1000 (4)" },
+    [OPTION_BOTS] = { "--bots", "N", FOR_SURVIVE, NUMBER(bots, 1, ARGS_MAX_BOTS),
+                      "look for no way: let so many simple bots fly on when they are hit, and tell hits a minute; with "
+                      "--all, stages from mark to mark" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, SWITCH(resume),
                         "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY, SWITCH(no_resume),
