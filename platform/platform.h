@@ -2,7 +2,7 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other twenty-four have defaults in stdio.c, which is linked
+ * To port: copy template.c, write its six functions. The other twenty-five have defaults in stdio.c, which is linked
  * with every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it.
  * For a compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
  *
@@ -199,6 +199,11 @@ void plat_name(const char *name);
 /* Writes a name by which the program's own file can be read, whatever it is called by now. False: the host does not
  * say. */
 bool plat_program(char *name, size_t size);
+
+/* Writes the name of a file that came with the program, by its path from the program's own folder, as
+ * "../share/curtain/player.html"; whether it is there is another question. False: the host does not say where the
+ * program is. */
+bool plat_beside(const char *path, char *name, size_t size);
 
 /* Lets those who can read a file run it as a program; where there is no such thing, nothing. False: it cannot be. */
 bool plat_runnable(const char *name);

@@ -204,6 +204,24 @@ DEFAULT bool plat_program(char *name, size_t size)
 }
 #endif
 
+#ifndef PLAT_OWN_BESIDE
+DEFAULT bool plat_beside(const char *path, char *name, size_t size)
+{
+#ifdef POSIX
+    char program[256], *real = plat_program(program, sizeof program) ? realpath(program, NULL) : NULL;
+    char *end = real ? strrchr(real, '/') : NULL;
+    const int n = end ? snprintf(name, size, "%.*s/%s", (int)(end - real), real, path) : -1;
+    free(real);
+    return n >= 0 && n < (int)size;
+#else
+    (void)path;
+    (void)name;
+    (void)size;
+    return false;
+#endif
+}
+#endif
+
 /* ---- alarm ---- */
 
 #ifndef PLAT_OWN_ALARM

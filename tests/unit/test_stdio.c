@@ -338,7 +338,8 @@ static void on_its_own(void)
 }
 
 /* What a child that dies of a signal leaves in `file`. */
-static void dies(int sig, void (*fn)(void *, const char *, void (*)(const void *, size_t)), const char *file, const char *want)
+static void dies(int sig, void (*fn)(void *, const char *, void (*)(const void *, size_t)), const char *file,
+                 const char *want)
 {
     char text[64] = "";
     int status;
