@@ -228,10 +228,12 @@ VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host
 build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-$(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
+CORE_PORT := ports/libretro/core.c ports/libretro/inside.c src/cab/share/mark.c
+$(OUT)/curtain_libretro.so: $(CORE_PORT) $(wildcard ports/libretro/*.h) src/cab/share/mark.h src/board/board.h \
+		src/lib/curtain.h $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
-		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $(CORE_PORT) $(OUT)/libcurtain.a \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
 
@@ -273,12 +275,13 @@ $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
 $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"
-	$(Q)OUT=$(OUT) ports/web/build.sh player $(WEB)/core.wasm $@
+	$(Q)OUT=$(OUT) ports/web/build.sh $(WEB)/core.wasm $@
 
 # One file with a game inside: make web GAME=DIR.
 web: say-null-web
 	@$(MAKE) --no-print-directory $(OUT)/curtain-bare $(WEB)/player.html
-	@OUT=$(OUT) ports/web/build.sh game $(GAME) $(WEB)/player.html
+	@$(OUT)/curtain-bare export $(GAME) --web -o $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
+	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
@@ -317,7 +320,7 @@ $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
 # Of these, some are ports themselves.
-OWN_PORT := test_cabinet
+OWN_PORT := test_cabinet test_calls
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"

@@ -84,7 +84,7 @@ struct args {
     bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
         play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
-    bool update, tap, keys, desktop, full;
+    bool update, tap, keys, desktop, web, libretro, full;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */

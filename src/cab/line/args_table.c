@@ -145,7 +145,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, NUMBER(bank, 0, 15), "the bank, 0 to 15" },
     [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE, TEXT(out),
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; export: the program; survive: demo, or with .png in place of its ending the "
+                     "pack: ROM file; export: the file; survive: demo, or with .png in place of its ending the "
                      "picture, with --all "
                      "their folder; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship could be, frame by frame" },
@@ -206,6 +206,11 @@ const struct option_row args_options[OPTIONS] = {
                       "panels; verify, render" },
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
                          "also write FILE.desktop and FILE.png, an entry for the desktop's menu" },
+    [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, SWITCH(web),
+                     "not a program: one HTML file that plays the game in browsers, ID.html" },
+    [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, SWITCH(libretro),
+                          "not a program: a core for RetroArch and its like with the game in it, ID_libretro.so, and "
+                          "beside it ID_libretro.info" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full), "also the texts of the licences, to be given along" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
