@@ -52,16 +52,17 @@ enum document_type { NODE_PLAIN, NODE_AIM, NODE_ABSOLUTE, NODE_RELATIVE, NODE_SE
 struct document_node {
     enum document_element element;
     enum document_type type;
-    const char *label;              /* "": none */
-    int line, column;               /* of its "<", from 1 */
-    int32_t parent, first, next;    /* numbers of nodes, or DOCUMENT_NONE; children are in the order of the file */
-    const struct expression_op *op; /* of direction, speed, horizontal, vertical, term, times, wait, param */
-    int ops;                        /* 0: it has no number */
+    const char *label;                 /* "": none */
+    int line, column;                  /* of its "<", from 1 */
+    int32_t parent, first, last, next; /* numbers of nodes, or DOCUMENT_NONE; children are in the order of the file */
+    int32_t target;                    /* of a ref: what it stands for */
+    const struct expression_op *op;    /* of direction, speed, horizontal, vertical, term, times, wait, param */
+    int ops;                           /* 0: it has no number */
 };
 
 struct document {
     struct document_node *node; /* [0] is bulletml; a node comes after its parent. malloc */
-    int32_t n;
+    int32_t n, room;
     bool horizontal; /* bulletml type="horizontal" */
     void *store;     /* labels and numbers; document.c's */
 };

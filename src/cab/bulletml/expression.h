@@ -52,8 +52,8 @@ int expression_read(const char *text, size_t n, struct expression_op *ops, bool 
 /* The values that are on the stack at most while they are done; at least 1. */
 int expression_depth(const struct expression_op *ops, int n);
 
-/* Is the number the same each time, whatever is drawn, and rank and parameters are? *value is it then, worked out as the
- * board does; division by 0 is not the same. */
-bool expression_constant(const struct expression_op *ops, int n, int64_t *value);
+/* Is the number the same each time, whatever is drawn, and rank and parameters are? *value is it, for messages: the
+ * board's own arithmetic is bulletml.h's. Division by 0 is not the same. */
+bool expression_constant(const struct expression_op *ops, int n, double *value);
 
 #endif
