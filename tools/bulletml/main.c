@@ -16,6 +16,8 @@ static const struct command {
     int (*run)(int argc, char **argv);
 } commands[] = {
     { "answer", "DOCUMENT [FRAMES [RANK [SEED [loop]]]]", 1, tool_answer },
+    { "one", "DOCUMENT [RANK [SEED [FRAMES [loop]]]]", 1, tool_one },
+    { "all", "[TEXT]", 0, tool_all },
     { "rounding", "[TEXT]", 0, tool_rounding },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
