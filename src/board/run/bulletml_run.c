@@ -539,6 +539,15 @@ static void drop_root(struct board *b, uint32_t i)
     slots_drop(&b->ml_roots.s, i);
 }
 
+/* Has it bullets of this frame, which are still to be told? */
+static bool has_fresh(const struct board *b, uint32_t i)
+{
+    for (uint32_t k = 0; k < b->ml_fresh.n; k++)
+        if (b->ml_fresh.at[k].root == i)
+            return true;
+    return false;
+}
+
 /* After the turns. */
 static void end_roots(struct board *b)
 {
@@ -551,7 +560,7 @@ static void end_roots(struct board *b)
             move_root(b, i);
         if (o->flags[i] & ROOT_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_OVER)) && all_ended(b, i))
             bulletml_stop(b, i);
-        if (o->flags[i] & ROOT_OVER && !o->runners[i])
+        if (o->flags[i] & ROOT_OVER && !o->runners[i] && !has_fresh(b, i))
             drop_root(b, i);
     }
     slots_trim(&o->s);
