@@ -446,6 +446,21 @@ static void command(struct work *w, uint32_t c)
     }
 }
 
+/* Is the next command one that only leads out of an action? Those are done at once after the command before, even if
+ * that one waits: an action whose last command is a wait is over when that begins. */
+static bool leads_out(const struct work *w)
+{
+    switch ((enum ml_op)ML_OP(ml_word(w->t->ml, w->at))) {
+    case ML_END:
+    case ML_NEXT:
+    case ML_AGAIN:
+    case ML_RETURN:
+        return true;
+    default:
+        return false;
+    }
+}
+
 void bulletml_do(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
@@ -454,7 +469,8 @@ void bulletml_do(struct turn *t)
 
     w.given = &w.own;
     set_given(&w, r->given[t->runner]);
-    while (!w.yields && !(r->flags[t->runner] & RUNNER_OVER) && (int32_t)(t->now - r->wake[t->runner]) >= 0) {
+    while (!w.yields && !(r->flags[t->runner] & RUNNER_OVER) &&
+           ((int32_t)(t->now - r->wake[t->runner]) >= 0 || leads_out(&w))) {
         const uint32_t c = next_word(&w);
         if (++n > MOST_COMMANDS)
             bulletml_fault(t, c, "more than 100000 commands in a frame: a repeat without a wait?");
