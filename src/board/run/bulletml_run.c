@@ -449,13 +449,57 @@ void bulletml_stop(struct board *b, uint32_t i)
     b->ml_roots.flags[i] |= ROOT_OVER;
 }
 
-/* Before the turns: roots whose owner, or what they follow, is gone are over. */
+static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
+
+void bulletml_set_handler(lua_State *L, uint32_t i)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    }
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    lua_pop(L, 1);
+}
+
+void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
+{
+    struct ml ml;
+
+    cart_bulletml(&b->cart, b->ml_roots.program[i], &ml);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    lua_rawgeti(L, -1, (lua_Integer)i + 1);
+    lua_pushinteger(L, bullet);
+    if (label)
+        lua_pushstring(L, ml_label(&ml, label - 1));
+    else
+        lua_pushnil(L);
+    lua_call(L, 2, 0);
+    lua_pop(L, 1);
+}
+
+static void drop_root(struct board *b, uint32_t i)
+{
+    if (b->ml_roots.flags[i] & ROOT_TELLS) {
+        lua_pushnil(b->vm.running);
+        bulletml_set_handler(b->vm.running, i);
+    }
+    bulletml_let_list(b, b->ml_roots.given[i]);
+    slots_drop(&b->ml_roots.s, i);
+}
+
+/* Before the turns: roots whose owner, or what they follow, is gone are over; what was over a frame ago, and its
+ * bullets' actions too, is dropped. */
 static void find_roots(struct board *b)
 {
     struct ml_roots *o = &b->ml_roots;
 
     EACH_LIVE (i, &o->s) {
-        if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
+        if (o->flags[i] & ROOT_OVER && !o->runners[i])
+            drop_root(b, i);
+        else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
             bulletml_stop(b, i);
         else if (o->follow[i])
             board_where(b, o->follow[i], &o->x[i], &o->y[i]);
@@ -498,56 +542,6 @@ static bool all_ended(const struct board *b, uint32_t root)
     return true;
 }
 
-static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
-
-void bulletml_set_handler(lua_State *L, uint32_t i)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    }
-    lua_insert(L, -2);
-    lua_rawseti(L, -2, (lua_Integer)i + 1);
-    lua_pop(L, 1);
-}
-
-void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
-{
-    struct ml ml;
-
-    cart_bulletml(&b->cart, b->ml_roots.program[i], &ml);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_rawgeti(L, -1, (lua_Integer)i + 1);
-    lua_pushinteger(L, bullet);
-    if (label)
-        lua_pushstring(L, ml_label(&ml, label - 1));
-    else
-        lua_pushnil(L);
-    lua_call(L, 2, 0);
-    lua_pop(L, 1);
-}
-
-static void drop_root(struct board *b, uint32_t i)
-{
-    if (b->ml_roots.flags[i] & ROOT_TELLS) {
-        lua_pushnil(b->vm.running);
-        bulletml_set_handler(b->vm.running, i);
-    }
-    bulletml_let_list(b, b->ml_roots.given[i]);
-    slots_drop(&b->ml_roots.s, i);
-}
-
-/* Has it bullets of this frame, which are still to be told? */
-static bool has_fresh(const struct board *b, uint32_t i)
-{
-    for (uint32_t k = 0; k < b->ml_fresh.n; k++)
-        if (b->ml_fresh.at[k].root == i)
-            return true;
-    return false;
-}
-
 /* After the turns. */
 static void end_roots(struct board *b)
 {
@@ -560,8 +554,6 @@ static void end_roots(struct board *b)
             move_root(b, i);
         if (o->flags[i] & ROOT_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_OVER)) && all_ended(b, i))
             bulletml_stop(b, i);
-        if (o->flags[i] & ROOT_OVER && !o->runners[i] && !has_fresh(b, i))
-            drop_root(b, i);
     }
     slots_trim(&o->s);
 }
