@@ -88,6 +88,7 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *what)
 struct flight {
     ang dir;
     fx speed, vx, vy;
+    int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
 };
 
 static int64_t scaled(int64_t v, int64_t pace)
@@ -116,8 +117,10 @@ static struct flight flight(const struct ml_roots *o, uint32_t root, int64_t dir
     struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
 
     if (v) {
-        f.vx = nearest(ml_scale(v, trig_cos30(f.dir), 30));
-        f.vy = nearest(ml_scale(v, trig_sin30(f.dir), 30));
+        f.fine_x = ml_scale(v, trig_cos30(f.dir), 30);
+        f.fine_y = ml_scale(v, trig_sin30(f.dir), 30);
+        f.vx = nearest(f.fine_x);
+        f.vy = nearest(f.fine_y);
     }
     return f;
 }
@@ -128,7 +131,6 @@ static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int6
 {
     struct flight f = flight(o, root, direction, speed);
     const ang turned = o->turned[root] - UP;
-    const int64_t v = in_speed(scaled(speed, o->pace[root]));
     int64_t x = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]);
 
     if (!(vx | vy))
@@ -142,8 +144,10 @@ static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int6
         x = ml_scale(x, c, 30) - ml_scale(y, s, 30);
         y = ml_scale(in_speed(was), s, 30) + ml_scale(y, c, 30);
     }
-    f.vx = nearest(ml_scale(v, trig_cos30(f.dir), 30) + x);
-    f.vy = nearest(ml_scale(v, trig_sin30(f.dir), 30) + y);
+    f.fine_x = in_speed(f.fine_x + x);
+    f.fine_y = in_speed(f.fine_y + y);
+    f.vx = nearest(f.fine_x);
+    f.vy = nearest(f.fine_y);
     return f;
 }
 
@@ -506,9 +510,14 @@ static void find_roots(struct board *b)
     }
 }
 
-static fx in_world(int64_t v)
+/* Moves a coordinate that has 16 more bits. Some documents let a root wander all game long, and aim from it. */
+static void move_fine(fx *at, int16_t *more, int64_t by)
 {
-    return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
+    const int64_t most = (int64_t)WORLD << 32;
+    const int64_t to = int64_clamp((int64_t)*at * (1 << 16) + *more + by, -most, most), whole = (to + (1 << 15)) >> 16;
+
+    *more = (int16_t)(to - whole * (1 << 16));
+    *at = (fx)whole;
 }
 
 /* A root that moves itself, or an enemy that it steers. */
@@ -523,8 +532,8 @@ static void move_root(struct board *b, uint32_t i)
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
     const struct flight f = flight_beside(o, i, r->direction[k], r->speed[k], r->vx[k], r->vy[k]);
-    o->x[i] = in_world((int64_t)o->x[i] + f.vx);
-    o->y[i] = in_world((int64_t)o->y[i] + f.vy);
+    move_fine(&o->x[i], &o->x_more[i], f.fine_x);
+    move_fine(&o->y[i], &o->y_more[i], f.fine_y);
     if (o->follow[i]) {
         b->enemies.x[handle_slot(o->follow[i])] = o->x[i];
         b->enemies.y[handle_slot(o->follow[i])] = o->y[i];
@@ -615,6 +624,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->follow[i] = start->follow;
     o->x[i] = start->x;
     o->y[i] = start->y;
+    o->x_more[i] = o->y_more[i] = 0;
     o->program[i] = start->program;
     o->kind[i] = start->kind;
     o->tag[i] = start->tag;
