@@ -170,9 +170,9 @@ static bool read_manifest(struct packer *p)
 static bool add_manifest(struct packer *p)
 {
     uint8_t bytes[MANIFEST_BYTES];
+    const size_t size = manifest_pack(&p->m, bytes);
 
-    manifest_pack(&p->m, bytes);
-    return add_copy(p, "", "manifest", bytes, sizeof bytes);
+    return add_copy(p, "", "manifest", bytes, size);
 }
 
 /* Does p stand behind -- in its line? */
