@@ -139,8 +139,10 @@ static void put_push(struct lua_writer *w, int32_t node, enum document_element e
     if (!v)
         return;
     begin_change(w, v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "push_on" : "push_to");
-    lua_put(&w->body, "\"%s\", %s", x ? "x" : "y", w->d->horizontal && !x ? "-" : "");
-    lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE || (w->d->horizontal && !x));
+    const bool back = w->d->horizontal && !x;
+    lua_put(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
+    lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
+    lua_put(&w->body, back ? ")" : "");
     if (v->type == NODE_SEQUENCE) {
         lua_put(&w->body, " * ");
         lua_count(&w->body, child(w, node, NODE_TERM), 1);
@@ -465,11 +467,18 @@ static void put_tops(struct lua_writer *w)
 
 /* ---- what cannot be said ---- */
 
-static bool has(const struct document *d, enum document_element element)
+/* Is there a vanish that no bullet is round? */
+static bool root_vanishes(const struct document *d)
 {
-    for (int32_t i = 0; i < d->n; i++)
-        if (d->node[i].element == element)
+    for (int32_t i = 0; i < d->n; i++) {
+        int32_t in = i;
+        if (d->node[i].element != NODE_VANISH)
+            continue;
+        while (in != 0 && d->node[in].element != NODE_BULLET)
+            in = d->node[in].parent;
+        if (in == 0)
             return true;
+    }
     return false;
 }
 
@@ -507,8 +516,8 @@ static void put_head(struct lua_text *t, const struct document *d, const char *f
         lua_put(t, "-- Between a bullet's actions there a frame passes; here the next begins at once.\n");
     if (strstr(body, "motion.def"))
         lua_put(t, "-- Changes of a motion program begin one frame sooner.\n");
-    if (has(d, NODE_VANISH) && strstr(body, ".gone"))
-        lua_put(t, "-- A root that vanishes there stops; here the thing stays, unless you remove it.\n");
+    if (root_vanishes(d))
+        lua_put(t, "-- Where the root vanishes there, the thing stays here, unless you remove it.\n");
     if (strstr(body, "_to(") || strstr(body, "_on("))
         lua_put(t, "-- Each bullet whose speed or direction changes has a task; thousands of them are bullet.ml's.\n");
     lua_put(t, "local unit, rank = 1, 0.5         -- px a frame of speed 1; 0 to 1\n"
