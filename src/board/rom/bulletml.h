@@ -170,11 +170,14 @@ static inline int64_t ml_subtract(int64_t a, int64_t b)
     return ((a ^ b) & (a ^ less)) < 0 ? (a >> 63) ^ INT64_MAX : less;
 }
 
-/* A count of frames or rounds: cut to a whole number, and what is below one by less than 2^-20 is one. */
+/* A count of frames or rounds: cut to a whole number, and what is below one by less than 2^-20 is one. What is too large
+ * for a number of documents counts as none, as it does there. */
 static inline int32_t ml_whole(int64_t v)
 {
     const int64_t hair = 1 << 12;
 
+    if (v == INT64_MAX)
+        return 0;
     return (int32_t)(v < 0 ? -(ml_add(ml_negate(v), hair) >> 32) : ml_add(v, hair) >> 32);
 }
 

@@ -4,8 +4,8 @@
  * Runners have their turns in the order in which they were made, before bullets move. In its turn a runner reads what
  * scripts wrote into its bullet, applies the changes that go on, does the commands that are due, and writes the
  * bullet's velocity. One that only waits costs a look at the clock; whether its bullet is still there is then asked in
- * one frame of WAITING alone. What is fired stands where its shooter was, until the hits are done: it moves, and has
- * its own first turn, in the next frame.
+ * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has its
+ * own first turn, in the next frame.
  *
  * A document's directions are degrees, 0 up, clockwise: as it was written. How the root is turned, mirrored and scaled
  * comes in only where velocities are written and where directions of the board are read.
@@ -19,6 +19,7 @@
 enum { WAITING = 16 };
 
 static const ang UP = 0xc0000000u;
+static const int64_t NOBODY = (int64_t)H_BULLET << 24; /* the handle of a bullet that is not there */
 
 /* ---- parameter lists ---- */
 
@@ -207,9 +208,8 @@ static void drop_runner(struct board *b, uint32_t i)
 
 /* ---- firing ---- */
 
-/* The runner of a bullet that was just fired. */
-static void equip(const struct turn *t, const struct fired *f, const struct flight *way, int64_t bullet,
-                  struct given *given)
+/* A runner for what is fired, the bullet of which comes later; returns its slot + 1, or 0. */
+static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, struct given *given)
 {
     struct ml_runners *r = &t->b->ml_runners;
 
@@ -217,10 +217,10 @@ static void equip(const struct turn *t, const struct fired *f, const struct flig
         given->list = bulletml_list(t->b, given->value, given->n);
     else
         bulletml_keep(t->b, given->list);
-    const int32_t i = given->n && !given->list ? NO_SLOT : new_runner(t->b, t->root, bullet, f->at, t->now + 1);
+    const int32_t i = given->n && !given->list ? NO_SLOT : new_runner(t->b, t->root, NOBODY, f->at, t->now + 1);
     if (i == NO_SLOT) {
         bulletml_let_list(t->b, given->list);
-        return;
+        return 0;
     }
     r->given[i] = given->list;
     r->direction[i] = f->direction;
@@ -229,32 +229,50 @@ static void equip(const struct turn *t, const struct fired *f, const struct flig
     r->put_speed[i] = way->speed;
     r->put_vx[i] = way->vx;
     r->put_vy[i] = way->vy;
+    return (uint32_t)i + 1;
 }
 
 void bulletml_fire(const struct turn *t, const struct fired *f, struct given *given)
 {
-    struct board *b = t->b;
-    const struct ml_roots *o = &b->ml_roots;
-    const struct flight way = flight(o, t->root, f->direction, f->speed);
+    const struct ml_roots *o = &t->b->ml_roots;
     const bool known = f->label && f->label <= ML_KINDS;
-    struct bullet_shape s = { .x = t->x,
-                              .y = t->y,
-                              .speed = way.speed,
-                              .dir = way.dir,
-                              .kind = known ? o->kinds[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
-                              .tag = o->tag[t->root],
-                              .by = o->by[t->root] };
+    struct ml_fresh *fresh = &t->b->ml_fresh;
 
-    s.bank = o->flags[t->root] & ROOT_BANK ? o->bank[t->root] : b->bullet_kinds.bank[s.kind];
-    const int32_t i = emit_fire(b, false, &s, 0, t->now + 1);
-    if (i == NO_SLOT)
+    if (fresh->n == fresh->cap) {
+        emit_refuse(t->b, false, 1);
         return;
-    bullets_set_flight(&b->bullets, (uint32_t)i, 0, 0);
-    struct ml_fresh *fresh = &b->ml_fresh;
-    if (fresh->n < fresh->cap)
-        fresh->at[fresh->n++] = (struct ml_fired){ (uint32_t)i, b->bullets.s.gen[i], way.vx, way.vy, t->root, f->label };
-    if (f->at)
-        equip(t, f, &way, board_handle(b, H_BULLET, i), given);
+    }
+    const struct flight way = flight(o, t->root, f->direction, f->speed);
+    fresh->at[fresh->n++] = (struct ml_fired){
+        .x = t->x,
+        .y = t->y,
+        .vx = way.vx,
+        .vy = way.vy,
+        .speed = way.speed,
+        .dir = way.dir,
+        .kind = known ? o->kinds[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
+        .root = t->root,
+        .label = f->label,
+        .runner = f->at ? equip(t, f, &way, given) : 0,
+    };
+}
+
+static int32_t appear(struct board *b, const struct ml_fired *f)
+{
+    const struct ml_roots *o = &b->ml_roots;
+    struct bullet_shape s = { .x = f->x,
+                              .y = f->y,
+                              .speed = f->speed,
+                              .dir = f->dir,
+                              .kind = f->kind,
+                              .bank = o->flags[f->root] & ROOT_BANK ? o->bank[f->root] : b->bullet_kinds.bank[f->kind],
+                              .tag = o->tag[f->root],
+                              .by = o->by[f->root] };
+    const int32_t i = emit_fire(b, false, &s, 0, b->core.clock + 1);
+
+    if (i != NO_SLOT)
+        bullets_set_flight(&b->bullets, (uint32_t)i, f->vx, f->vy);
+    return i;
 }
 
 void bulletml_let_go(struct board *b)
@@ -263,12 +281,13 @@ void bulletml_let_go(struct board *b)
 
     for (uint32_t k = 0; k < fresh->n; k++) {
         const struct ml_fired *f = &fresh->at[k];
-        if (!slots_has(&b->bullets.s, f->slot, f->gen))
-            continue;
-        bullets_set_flight(&b->bullets, f->slot, f->vx, f->vy);
-        if (b->ml_roots.flags[f->root] & ROOT_TELLS)
-            board_event(b, EV_FIRED, board_handle(b, H_BULLET, (int32_t)f->slot), (int64_t)f->root << 32 | f->label);
+        const int32_t i = appear(b, f);
+        if (f->runner && i != NO_SLOT)
+            b->ml_runners.bullet[f->runner - 1] = board_handle(b, H_BULLET, i);
+        if (i != NO_SLOT && b->ml_roots.flags[f->root] & ROOT_TELLS)
+            board_event(b, EV_FIRED, board_handle(b, H_BULLET, i), (int64_t)f->root << 32 | f->label);
     }
+    vm_charge(b->vm.running, WORK_FIRE * (uint64_t)fresh->n);
     fresh->n = 0;
 }
 
@@ -449,13 +468,57 @@ void bulletml_stop(struct board *b, uint32_t i)
     b->ml_roots.flags[i] |= ROOT_OVER;
 }
 
-/* Before the turns: roots whose owner, or what they follow, is gone are over. */
+static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
+
+void bulletml_set_handler(lua_State *L, uint32_t i)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    }
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    lua_pop(L, 1);
+}
+
+void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
+{
+    struct ml ml;
+
+    cart_bulletml(&b->cart, b->ml_roots.program[i], &ml);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    lua_rawgeti(L, -1, (lua_Integer)i + 1);
+    lua_pushinteger(L, bullet);
+    if (label)
+        lua_pushstring(L, ml_label(&ml, label - 1));
+    else
+        lua_pushnil(L);
+    lua_call(L, 2, 0);
+    lua_pop(L, 1);
+}
+
+static void drop_root(struct board *b, uint32_t i)
+{
+    if (b->ml_roots.flags[i] & ROOT_TELLS) {
+        lua_pushnil(b->vm.running);
+        bulletml_set_handler(b->vm.running, i);
+    }
+    bulletml_let_list(b, b->ml_roots.given[i]);
+    slots_drop(&b->ml_roots.s, i);
+}
+
+/* Before the turns: roots whose owner, or what they follow, is gone are over; what was over a frame ago, and its
+ * bullets' actions too, is dropped. */
 static void find_roots(struct board *b)
 {
     struct ml_roots *o = &b->ml_roots;
 
     EACH_LIVE (i, &o->s) {
-        if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
+        if (o->flags[i] & ROOT_OVER && !o->runners[i])
+            drop_root(b, i);
+        else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
             bulletml_stop(b, i);
         else if (o->follow[i])
             board_where(b, o->follow[i], &o->x[i], &o->y[i]);
@@ -498,47 +561,6 @@ static bool all_ended(const struct board *b, uint32_t root)
     return true;
 }
 
-static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
-
-void bulletml_set_handler(lua_State *L, uint32_t i)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    }
-    lua_insert(L, -2);
-    lua_rawseti(L, -2, (lua_Integer)i + 1);
-    lua_pop(L, 1);
-}
-
-void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
-{
-    struct ml ml;
-
-    cart_bulletml(&b->cart, b->ml_roots.program[i], &ml);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_rawgeti(L, -1, (lua_Integer)i + 1);
-    lua_pushinteger(L, bullet);
-    if (label)
-        lua_pushstring(L, ml_label(&ml, label - 1));
-    else
-        lua_pushnil(L);
-    lua_call(L, 2, 0);
-    lua_pop(L, 1);
-}
-
-static void drop_root(struct board *b, uint32_t i)
-{
-    if (b->ml_roots.flags[i] & ROOT_TELLS) {
-        lua_pushnil(b->vm.running);
-        bulletml_set_handler(b->vm.running, i);
-    }
-    bulletml_let_list(b, b->ml_roots.given[i]);
-    slots_drop(&b->ml_roots.s, i);
-}
-
 /* After the turns. */
 static void end_roots(struct board *b)
 {
@@ -551,8 +573,6 @@ static void end_roots(struct board *b)
             move_root(b, i);
         if (o->flags[i] & ROOT_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_OVER)) && all_ended(b, i))
             bulletml_stop(b, i);
-        if (o->flags[i] & ROOT_OVER && !o->runners[i])
-            drop_root(b, i);
     }
     slots_trim(&o->s);
 }
