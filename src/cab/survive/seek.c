@@ -136,7 +136,8 @@ static enum trial_end fly(struct work *w, const struct plan *p, uint32_t from, u
     return end;
 }
 
-/* The present run has lived so long: is it the longest? One that came to the end is better than any that lived longer. */
+/* The present run has lived so long: is it the longest? One that came to the end is better than any that lived
+ * longer. */
 static void note(struct work *w, uint32_t frames, enum trial_end end)
 {
     struct seek *s = w->s;
