@@ -568,6 +568,42 @@ static void test_answers(void **state)
 
 /* ---- pages of the game's own, and grades ---- */
 
+/* The row of a text. */
+static int row_of(const char *text)
+{
+    return at(text) < 0 ? -1 : at(text) / 1000;
+}
+
+/* A list that is longer than the title has room for keeps its empty rows, and scrolls to what was not seen. */
+static void test_long_title(void **state)
+{
+    static const char own[] = "local pages = {} for i = 1, 16 do pages[i] = { name = 'page_' .. string.char(64 + i),\n"
+                              "  show = function() wait(forever) end } end\n"
+                              "boot.run { stages = { 'one' }, players = { 'heron' }, pages = pages }";
+    static const struct {
+        int w, h;
+    } sizes[] = { { 240, 320 }, { 320, 240 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        open_sized(own, sizes[i].w, sizes[i].h, sizes[i].w, 1);
+        soon("PRESS START", 5);
+        press(PAD_START, 0);
+        soon("PAGE B", 20);
+        assert_int_equal(row_of("PAGE B") - row_of("PAGE A"), 2);
+        gone("SETTINGS");
+        press(PAD_UP, 0); /* the last one */
+        soon("SETTINGS", 20);
+        soon("REPLAYS", 20);
+        assert_int_equal(row_of("SETTINGS") - row_of("REPLAYS"), 2);
+        assert_in_range(row_of("SETTINGS"), 1, sizes[i].h / 8 - 3);
+        gone("PAGE A");
+        press(PAD_DOWN, 0);
+        soon("PAGE A", 20);
+        close_game();
+    }
+}
+
 static const char with_pages[] =
     "boot.run { stages = { 'one', 'two' }, players = { 'heron' },\n"
     "  pages = { { name = 'how_to', show = function(row, rows)\n"
@@ -663,13 +699,13 @@ static void test_snapshots(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),      cmocka_unit_test(test_back),
-                                        cmocka_unit_test(test_leaving),  cmocka_unit_test(test_asks),
-                                        cmocka_unit_test(test_continue), cmocka_unit_test(test_puts_back),
-                                        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
-                                        cmocka_unit_test(test_opening),  cmocka_unit_test(test_mistakes),
-                                        cmocka_unit_test(test_pages),    cmocka_unit_test(test_page_mistakes),
-                                        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
+        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
+        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
+        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title)
+    };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
