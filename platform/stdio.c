@@ -210,6 +210,10 @@ DEFAULT bool plat_beside(const char *path, char *name, size_t size)
 #ifdef POSIX
     char program[256], *real = plat_program(program, sizeof program) ? realpath(program, NULL) : NULL;
     char *end = real ? strrchr(real, '/') : NULL;
+    for (; end && strncmp(path, "../", 3) == 0; path += 3) {
+        *end = '\0';
+        end = strrchr(real, '/');
+    }
     const int n = end ? snprintf(name, size, "%.*s/%s", (int)(end - real), real, path) : -1;
     free(real);
     return n >= 0 && n < (int)size;

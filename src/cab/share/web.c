@@ -99,8 +99,8 @@ static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
 
     for (size_t i = 0; i < n; i += 3) {
         const size_t left = n - i < 3 ? n - i : 3;
-        const uint32_t v = (uint32_t)bytes[i] << 16 | (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) |
-                           (left > 2 ? bytes[i + 2] : 0);
+        const uint32_t v =
+            (uint32_t)bytes[i] << 16 | (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
         for (size_t k = 0; k < 4; k++)
             *out++ = k <= left ? (uint8_t)digits[v >> (18 - 6 * k) & 63] : '=';
     }
