@@ -3,7 +3,7 @@
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
-         patterns library ports web
+         patterns library ports web bulletml
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -49,7 +49,7 @@ BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 # What `curtain new` writes.
-TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter) -type f ! -name '.*' ! -path '*/failed/*'))
+TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter bulletml) -type f ! -name '.*' ! -path '*/failed/*'))
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
@@ -68,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -88,6 +88,7 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make pacing   measure docs/pacing.md anew"
+	@echo "make bulletml documents of other games on the board and in libbulletml: docs/bulletml.md"
 	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/survive.md, docs/game.md"
 	@echo "make patterns what Glass Tide fires, in words and pictures: docs/patterns.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
@@ -174,7 +175,7 @@ FORCE:
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
+	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) --plain -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"
@@ -502,6 +503,25 @@ bench: deps-play
 compare: deps-null
 	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" TABLE="$(TABLE)" \
 		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
+
+# ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
+
+CXX       ?= c++
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o
+
+$(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
+	@mkdir -p $(@D)
+	$(SAY) "  CXX   $<"
+	$(Q)$(CXX) -std=c++11 -O2 -g -ffp-contract=off -Wall -Wextra -Wno-deprecated-declarations \
+		-isystem /usr/include/bulletml -c $< -o $@
+
+$(OUT)/bulletml: $(BULLETML_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -lbulletml -lstdc++ -o $@
+
+bulletml: deps-play-bulletml
+	@$(MAKE) --no-print-directory -j2 $(OUT)/bulletml
+	@$(OUT)/bulletml all $(ARGS)
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 

@@ -12,9 +12,9 @@
  *     curtain_close(c);
  *
  * Any number of them at once, of one game or of several, each used by one thread at a time. The library takes no memory
- * but what it is given (and malloc's for demos), opens no file, reads no clock, prints nothing, and has no variable of
- * its own. The same ROM,
- * configuration and pads give the same run on every machine; curtain_hash tells whether they did.
+ * but what it is given (and malloc's for demos, and while curtain_memory looks into a compressed ROM), opens no file,
+ * reads no clock, prints nothing, and has no variable of its own. The same ROM, configuration and pads give the same
+ * run on every machine; curtain_hash tells whether they did.
  *
  * Functions that can fail return false, NULL or 0 and put one sentence into err, of err_size bytes with its NUL.
  */
@@ -57,7 +57,8 @@ enum { CURTAIN_PADS = 2 };
 
 /* What a run begins with, and what the host wants. All zero but the ROM is fine. Texts are copied. */
 struct curtain_config {
-    const void *rom; /* a packed game, `curtain pack`; it must stay where it is until curtain_close */
+    const void *rom; /* a packed game, `curtain pack`, compressed or plain; it must stay where it is until
+                        curtain_close */
     size_t rom_size;
     uint64_t seed;
     const char *difficulty; /* one of the game's; NULL: its own choice */

@@ -12,6 +12,7 @@
 #include "../../board/rom/cart.h"
 #include "../host/files.h"
 #include "../host/report.h"
+#include "../pack/compress.h"
 #include "../pack/icon.h"
 #include "../pack/pack.h"
 #include "beside.h"
@@ -28,6 +29,9 @@ struct export
     const struct export_want *want;
     struct rom_image image;
     struct cart cart;
+    uint8_t *small; /* the game compressed; malloc, NULL: it stays plain */
+    const uint8_t *game;
+    size_t game_size;
     const char *out;
     char name[64];         /* of the file, where none was given */
     char info[FILES_PATH]; /* of a core's .info */
@@ -93,7 +97,7 @@ static bool make_page(struct export *e)
                                             "../share/curtain/player.html" },
                                           "share/curtain",
                                           "make web" };
-    const struct web_game game = { e->cart.m.title, e->image.bytes, e->image.size };
+    const struct web_game game = { e->cart.m.title, e->game, e->game_size };
     uint8_t *with;
     size_t size;
 
@@ -107,7 +111,7 @@ static bool make_page(struct export *e)
 /* The file: the program or core, its mark, and the game behind. */
 static bool build(struct export *e)
 {
-    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->image.size };
+    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
     size_t at, end = image_trim(e->file, e->size);
 
     m.at = (end + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
@@ -119,13 +123,13 @@ static bool build(struct export *e)
     if (e->want->kind == EXPORT_PROGRAM)
         blank_builtin(e->want, e->file, end);
     mark_put(e->file + at, &m);
-    uint8_t *more = realloc(e->file, (size_t)m.at + e->image.size);
+    uint8_t *more = realloc(e->file, (size_t)m.at + e->game_size);
     if (!more)
         return err_set(e->err, e->err_size, "out of memory");
     e->file = more;
     memset(more + end, 0, (size_t)m.at - end);
-    memcpy(more + m.at, e->image.bytes, e->image.size);
-    e->size = (size_t)m.at + e->image.size;
+    memcpy(more + m.at, e->game, e->game_size);
+    e->size = (size_t)m.at + e->game_size;
     return true;
 }
 
@@ -306,6 +310,10 @@ static bool load_game(struct export *e)
         return false;
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
+    if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
+        return err_set(e->err, e->err_size, "out of memory");
+    e->game = e->small ? e->small : e->image.bytes;
+    e->game_size = e->small ? e->game_size : e->image.size;
     return name_out(e);
 }
 
@@ -345,6 +353,7 @@ enum result export_run(const struct export_want *want)
     bool good =
         may_export(&e) && load_game(&e) && may_write(&e) && make(&e) && save(&e) && (!want->desktop || save_entry(&e));
     free(e.file);
+    free(e.small);
     rom_image_free(&e.image);
     return good ? RESULT_DONE : report_error(err);
 }

@@ -19,9 +19,9 @@ enum { MARK_KEYS = 1 /* with the keys and the commands of those who make games *
 
 struct mark {
     uint32_t flags;
-    uint32_t crc;  /* of the game's ROM */
+    uint32_t crc;  /* of the game's ROM, the plain one */
     uint64_t at;   /* bytes of the file before it, a multiple of ROM_ALIGN */
-    uint64_t size; /* of the ROM; 0: there is no game */
+    uint64_t size; /* of the ROM as it stands there, compressed or plain; 0: there is no game */
     uint32_t core; /* of what has the mark; mark_put leaves it */
 };
 
