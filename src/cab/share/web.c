@@ -1,5 +1,6 @@
 /*
- * web.c - see web.h. A player's marks are @TITLE@, each time, and @ROM@, once: base64 of the ROM. Its line "generator" has the core version.
+ * web.c - see web.h. A player's marks are @TITLE@, each time, and @ROM@, once: base64 of the ROM. Its line "generator"
+ * has the core version.
  */
 #include "web.h"
 
