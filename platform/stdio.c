@@ -207,7 +207,7 @@ DEFAULT bool plat_program(char *name, size_t size)
 #ifndef PLAT_OWN_BESIDE
 DEFAULT bool plat_beside(const char *path, char *name, size_t size)
 {
-#ifdef POSIX
+#ifdef PROCESSES
     char program[256], *real = plat_program(program, sizeof program) ? realpath(program, NULL) : NULL;
     char *end = real ? strrchr(real, '/') : NULL;
     for (; end && strncmp(path, "../", 3) == 0; path += 3) {
