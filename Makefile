@@ -229,11 +229,10 @@ VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host
 build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-CORE_PORT := ports/libretro/core.c ports/libretro/inside.c src/cab/share/mark.c
-$(OUT)/curtain_libretro.so: $(CORE_PORT) $(wildcard ports/libretro/*.h) src/cab/share/mark.h src/board/board.h \
-		src/lib/curtain.h $(OUT)/libcurtain.a
+RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,ports/libretro/core ports/libretro/inside src/cab/share/mark)
+$(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $(CORE_PORT) $(OUT)/libcurtain.a \
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
 		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
@@ -343,7 +342,8 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
 programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
-          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(UNIT) $(MACHINE)
+          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
+          $(UNIT) $(MACHINE)
 
 test: deps-play-test
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs

@@ -104,7 +104,7 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)                                                            \
     PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_ROOTS), 0)                                                   \
     PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
-    PART(ml_frames_chip, ml_frames, ML_FRAMES *m->bulletml, 0)                                                         \
+    PART(ml_frames_chip, ml_frames, ML_FRAMES * m->bulletml, 0)                                                        \
     PART(ml_params_chip, ml_params, m->bulletml, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },

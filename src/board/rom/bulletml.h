@@ -33,10 +33,10 @@
 #define ML_WORKED_OUT 0x40000000u
 
 enum {
-    ML_HEADER = 32,       /* bytes */
-    ML_STACK = 16,        /* numbers that a value takes at once */
-    ML_PARAMS = 9,        /* $1 to $9 */
-    ML_MOST_PARAMS = 64,  /* that a reference may give: all are worked out */
+    ML_HEADER = 32,      /* bytes */
+    ML_STACK = 16,       /* numbers that a value takes at once */
+    ML_PARAMS = 9,       /* $1 to $9 */
+    ML_MOST_PARAMS = 64, /* that a reference may give: all are worked out */
     ML_MAX_TOPS = 64,
     ML_MAX_LABELS = 4096,
     ML_MAX_NUMBERS = 1 << 20,
@@ -63,11 +63,11 @@ enum ml_op {
     ML_SHOT_SPEED,     /* v, ML_TYPE of it */
     ML_SHOT_DIRECTION, /* v, ML_TYPE of it */
     ML_BULLET_REF,     /* p n v..: as ML_CALL, of a bullet */
-    ML_BULLET,         /* l p: it is fired; p where its actions begin, 0: it has none. After it what followed ML_BULLET_REF */
+    ML_BULLET, /* l p: it is fired; p where its actions begin, 0: it has none. After it what followed ML_BULLET_REF */
     ML_VANISH,
-    ML_TURN,           /* v v: term, direction, ML_TYPE of it */
-    ML_SPEED,          /* v v: term, speed, ML_TYPE of it */
-    ML_ACCEL,          /* v v v: term, x, y; ML_TYPE: that of x, and ML_TYPE_Y times that of y; ML_NONE: no such part */
+    ML_TURN,  /* v v: term, direction, ML_TYPE of it */
+    ML_SPEED, /* v v: term, speed, ML_TYPE of it */
+    ML_ACCEL, /* v v v: term, x, y; ML_TYPE: that of x, and ML_TYPE_Y times that of y; ML_NONE: no such part */
     ML_OPS
 };
 enum { ML_TYPE_Y = 8 };
@@ -189,8 +189,8 @@ static inline int64_t ml_scale(int64_t a, int64_t b, int shift)
 #else
     /* two's complement: the high half of the unsigned product is too large by b where a < 0, and by a where b < 0 */
     const uint64_t low = (uint64_t)a * (uint64_t)b, sum = low + ((uint64_t)1 << (shift - 1));
-    const uint64_t high = fx_mul_high((uint64_t)a, (uint64_t)b) - (a < 0 ? (uint64_t)b : 0) - (b < 0 ? (uint64_t)a : 0) +
-                          (sum < low);
+    const uint64_t high =
+        fx_mul_high((uint64_t)a, (uint64_t)b) - (a < 0 ? (uint64_t)b : 0) - (b < 0 ? (uint64_t)a : 0) + (sum < low);
 
     return (int64_t)(high << (64 - shift) | sum >> shift);
 #endif

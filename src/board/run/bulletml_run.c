@@ -127,8 +127,8 @@ static struct flight flight(const struct ml_roots *o, uint32_t root, int64_t dir
 }
 
 /* The same with (vx, vy) beside it: one sum, rounded once. */
-static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed, int64_t vx,
-                                   int64_t vy)
+static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed,
+                                   int64_t vx, int64_t vy)
 {
     struct flight f = flight(o, root, direction, speed);
     const ang turned = o->turned[root] - UP;
@@ -305,8 +305,7 @@ static int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_
         return r->to[c];
     if (r->step[c])
         return r->from[c] + ((r->step[c] * k + one / 2) >> (change == CHANGE_DIRECTION ? 12 : 20));
-    return ml_add(r->from[c],
-                  ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
+    return ml_add(r->from[c], ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
 }
 
 static void apply_changes(struct turn *t)
@@ -322,7 +321,7 @@ static void apply_changes(struct turn *t)
         const int64_t v = changed(r, c, change, t->now);
         of[change][t->body] = change == CHANGE_DIRECTION ? ml_wrap(v) : v;
         if ((int32_t)(t->now - r->over[c]) >= 0)
-            r->flags[i] &= (uint16_t)~(1u << change);
+            r->flags[i] &= (uint16_t) ~(1u << change);
     }
     t->steers = true;
 }
@@ -340,14 +339,14 @@ static void read_back(const struct turn *t, uint32_t bullet)
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
         r->direction[i] = from_board(o, t->root, s->dir[bullet]);
-        r->flags[i] &= (uint16_t)~(1u << CHANGE_DIRECTION);
+        r->flags[i] &= (uint16_t) ~(1u << CHANGE_DIRECTION);
     }
     if (s->speed[bullet] != r->put_speed[i]) {
         r->speed[i] = ml_divide((int64_t)s->speed[bullet] * (1 << 16), o->pace[t->root]);
-        r->flags[i] &= (uint16_t)~(1u << CHANGE_SPEED);
+        r->flags[i] &= (uint16_t) ~(1u << CHANGE_SPEED);
     }
     r->vx[i] = r->vy[i] = 0;
-    r->flags[i] &= (uint16_t)~(1u << CHANGE_X | 1u << CHANGE_Y);
+    r->flags[i] &= (uint16_t) ~(1u << CHANGE_X | 1u << CHANGE_Y);
     r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
     r->put_vx[i] = s->vx[bullet];
@@ -373,8 +372,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     struct bullets *s = &t->b->bullets;
     struct ml_runners *r = &t->b->ml_runners;
     const uint32_t i = t->runner;
-    const struct flight f =
-        flight_beside(&t->b->ml_roots, t->root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
+    const struct flight f = flight_beside(&t->b->ml_roots, t->root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
 
     s->dir[bullet] = r->put_dir[i] = f.dir;
     s->speed[bullet] = r->put_speed[i] = f.speed;

@@ -1,5 +1,5 @@
 /*
- * screen_state.h - what the cabinet's screens keep while they are open: each its own, all in struct cab.
+ * screen_state.h - what the screens of src/cab/play keep while they are open: each its own, all in struct cab.
  * floor: cab
  */
 #ifndef CAB_SCREEN_STATE_H
@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include "../host/config.h"
 #include "../host/keys.h"
-#include "../screens/screen.h"
+#include "screen.h"
 #include "../store/replays.h"
 #include "../store/thumb.h"
 
