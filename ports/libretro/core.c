@@ -281,17 +281,31 @@ static void tell_buttons(void)
     core.environment(RETRO_SET_INPUTS, inputs);
 }
 
+/* The ROM, plain, for it is opened at each reset. */
+static void *plain_rom(const void *data, size_t size, char *err, size_t err_size)
+{
+    core.rom_size = curtain_plain(data, size, NULL, 0, err, err_size);
+    void *rom = core.rom_size > 0 ? malloc(core.rom_size) : NULL;
+
+    if (rom && curtain_plain(data, size, rom, core.rom_size, err, err_size) > 0)
+        return rom;
+    if (!rom && core.rom_size > 0)
+        snprintf(err, err_size, "there is too little memory");
+    free(rom);
+    return NULL;
+}
+
 bool retro_load_game(const struct retro_game *game)
 {
     const int format = RETRO_PIXEL_FORMAT_XRGB8888;
     const void *data = game_rom_size ? game_rom : game ? game->data : NULL;
 
-    core.rom_size = game_rom_size ? game_rom_size : game ? game->size : 0;
-    core.rom = data ? malloc(core.rom_size + 1) : NULL;
-    if (!core.rom || !core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format))
-        return false;
-    memcpy(core.rom, data, core.rom_size);
-    if (!power()) {
+    char err[TEXT] = "there is no game";
+
+    core.rom = data ? plain_rom(data, game_rom_size ? game_rom_size : game->size, err, sizeof err) : NULL;
+    if (!core.rom)
+        show(err);
+    if (!core.rom || !core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format) || !power()) {
         free(core.rom);
         core.rom = NULL;
         return false;

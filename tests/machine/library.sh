@@ -53,7 +53,7 @@ task.go(function()
 end)
 LUA
 "$curtain" pack tiny -o tiny.rom || not_ok 'tiny is packed'
-many=5000
+many=10000
 [ -z "${CURTAIN_LONG:-}" ] || many=100000
 check "$many spoilt states are refused, or are a run" ./spoil tiny.rom $many
 cp .said said && sed 's/^/# /' said
