@@ -41,6 +41,7 @@ for what; do
         library lua5.4 lua5.4/lua.h || need liblua5.4-dev
         [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
+        header expat.h || need libexpat1-dev
         ;;
     test)
         header cmocka.h || need libcmocka-dev

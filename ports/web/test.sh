@@ -28,8 +28,7 @@ echo 'task.go(function()
 end)' >kept/main.lua
 for game in "$repo/roms/testcard" "$repo/roms/glasstide" kept; do
     "$curtain" pack "$game" -o "$(basename "$game").rom" 2>.said || not_ok "$game is packed" "$(cat .said)"
-    check "$(basename "$game").html is made" env OUT="$OUT" "$here/build.sh" game "$scratch/$(basename "$game").rom" \
-        "$scratch/pages/player.html"
+    check "$(basename "$game").html is made" "$curtain" export "$game" --web -o "pages/$(basename "$game").html"
 done
 page() { echo "file://$scratch/pages/$1.html#seed=1${2:-}"; } # GAME [WORDS]
 drive() { node "$here/drive.mjs" "$@" 2>>errors; }              # STEP URL ARGUMENT...

@@ -120,6 +120,9 @@ enum result command_export(const struct args *a)
                                       .nearest = a->nearest,
                                       .keys = a->keys,
                                       .desktop = a->desktop,
+                                      .kind = a->web        ? EXPORT_PAGE
+                                              : a->libretro ? EXPORT_CORE
+                                                            : EXPORT_PROGRAM,
                                       .builtin = builtin_rom,
                                       .builtin_size = builtin_rom_size };
 

@@ -131,7 +131,7 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
         0, 0, 72, 0, 0, 0, 5, 5, 1,   0xff, 7, 0, 0,  0, 15, 0, 15, 0, 0, 0, 0, 0, 3, 3, 3,    [81] = 3,
     };
 
-    manifest_pack(&own, manifest);
+    const size_t manifest_size = manifest_pack(&own, manifest);
     for (int i = 0; i < CART_PALETTE; i++)
         palette[i] = (uint8_t)(i * 37 + i / 3);
     for (int i = 0; i < 96 * CART_GLYPH; i++)
@@ -139,7 +139,7 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
     rig_sprite(dot, 8, 1, 1, 1, 0);
     rig_sprite(arrow, 16, 1, 1, 16, 0);
     rig_sprite(wink, 8, 4, 3, 1, 0);
-    lumps[k++] = (struct lump){ "manifest", manifest, sizeof manifest };
+    lumps[k++] = (struct lump){ "manifest", manifest, manifest_size };
     lumps[k++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[k++] = (struct lump){ "palette/other", palette, sizeof palette };
     lumps[k++] = (struct lump){ "font", font, sizeof font };

@@ -227,11 +227,11 @@ static void without_entry(const struct rig_game *from, struct rig_game *to)
 
     assert_true(n <= RIG_LUMPS);
     snprintf(m.entry, sizeof m.entry, "empty");
-    manifest_pack(&m, manifest);
+    const size_t size = manifest_pack(&m, manifest);
     for (int i = 0; i < n; i++) {
         rom_lump(&from->image.rom, i, &lumps[i]);
         if (!strcmp(lumps[i].name, "manifest"))
-            lumps[i].data = manifest;
+            lumps[i].data = manifest, lumps[i].size = size;
     }
     lumps[n++] = (struct lump){ "script/empty.lua", (const uint8_t *)"\n", 1 };
     rig_write(to, lumps, n);
