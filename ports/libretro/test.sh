@@ -73,6 +73,9 @@ check 'to the last pixel' python3 "$repo/tests/golden/png.py" want/000120.png ca
 arch plain glasstide.rom --max-frames=2400
 same 'the game after 2400' "$(native glasstide.rom 2400)" "$(told plain)"
 check 'its demo holds' "$curtain" verify glasstide.rom plain/saves/glasstide.demo
+python3 "$here/listen.py" cores/curtain_libretro.so glasstide.rom 60 2>/dev/null
+"$curtain" render glasstide.rom --seed 1 --frames 60 -o want --wav want.wav >/dev/null
+check 'the sound is that of render, to the bit' sh -c 'tail -c +45 want.wav | cmp - heard'
 head -c 90000 glasstide.rom >torn.rom
 settings torn
 arch torn torn.rom --max-frames=10
