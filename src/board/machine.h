@@ -163,8 +163,8 @@ enum {
 };
 extern const struct part machine_parts[PARTS];
 
-/* BulletML documents (run/bulletml_run.c). A frame of all that runs, before bullets move; what they fired stands until
- * the hits are done, and is let go then. */
+/* BulletML documents (run/bulletml_run.c). A frame of all that runs, before bullets move; what they fired appears when
+ * the hits are done. */
 void bulletml_run(struct board *b);
 void bulletml_let_go(struct board *b);
 

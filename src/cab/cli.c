@@ -6,6 +6,7 @@
 #include "../base/host.h"
 #include "../base/ieee.h"
 #include "art/art_run.h"
+#include "bulletml/command.h"
 #include "capture.h"
 #include "check/check.h"
 #include "command.h"
@@ -42,7 +43,8 @@ static bool apart(const struct args *a, char *err, size_t err_size)
     const struct apart_out out[] = { { "-o", a->out },        { "--record", a->record }, { "--sheet", a->sheet },
                                      { "--wav", a->wav },     { "--atlas", a->atlas },   { "--map", a->map },
                                      { "--junit", a->junit }, { "--page", a->page } };
-    const bool games = a->n_words && a->command != COMMAND_PALETTE && a->command != COMMAND_HELP;
+    const bool games =
+        a->n_words && a->command != COMMAND_PALETTE && a->command != COMMAND_HELP && a->command != COMMAND_BULLETML;
 
     return apart_check(games ? a->words[0] : NULL, a->demo, out, sizeof out / sizeof *out, err, err_size);
 }
@@ -95,6 +97,8 @@ static enum result run(int argc, char **argv)
         return art_run(a.words[0], a.nearest, a.atlas);
     case COMMAND_PALETTE:
         return art_run_palette(a.words[0], a.bank, a.out);
+    case COMMAND_BULLETML:
+        return bulletml_command(&a);
     case COMMAND_HELP:
         return command_help(&a);
     case COMMAND_VERSION:

@@ -107,12 +107,13 @@ struct ml_params {
     int64_t *value;  /* ML_VALUES a list */
 };
 
-/* What was fired in this frame: it stands until the hits are done, then flies. Outside the snapshot: between frames it
- * is empty. */
+/* What was fired in this frame, which appears when the hits are done. Outside the snapshot: between frames it is empty.
+ */
 struct ml_fired {
-    uint32_t slot, gen; /* of the bullet */
-    fx vx, vy;
-    uint32_t root, label; /* label + 1, 0: none */
+    fx x, y, vx, vy, speed;
+    ang dir;
+    uint16_t kind;
+    uint32_t root, label, runner; /* label + 1, runner + 1; 0: none */
 };
 
 struct ml_fresh {

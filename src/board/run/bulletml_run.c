@@ -4,8 +4,8 @@
  * Runners have their turns in the order in which they were made, before bullets move. In its turn a runner reads what
  * scripts wrote into its bullet, applies the changes that go on, does the commands that are due, and writes the
  * bullet's velocity. One that only waits costs a look at the clock; whether its bullet is still there is then asked in
- * one frame of WAITING alone. What is fired stands where its shooter was, until the hits are done: it moves, and has
- * its own first turn, in the next frame.
+ * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has its
+ * own first turn, in the next frame.
  *
  * A document's directions are degrees, 0 up, clockwise: as it was written. How the root is turned, mirrored and scaled
  * comes in only where velocities are written and where directions of the board are read.
@@ -19,6 +19,7 @@
 enum { WAITING = 16 };
 
 static const ang UP = 0xc0000000u;
+static const int64_t NOBODY = (int64_t)H_BULLET << 24; /* the handle of a bullet that is not there */
 
 /* ---- parameter lists ---- */
 
@@ -211,9 +212,8 @@ static void drop_runner(struct board *b, uint32_t i)
 
 /* ---- firing ---- */
 
-/* The runner of a bullet that was just fired. */
-static void equip(const struct turn *t, const struct fired *f, const struct flight *way, int64_t bullet,
-                  struct given *given)
+/* A runner for what is fired, the bullet of which comes later; returns its slot + 1, or 0. */
+static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, struct given *given)
 {
     struct ml_runners *r = &t->b->ml_runners;
 
@@ -221,10 +221,10 @@ static void equip(const struct turn *t, const struct fired *f, const struct flig
         given->list = bulletml_list(t->b, given->value, given->n);
     else
         bulletml_keep(t->b, given->list);
-    const int32_t i = given->n && !given->list ? NO_SLOT : new_runner(t->b, t->root, bullet, f->at, t->now + 1);
+    const int32_t i = given->n && !given->list ? NO_SLOT : new_runner(t->b, t->root, NOBODY, f->at, t->now + 1);
     if (i == NO_SLOT) {
         bulletml_let_list(t->b, given->list);
-        return;
+        return 0;
     }
     r->given[i] = given->list;
     r->direction[i] = f->direction;
@@ -233,32 +233,50 @@ static void equip(const struct turn *t, const struct fired *f, const struct flig
     r->put_speed[i] = way->speed;
     r->put_vx[i] = way->vx;
     r->put_vy[i] = way->vy;
+    return (uint32_t)i + 1;
 }
 
 void bulletml_fire(const struct turn *t, const struct fired *f, struct given *given)
 {
-    struct board *b = t->b;
-    const struct ml_roots *o = &b->ml_roots;
-    const struct flight way = flight(o, t->root, f->direction, f->speed);
+    const struct ml_roots *o = &t->b->ml_roots;
     const bool known = f->label && f->label <= ML_KINDS;
-    struct bullet_shape s = { .x = t->x,
-                              .y = t->y,
-                              .speed = way.speed,
-                              .dir = way.dir,
-                              .kind = known ? o->kinds[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
-                              .tag = o->tag[t->root],
-                              .by = o->by[t->root] };
+    struct ml_fresh *fresh = &t->b->ml_fresh;
 
-    s.bank = o->flags[t->root] & ROOT_BANK ? o->bank[t->root] : b->bullet_kinds.bank[s.kind];
-    const int32_t i = emit_fire(b, false, &s, 0, t->now + 1);
-    if (i == NO_SLOT)
+    if (fresh->n == fresh->cap) {
+        emit_refuse(t->b, false, 1);
         return;
-    bullets_set_flight(&b->bullets, (uint32_t)i, 0, 0);
-    struct ml_fresh *fresh = &b->ml_fresh;
-    if (fresh->n < fresh->cap)
-        fresh->at[fresh->n++] = (struct ml_fired){ (uint32_t)i, b->bullets.s.gen[i], way.vx, way.vy, t->root, f->label };
-    if (f->at)
-        equip(t, f, &way, board_handle(b, H_BULLET, i), given);
+    }
+    const struct flight way = flight(o, t->root, f->direction, f->speed);
+    fresh->at[fresh->n++] = (struct ml_fired){
+        .x = t->x,
+        .y = t->y,
+        .vx = way.vx,
+        .vy = way.vy,
+        .speed = way.speed,
+        .dir = way.dir,
+        .kind = known ? o->kinds[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
+        .root = t->root,
+        .label = f->label,
+        .runner = f->at ? equip(t, f, &way, given) : 0,
+    };
+}
+
+static int32_t appear(struct board *b, const struct ml_fired *f)
+{
+    const struct ml_roots *o = &b->ml_roots;
+    struct bullet_shape s = { .x = f->x,
+                              .y = f->y,
+                              .speed = f->speed,
+                              .dir = f->dir,
+                              .kind = f->kind,
+                              .bank = o->flags[f->root] & ROOT_BANK ? o->bank[f->root] : b->bullet_kinds.bank[f->kind],
+                              .tag = o->tag[f->root],
+                              .by = o->by[f->root] };
+    const int32_t i = emit_fire(b, false, &s, 0, b->core.clock + 1);
+
+    if (i != NO_SLOT)
+        bullets_set_flight(&b->bullets, (uint32_t)i, f->vx, f->vy);
+    return i;
 }
 
 void bulletml_let_go(struct board *b)
@@ -267,12 +285,13 @@ void bulletml_let_go(struct board *b)
 
     for (uint32_t k = 0; k < fresh->n; k++) {
         const struct ml_fired *f = &fresh->at[k];
-        if (!slots_has(&b->bullets.s, f->slot, f->gen))
-            continue;
-        bullets_set_flight(&b->bullets, f->slot, f->vx, f->vy);
-        if (b->ml_roots.flags[f->root] & ROOT_TELLS)
-            board_event(b, EV_FIRED, board_handle(b, H_BULLET, (int32_t)f->slot), (int64_t)f->root << 32 | f->label);
+        const int32_t i = appear(b, f);
+        if (f->runner && i != NO_SLOT)
+            b->ml_runners.bullet[f->runner - 1] = board_handle(b, H_BULLET, i);
+        if (i != NO_SLOT && b->ml_roots.flags[f->root] & ROOT_TELLS)
+            board_event(b, EV_FIRED, board_handle(b, H_BULLET, i), (int64_t)f->root << 32 | f->label);
     }
+    vm_charge(b->vm.running, WORK_FIRE * (uint64_t)fresh->n);
     fresh->n = 0;
 }
 

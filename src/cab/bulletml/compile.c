@@ -262,7 +262,8 @@ static bool is_action(const struct compiler *c, int32_t node)
 /* A fire's or a bullet's own speed and direction, the speed first. */
 static void aim_shot(struct compiler *c, int32_t node)
 {
-    const int32_t speed = document_child(c->d, node, NODE_SPEED), direction = document_child(c->d, node, NODE_DIRECTION);
+    const int32_t speed = document_child(c->d, node, NODE_SPEED),
+                  direction = document_child(c->d, node, NODE_DIRECTION);
 
     if (speed != DOCUMENT_NONE) {
         command(c, ML_SHOT_SPEED, type_of(c, speed), speed);
@@ -489,8 +490,14 @@ static uint8_t *put_words(uint8_t *to, const uint32_t *from, size_t n)
 /* The lump. */
 static uint8_t *lump(struct compiler *c, const uint32_t *tops, uint32_t n, size_t *size)
 {
-    const uint32_t head[] = { ML_MAGIC, c->d->horizontal, n, (uint32_t)c->label.n, (uint32_t)c->numbers,
-                              (uint32_t)c->word.n, (uint32_t)c->step.n, (uint32_t)c->bytes };
+    const uint32_t head[] = { ML_MAGIC,
+                              c->d->horizontal,
+                              n,
+                              (uint32_t)c->label.n,
+                              (uint32_t)c->numbers,
+                              (uint32_t)c->word.n,
+                              (uint32_t)c->step.n,
+                              (uint32_t)c->bytes };
 
     *size = ML_HEADER + 8 * c->numbers + 4 * (n + c->label.n + c->word.n + c->step.n) + c->bytes;
     uint8_t *out = malloc(*size), *to = out;

@@ -45,6 +45,8 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_PALETTE] = { "palette", "FILE", 1, 1,
                           "put the colours of a .hex or .gpl into a bank of the palette -o; or a bank of a palette "
                           "into such a file" },
+    [COMMAND_BULLETML] = { "bulletml", "FILE...", 1, 1 << 20,
+                           "read BulletML documents and say what is in them and what is wrong; or print one as Lua" },
     [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
                        "this; of a command; of the settings and their file; of the Lua API, and what has a word in "
                        "it" },
@@ -162,7 +164,7 @@ const struct option_row args_options[OPTIONS] = {
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
     [OPTION_FROM] = { "--from", "NAME", FOR_NEW, TEXT(from),
                       "which game: shooter (ship, stage, boss, music; without --from), first (30 lines), pattern (a "
-                      "place to try patterns)" },
+                      "place to try patterns), bulletml (a gallery of documents)" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY, SWITCH(bisect),
                         "verify --bisect A B: compare what hash printed of two runs (--parts or --trace); names the "
                         "first frame, part, slot and column that differ. - is standard input" },
@@ -202,6 +204,8 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
                          "also write FILE.desktop and FILE.png, an entry for the desktop's menu" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full), "also the texts of the licences, to be given along" },
+    [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),
+                     "print the script that does the same with motion programs and tasks" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
                          "moment and buttons of a difference too (also -v, --traceback)" },

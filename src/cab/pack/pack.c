@@ -21,6 +21,8 @@
 #include "../../board/std.h"
 #include "../../snd/tune.h"
 #include "art.h"
+#include "../bulletml/compile.h"
+#include "../bulletml/document.h"
 #include "../tables/blend.h"
 #include "bdf.h"
 #include "faces.h"
@@ -817,20 +819,51 @@ static bool add_lang(struct packer *p, const char *path)
     return size > 0 ? add(p, "lang/", name, data, size) : err_set(p->err, p->err_size, "out of memory");
 }
 
+bool pack_is_bulletml(const char *path)
+{
+    return starts_with(path, "bulletml/") && ends_with(path + strlen("bulletml/"), ".xml");
+}
+
+/* A document becomes the program that the board runs. */
+static bool add_bulletml(struct packer *p, const char *path)
+{
+    const char *name = path + strlen("bulletml/");
+    char stem[PATH];
+    uint8_t *text, *data = NULL;
+    struct document d;
+    size_t size;
+
+    if (!load_in(p, path, DOCUMENT_FILE, &text, &size))
+        return false;
+    const bool good = document_read(&d, (const char *)text, size, path, p->warn, p->context, p->err, p->err_size) &&
+                      bulletml_compile(&d, path, &data, &size, p->err, p->err_size);
+    document_close(&d);
+    free(text);
+    snprintf(stem, sizeof stem, "%.*s", (int)(strlen(name) - strlen(".xml")), name);
+    return good && add(p, "bulletml/", stem, data, size);
+}
+
+/* Documents are there for a game that has room to run them. */
+static bool goes_in(const struct packer *p, const char *path)
+{
+    return ends_with(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
+}
+
 static bool add_file(struct packer *p, const char *path)
 {
     bool lua = ends_with(path, ".lua"), demo = starts_with(path, "demos/") && ends_with(path + 6, ".demo");
 
-    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !ends_with(path, ".txt")))
+    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !goes_in(p, path)))
         return true;
     if (!manifest_path_ok(path))
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
-    return lua                  ? add_script(p, path)
-           : demo               ? add_demo(p, path)
-           : pack_is_lang(path) ? add_lang(p, path)
-                                : add_text(p, path);
+    return lua                       ? add_script(p, path)
+           : demo                    ? add_demo(p, path)
+           : pack_is_lang(path)      ? add_lang(p, path)
+           : ends_with(path, ".txt") ? add_text(p, path)
+                                     : add_bulletml(p, path);
 }
 
 static bool add_files(struct packer *p)

@@ -2,8 +2,8 @@
  * pack.h - a game's folder to a ROM, and a ROM to files again.
  * floor: cab
  *
- * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names, and the
- * modules of the standard library that these scripts name, or modules that go in (std.h). std/NAME.lua of the game goes
+ * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names,
+ * bulletml/NAME.xml as programs where rom.lua has room for their runners, and the modules of the standard library that these scripts name, or modules that go in (std.h). std/NAME.lua of the game goes
  * in too, in place of the library's NAME. Left out: tests/, names that start with a dot, all other files. The same
  * folder gives the same bytes, on every host.
  */
@@ -29,6 +29,9 @@ bool pack_is_std(const char *path);
 
 /* Is it a language's file, lang/NAME.txt? */
 bool pack_is_lang(const char *path);
+
+/* Is it a BulletML document, bulletml/NAME.xml? */
+bool pack_is_bulletml(const char *path);
 
 /* A ROM in memory, checked by rom_open and cart_open. */
 struct rom_image {
