@@ -326,6 +326,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
+$(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
 # A fuzz target that takes what it is given from files, and no more: for valgrind.

@@ -107,8 +107,12 @@ static void serve(int from, FILE *to, const struct side_setup *setup, enum side_
     uint32_t state = setup->seed;
     /* the root is one of the bullets there */
     const struct reference_setup s = {
-        .file = setup->file,       .rank = setup->rank,       .random = { side_random, &state },
-        .loop = setup->loop,       .most = SIDE_MOST + 1,     .root_y = REFERENCE_ROOT_Y,
+        .file = setup->file,
+        .rank = setup->rank,
+        .random = { side_random, &state },
+        .loop = setup->loop,
+        .most = SIDE_MOST + 1,
+        .root_y = REFERENCE_ROOT_Y,
     };
     char err[SIDE_ERROR] = "";
     struct order order;

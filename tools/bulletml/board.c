@@ -61,9 +61,13 @@ static bool write_run(const char *path, const struct side_setup *setup)
 
 /* What the folder has: where from (NULL: it is written), where to. */
 static const char *const files[][2] = {
-    { "game/rom.lua", "rom.lua" },        { "game/main.lua", "main.lua" },       { "art/discs.png", "art/discs.png" },
-    { "art/font.png", "art/font.png" },   { "art/palette.png", "art/palette.png" },
-    { "document", "bulletml/document.xml" }, { NULL, "run.lua" },
+    { "game/rom.lua", "rom.lua" },
+    { "game/main.lua", "main.lua" },
+    { "art/discs.png", "art/discs.png" },
+    { "art/font.png", "art/font.png" },
+    { "art/palette.png", "art/palette.png" },
+    { "document", "bulletml/document.xml" },
+    { NULL, "run.lua" },
 };
 static const char *const folders[] = { "art", "bulletml" };
 enum { FILES = sizeof files / sizeof *files, FOLDERS = sizeof folders / sizeof *folders };
@@ -124,8 +128,6 @@ static bool pack(struct rom_image *image, const struct side_setup *setup, char *
         snprintf(err, err_size, "%s: the game cannot be put together: %s", setup->file, strerror(errno));
     fine = fine && rom_image_load(dir, false, image, err, err_size);
     remove_folder(dir);
-    bool temp_lump(struct rom_image *image, const char *file, char *err, size_t err_size);
-    fine = fine && temp_lump(image, setup->file, err, err_size);
     return fine;
 }
 

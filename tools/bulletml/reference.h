@@ -34,8 +34,8 @@ struct reference_setup {
     const char *file;
     double rank;
     struct reference_random random;
-    bool loop;          /* a root that has come to its end starts anew */
-    int32_t most;       /* bullets alive; a further one is not made */
+    bool loop;    /* a root that has come to its end starts anew */
+    int32_t most; /* bullets alive; a further one is not made */
     double root_x, root_y;
 };
 
@@ -46,10 +46,10 @@ struct reference_bullet {
 
 /* What a run was made of, so far. */
 struct reference_counts {
-    int64_t made, dropped;         /* bullets; those that had no room */
-    int64_t draws, expressions;    /* of $rand; numbers that were worked out */
-    int64_t moved, ran;            /* bullets moved, one a frame; of these, with a document to run */
-    int32_t root_end;              /* the frame in which the root's document had come to its end; -1: not yet */
+    int64_t made, dropped;      /* bullets; those that had no room */
+    int64_t draws, expressions; /* of $rand; numbers that were worked out */
+    int64_t moved, ran;         /* bullets moved, one a frame; of these, with a document to run */
+    int32_t root_end;           /* the frame in which the root's document had come to its end; -1: not yet */
 };
 
 struct reference;
