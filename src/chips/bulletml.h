@@ -17,7 +17,7 @@
 #include "slots.h"
 
 enum {
-    ML_ROOTS = 256,  /* documents at once */
+    ML_ROOTS = 4096, /* documents at once */
     ML_KINDS = 64,   /* labels of a document for which a kind can be given */
     ML_VALUES = 9,   /* of a parameter list */
     ML_FRAMES = 4   /* frames there is room for, a runner */

@@ -49,7 +49,6 @@ struct reference_counts {
     int64_t made, dropped;      /* bullets; those that had no room */
     int64_t draws, expressions; /* of $rand; numbers that were worked out */
     int64_t moved, ran;         /* bullets moved, one a frame; of these, with a document to run */
-    int32_t root_end;           /* the frame in which the root's document had come to its end; -1: not yet */
 };
 
 struct reference;
