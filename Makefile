@@ -505,7 +505,8 @@ compare: deps-null
 # ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
 
 CXX       ?= c++
-BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
+                $(OUT)/tools/bench/measure.o
 
 $(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
 	@mkdir -p $(@D)

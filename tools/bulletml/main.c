@@ -18,6 +18,7 @@ static const struct command {
     { "answers", "[TEXT]", 0, tool_answers },
     { "one", "DOCUMENT [RANK [SEED [FRAMES [loop]]]]", 1, tool_one },
     { "all", "[TEXT]", 0, tool_all },
+    { "speed", "", 0, tool_speed_alone },
     { "rounding", "[TEXT]", 0, tool_rounding },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };

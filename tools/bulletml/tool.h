@@ -18,4 +18,8 @@ int tool_rounding(int argc, char **argv);
 int tool_all(int argc, char **argv);
 int tool_one(int argc, char **argv);
 
+/* Takes times, as a section of the page; the medians of how many times as fast the board is. False: a run went wrong. */
+bool tool_speed(double *scripted, double *straight_on);
+int tool_speed_alone(int argc, char **argv);
+
 #endif
