@@ -1,6 +1,9 @@
 /*
  * bulletml_do.c - the commands of BulletML documents, one runner at a time, and how values are worked out.
  *
+ * The end of a list comes with its last element, also if that is a wait: a runner that has nothing behind its wait is
+ * over, and a bullet's next action, due when the wait ends, begins then and not a frame later.
+ *
  * A fire needs no time: what is between its beginning and its bullet stands in C, not in RAM. A repeat and a call of an
  * action may, so they have frames of their own in a pool.
  */
@@ -454,8 +457,11 @@ void bulletml_do(struct turn *t)
 
     w.given = &w.own;
     set_given(&w, r->given[t->runner]);
-    while (!w.yields && !(r->flags[t->runner] & RUNNER_OVER) && (int32_t)(t->now - r->wake[t->runner]) >= 0) {
-        const uint32_t c = next_word(&w);
+    while (!w.yields && !(r->flags[t->runner] & RUNNER_OVER)) {
+        const uint32_t c = ml_word(t->ml, w.at);
+        if ((int32_t)(t->now - r->wake[t->runner]) < 0 && ML_OP(c) > ML_ENDS)
+            break;
+        w.at++;
         if (++n > MOST_COMMANDS)
             bulletml_fault(t, c, "more than 100000 commands in a frame: a repeat without a wait?");
         command(&w, c);

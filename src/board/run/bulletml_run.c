@@ -330,9 +330,11 @@ static void read_back(const struct turn *t, uint32_t bullet)
     const struct ml_roots *o = &t->b->ml_roots;
     struct ml_runners *r = &t->b->ml_runners;
     const uint32_t i = t->runner;
+    const bool stands = s->stands && s->stands[bullet];
+    const fx vx = (stands ? s->kept_vx : s->vx)[bullet], vy = (stands ? s->kept_vy : s->vy)[bullet];
 
-    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && s->vx[bullet] == r->put_vx[i] &&
-        s->vy[bullet] == r->put_vy[i])
+    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && vx == r->put_vx[i] &&
+        vy == r->put_vy[i])
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
         r->direction[i] = from_board(o, t->root, s->dir[bullet]);
@@ -346,8 +348,8 @@ static void read_back(const struct turn *t, uint32_t bullet)
     r->flags[i] &= (uint16_t)~(1u << CHANGE_X | 1u << CHANGE_Y);
     r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
-    r->put_vx[i] = s->vx[bullet];
-    r->put_vy[i] = s->vy[bullet];
+    r->put_vx[i] = vx;
+    r->put_vy[i] = vy;
 }
 
 /* Changes, then commands. */
@@ -398,7 +400,7 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    if (b->bullets.stands && b->bullets.stands[bullet]) {
+    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) { /* 0: it goes on in this move */
         stay(r, i);
         return true;
     }
@@ -509,6 +511,22 @@ static void drop_root(struct board *b, uint32_t i)
     slots_drop(&b->ml_roots.s, i);
 }
 
+static fx in_world(int64_t v)
+{
+    return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
+}
+
+/* A root is where what it follows is. */
+static void find_place(struct board *b, uint32_t i)
+{
+    struct ml_roots *o = &b->ml_roots;
+    fx x = 0, y = 0;
+
+    board_where(b, o->follow[i], &x, &y);
+    o->x[i] = in_world((int64_t)x + o->dx[i]);
+    o->y[i] = in_world((int64_t)y + o->dy[i]);
+}
+
 /* Before the turns: roots whose owner, or what they follow, is gone are over; what was over a frame ago, and its
  * bullets' actions too, is dropped. */
 static void find_roots(struct board *b)
@@ -521,13 +539,8 @@ static void find_roots(struct board *b)
         else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
             bulletml_stop(b, i);
         else if (o->follow[i])
-            board_where(b, o->follow[i], &o->x[i], &o->y[i]);
+            find_place(b, i);
     }
-}
-
-static fx in_world(int64_t v)
-{
-    return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
 }
 
 /* A root that moves itself, or an enemy that it steers. */
@@ -545,8 +558,8 @@ static void move_root(struct board *b, uint32_t i)
     o->x[i] = in_world((int64_t)o->x[i] + f.vx);
     o->y[i] = in_world((int64_t)o->y[i] + f.vy);
     if (o->follow[i]) {
-        b->enemies.x[handle_slot(o->follow[i])] = o->x[i];
-        b->enemies.y[handle_slot(o->follow[i])] = o->y[i];
+        b->enemies.x[handle_slot(o->follow[i])] = in_world((int64_t)o->x[i] - o->dx[i]);
+        b->enemies.y[handle_slot(o->follow[i])] = in_world((int64_t)o->y[i] - o->dy[i]);
     }
 }
 
@@ -634,6 +647,8 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->follow[i] = start->follow;
     o->x[i] = start->x;
     o->y[i] = start->y;
+    o->dx[i] = start->dx;
+    o->dy[i] = start->dy;
     o->program[i] = start->program;
     o->kind[i] = start->kind;
     o->tag[i] = start->tag;
