@@ -677,7 +677,7 @@ static void test_owner(void **state)
               "bullet.ml { name = 'doc', kind = 'orb', x = 9, y = 9, loop = true }");
     for (int i = 0; i < 10; i++)
         frame(&r, 160, 200);
-    assert_int_equal(r.b->bullets.s.live, 4); /* every third frame; what comes after nine never comes */
+    assert_int_equal(r.b->bullets.s.live, 5); /* every other frame; what comes after nine never comes */
     close_game(&g, &r);
 }
 

@@ -148,8 +148,8 @@ static int64_t resolve_speed(const struct work *w, enum ml_type type, int64_t v)
     return v;
 }
 
-/* A timed change begins. */
-static void begin_change(const struct work *w, int change, int64_t from, int64_t to, int32_t term)
+/* A timed change begins: to a value, or (`each`) by so much a frame. */
+static void begin_change(const struct work *w, int change, int64_t from, int64_t to, int32_t term, int64_t each)
 {
     struct ml_runners *r = w->r;
     const uint32_t i = w->t->runner;
@@ -160,6 +160,8 @@ static void begin_change(const struct work *w, int change, int64_t from, int64_t
     r->from[c] = from;
     r->to[c] = to;
     r->step[c] = way > -most && way < most ? way * one / (int64_t)frames : 0;
+    if (each && each > -most && each < most)
+        r->step[c] = each * one;
     r->begun[c] = r->wake[i];
     r->over[c] = r->wake[i] + frames;
     r->flags[i] |= (uint16_t)(1u << change);
@@ -172,11 +174,11 @@ static void turn(struct work *w, enum ml_type type)
     const int64_t v = next_value(w), now = w->r->direction[w->t->body];
 
     if (type == ML_SEQUENCE) {
-        begin_change(w, CHANGE_DIRECTION, now, ml_add(now, ml_multiply(v, term * ML_ONE)), term);
+        begin_change(w, CHANGE_DIRECTION, now, ml_add(now, ml_multiply(v, term * ML_ONE)), term, term > 1 ? v : 0);
         return;
     }
     const int64_t way = resolve_direction(w, type, v) - now, other = way > 0 ? way - ML_TURN_ROUND : way + ML_TURN_ROUND;
-    begin_change(w, CHANGE_DIRECTION, now, now + (int64_abs(way) < int64_abs(other) ? way : other), term);
+    begin_change(w, CHANGE_DIRECTION, now, now + (int64_abs(way) < int64_abs(other) ? way : other), term, 0);
 }
 
 static void change_speed(struct work *w, enum ml_type type)
@@ -185,7 +187,7 @@ static void change_speed(struct work *w, enum ml_type type)
     const int64_t v = next_value(w), now = w->r->speed[w->t->body];
 
     begin_change(w, CHANGE_SPEED, now,
-                 type == ML_SEQUENCE ? ml_add(now, ml_multiply(v, term * ML_ONE)) : resolve_speed(w, type, v), term);
+                 type == ML_SEQUENCE ? ml_add(now, ml_multiply(v, term * ML_ONE)) : resolve_speed(w, type, v), term, 0);
 }
 
 static void accelerate(const struct work *w, int change, enum ml_type type, int32_t term, int64_t v)
@@ -194,7 +196,7 @@ static void accelerate(const struct work *w, int change, enum ml_type type, int3
 
     if (type == ML_SEQUENCE)
         v = ml_multiply(v, term * ML_ONE);
-    begin_change(w, change, now, type == ML_SEQUENCE || type == ML_RELATIVE ? ml_add(now, v) : v, term);
+    begin_change(w, change, now, type == ML_SEQUENCE || type == ML_RELATIVE ? ml_add(now, v) : v, term, 0);
 }
 
 static void accel(struct work *w, uint32_t types)
