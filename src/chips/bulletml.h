@@ -39,8 +39,8 @@ struct ml_roots {
     struct slots s;
     int64_t *owner;  /* handle, 0: the board */
     int64_t *follow; /* the thing where it is, 0: none */
-    fx *x, *y;
-    int16_t *x_more, *y_more; /* 16 more bits of them: x and y are the nearest fx */
+    fx *x, *y, *dx, *dy; /* dx, dy: from what it follows */
+    int16_t *x_more, *y_more; /* 16 more bits of x and y, which are the nearest fx */
     uint16_t *program; /* of the ROM's */
     uint32_t *body;    /* the first of its own runners */
     uint16_t *kind, *tag;
