@@ -3,7 +3,7 @@
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
-         patterns library ports web
+         patterns library ports web bulletml
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -68,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -88,6 +88,7 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make pacing   measure docs/pacing.md anew"
+	@echo "make bulletml documents of other games on the board and in libbulletml: docs/bulletml.md"
 	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/survive.md, docs/game.md"
 	@echo "make patterns what Glass Tide fires, in words and pictures: docs/patterns.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
@@ -325,6 +326,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
+$(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
 # A fuzz target that takes what it is given from files, and no more: for valgrind.
@@ -499,6 +501,26 @@ bench: deps-play
 compare: deps-null
 	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" TABLE="$(TABLE)" \
 		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
+
+# ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
+
+CXX       ?= c++
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
+                $(OUT)/tools/bench/measure.o
+
+$(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
+	@mkdir -p $(@D)
+	$(SAY) "  CXX   $<"
+	$(Q)$(CXX) -std=c++11 -O2 -g -ffp-contract=off -Wall -Wextra -Wno-deprecated-declarations \
+		-isystem /usr/include/bulletml -c $< -o $@
+
+$(OUT)/bulletml: $(BULLETML_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -lbulletml -lstdc++ -o $@
+
+bulletml: deps-play-bulletml
+	@$(MAKE) --no-print-directory -j2 $(OUT)/bulletml
+	@$(OUT)/bulletml all $(ARGS)
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 

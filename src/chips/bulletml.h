@@ -17,7 +17,7 @@
 #include "slots.h"
 
 enum {
-    ML_ROOTS = 256,  /* documents at once */
+    ML_ROOTS = 4096, /* documents at once */
     ML_KINDS = 64,   /* labels of a document for which a kind can be given */
     ML_VALUES = 9,   /* of a parameter list */
     ML_FRAMES = 4   /* frames there is room for, a runner */
@@ -40,6 +40,7 @@ struct ml_roots {
     int64_t *owner;  /* handle, 0: the board */
     int64_t *follow; /* the thing where it is, 0: none */
     fx *x, *y, *dx, *dy; /* dx, dy: from what it follows */
+    int16_t *x_more, *y_more; /* 16 more bits of x and y, which are the nearest fx */
     uint16_t *program; /* of the ROM's */
     uint32_t *body;    /* the first of its own runners */
     uint16_t *kind, *tag;

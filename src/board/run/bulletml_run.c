@@ -89,6 +89,7 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *what)
 struct flight {
     ang dir;
     fx speed, vx, vy;
+    int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
 };
 
 static int64_t in_speed(int64_t v)
@@ -119,8 +120,10 @@ static inline struct flight flight(const struct ml_roots *o, uint32_t root, int6
     int64_t c, s;
 
     trig_direction(f.dir, &c, &s);
-    f.vx = nearest(ml_scale(v, c, 40));
-    f.vy = nearest(ml_scale(v, s, 40));
+    f.fine_x = ml_scale(v, c, 40);
+    f.fine_y = ml_scale(v, s, 40);
+    f.vx = nearest(f.fine_x);
+    f.vy = nearest(f.fine_y);
     return f;
 }
 
@@ -140,8 +143,10 @@ static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int6
         more_y = ml_scale(x, s, 40) + ml_scale(y, c, 40);
     }
     trig_direction(f.dir, &c, &s);
-    f.vx = nearest(in_speed(ml_scale(v, c, 40) + more_x));
-    f.vy = nearest(in_speed(ml_scale(v, s, 40) + more_y));
+    f.fine_x = in_speed(ml_scale(v, c, 40) + more_x);
+    f.fine_y = in_speed(ml_scale(v, s, 40) + more_y);
+    f.vx = nearest(f.fine_x);
+    f.vy = nearest(f.fine_y);
     return f;
 }
 
@@ -609,6 +614,16 @@ static void find_roots(struct board *b)
     }
 }
 
+/* Moves a coordinate that has 16 more bits. Some documents let a root wander all game long, and aim from it. */
+static void move_fine(fx *at, int16_t *more, int64_t by)
+{
+    const int64_t most = (int64_t)WORLD << 32;
+    const int64_t to = int64_clamp((int64_t)*at * (1 << 16) + *more + by, -most, most), whole = (to + (1 << 15)) >> 16;
+
+    *more = (int16_t)(to - whole * (1 << 16));
+    *at = (fx)whole;
+}
+
 /* A root that moves itself, or an enemy that it steers. */
 static void move_root(struct board *b, uint32_t i)
 {
@@ -621,8 +636,8 @@ static void move_root(struct board *b, uint32_t i)
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
     const struct flight f = flight_of(o, r, i, k);
-    o->x[i] = in_world((int64_t)o->x[i] + f.vx);
-    o->y[i] = in_world((int64_t)o->y[i] + f.vy);
+    move_fine(&o->x[i], &o->x_more[i], f.fine_x);
+    move_fine(&o->y[i], &o->y_more[i], f.fine_y);
     if (o->follow[i]) {
         b->enemies.x[handle_slot(o->follow[i])] = in_world((int64_t)o->x[i] - o->dx[i]);
         b->enemies.y[handle_slot(o->follow[i])] = in_world((int64_t)o->y[i] - o->dy[i]);
@@ -723,6 +738,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->follow[i] = start->follow;
     o->x[i] = start->x;
     o->y[i] = start->y;
+    o->x_more[i] = o->y_more[i] = 0;
     o->dx[i] = start->dx;
     o->dy[i] = start->dy;
     o->program[i] = start->program;
