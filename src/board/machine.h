@@ -170,14 +170,14 @@ void bulletml_let_go(struct board *b);
 
 /* What a document is started with. */
 struct bulletml_start {
-    uint16_t program;      /* of the ROM's */
-    int64_t owner, follow; /* handles, 0: the board, none */
-    fx x, y;
+    uint16_t program;                /* of the ROM's */
+    int64_t owner, follow;           /* handles, 0: the board, none */
+    fx x, y, dx, dy;                 /* dx, dy: from what it follows */
     uint16_t kind, tag;
-    const uint16_t *kinds; /* ML_KINDS */
-    uint8_t bank, flags;   /* ROOT_ */
-    uint32_t seed;         /* not 0 */
-    int64_t rank, pace;    /* Q31.32 */
+    const uint16_t *kinds;           /* ML_KINDS */
+    uint8_t bank, flags;             /* ROOT_ */
+    uint32_t seed;                   /* not 0 */
+    int64_t rank, pace;              /* Q31.32 */
     ang angle;
     int params;
     const int64_t *param;

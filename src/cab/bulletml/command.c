@@ -109,7 +109,8 @@ static void say_labels(const struct document *d, enum document_element element, 
         room += d->node[i].element == element ? strlen(d->node[i].label) + 2 : 0;
     text = malloc(room);
     for (int32_t i = 0; text && i < d->n; i++)
-        if (d->node[i].element == element && d->node[i].label[0] && document_is_top(d, i) == tops)
+        if (d->node[i].element == element && d->node[i].label[0] && document_is_top(d, i) == tops &&
+            document_find(d, element, d->node[i].label) == i)
             n += (size_t)snprintf(text + n, room - n, "%s%s", n ? ", " : head, d->node[i].label);
     if (n)
         say(text);
