@@ -15,10 +15,8 @@ static const struct command {
     int least;
     int (*run)(int argc, char **argv);
 } commands[] = {
-    { "answers", "[TEXT]", 0, tool_answers },
-    { "one", "DOCUMENT [RANK [SEED [FRAMES [loop]]]]", 1, tool_one },
-    { "all", "[TEXT]", 0, tool_all },
-    { "speed", "", 0, tool_speed_alone },
+    { "answers", "[TEXT]", 0, tool_answers },   { "one", "DOCUMENT [RANK [SEED [FRAMES [loop]]]]", 1, tool_one },
+    { "all", "[TEXT]", 0, tool_all },           { "speed", "", 0, tool_speed_alone },
     { "rounding", "[TEXT]", 0, tool_rounding },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
