@@ -154,7 +154,9 @@ static void put_push(struct lua_writer *w, int32_t node, enum document_element e
 
 static void put_params(struct lua_writer *w, int32_t ref)
 {
-    for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE; i = w->d->node[i].next) {
+    int n = 0; /* more than nine have no name */
+
+    for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE && n < 9; i = w->d->node[i].next, n++) {
         lua_put(&w->body, ", ");
         lua_value(&w->body, &w->d->node[i], 0, false);
     }
