@@ -130,12 +130,13 @@ static void put_commands(struct steps *s, int32_t node, int depth, int loops);
 static void put_repeat(struct steps *s, int32_t node, int depth, int loops)
 {
     const double times = frames(s, document_child(s->d, node, NODE_TIMES)), before = s->waited;
-    struct lua_text outer = s->text;
 
-    if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || loops == LOOPS) {
-        s->none = true;
+    if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE)
+        begin(s, 0); /* what takes no time */
+    s->none |= loops == LOOPS;
+    if (s->none)
         return;
-    }
+    struct lua_text outer = s->text;
     s->text = (struct lua_text){ 0 };
     s->waited = 0;
     put_commands(s, node, depth, loops + 1);
