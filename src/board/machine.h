@@ -172,7 +172,7 @@ void bulletml_let_go(struct board *b);
 struct bulletml_start {
     uint16_t program;                /* of the ROM's */
     int64_t owner, follow;           /* handles, 0: the board, none */
-    fx x, y;
+    fx x, y, dx, dy;                 /* dx, dy: from what it follows */
     uint16_t kind, tag;
     const uint16_t *kinds;           /* ML_KINDS */
     uint8_t bank, flags;             /* ROOT_ */

@@ -39,7 +39,7 @@ struct ml_roots {
     struct slots s;
     int64_t *owner;  /* handle, 0: the board */
     int64_t *follow; /* the thing where it is, 0: none */
-    fx *x, *y;
+    fx *x, *y, *dx, *dy; /* dx, dy: from what it follows */
     uint16_t *program; /* of the ROM's */
     uint32_t *body;    /* the first of its own runners */
     uint16_t *kind, *tag;

@@ -50,13 +50,14 @@ enum ml_type { ML_NONE, ML_AIM, ML_ABSOLUTE, ML_RELATIVE, ML_SEQUENCE, ML_TYPES 
 enum ml_op {
     ML_END,            /* no more actions */
     ML_NEXT,           /* a bullet's next action follows, and begins in the next frame */
+    ML_AGAIN,          /* p: the end of a repeat's body */
+    ML_RETURN,         /* with nothing to go back to it is ML_END */
+    ML_ENDS = ML_RETURN, /* up to this one no command is an element: they are done with the element before them */
     ML_WAIT,           /* v */
     ML_REPEAT,         /* v: what follows is done so often, up to its ML_AGAIN; at least once */
-    ML_AGAIN,          /* p */
     ML_CALL,           /* p n v..: n values are $1 to $n there, up to ML_RETURN */
     ML_GO,             /* p n v..: the same, at the end of an action: nothing is left to come back to */
     ML_LEAVE,          /* p n v..: the same, and nothing that was begun is gone back to: of an action that is a top */
-    ML_RETURN,         /* with nothing to go back to it is ML_END */
     ML_FIRE,           /* a shot is prepared: neither speed nor direction are set */
     ML_FIRE_REF,       /* p n v..: as ML_CALL, of a fire */
     ML_FIRED,          /* the end of a fire that has a label: back to where ML_FIRE_REF stood, if one led here */

@@ -116,10 +116,11 @@ static struct flight flight(const struct ml_roots *o, uint32_t root, int64_t dir
     const int64_t v = in_speed(scaled(speed, o->pace[root]));
     struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
 
-    if (v) {
-        f.vx = nearest(ml_scale(v, trig_cos30(f.dir), 30));
-        f.vy = nearest(ml_scale(v, trig_sin30(f.dir), 30));
-    }
+    int64_t c, s;
+
+    trig_direction(f.dir, &c, &s);
+    f.vx = nearest(ml_scale(v, c, 40));
+    f.vy = nearest(ml_scale(v, s, 40));
     return f;
 }
 
@@ -130,21 +131,21 @@ static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int6
     struct flight f = flight(o, root, direction, speed);
     const ang turned = o->turned[root] - UP;
     const int64_t v = in_speed(scaled(speed, o->pace[root]));
-    int64_t x = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]);
+    int64_t x = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]), c, s;
 
     if (!(vx | vy))
         return f;
     if (o->flags[root] & ROOT_MIRRORED)
         x = -x;
     if (turned) {
-        const int64_t c = trig_cos30(turned), s = trig_sin30(turned), was = x;
-        x = in_speed(x);
-        y = in_speed(y);
-        x = ml_scale(x, c, 30) - ml_scale(y, s, 30);
-        y = ml_scale(in_speed(was), s, 30) + ml_scale(y, c, 30);
+        const int64_t wide = in_speed(x), high = in_speed(y);
+        trig_direction(turned, &c, &s);
+        x = ml_scale(wide, c, 40) - ml_scale(high, s, 40);
+        y = ml_scale(wide, s, 40) + ml_scale(high, c, 40);
     }
-    f.vx = nearest(ml_scale(v, trig_cos30(f.dir), 30) + x);
-    f.vy = nearest(ml_scale(v, trig_sin30(f.dir), 30) + y);
+    trig_direction(f.dir, &c, &s);
+    f.vx = nearest(ml_scale(v, c, 40) + x);
+    f.vy = nearest(ml_scale(v, s, 40) + y);
     return f;
 }
 
@@ -295,12 +296,12 @@ void bulletml_let_go(struct board *b)
 
 static int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_t now)
 {
-    const int64_t one = bulletml_fine(change), k = now - r->begun[c], term = r->over[c] - r->begun[c];
+    const int64_t k = now - r->begun[c], term = r->over[c] - r->begun[c];
 
     if (k >= term)
         return r->to[c];
     if (r->step[c])
-        return r->from[c] + ((r->step[c] * k + one / 2) >> (change == CHANGE_DIRECTION ? 12 : 20));
+        return r->from[c] + ml_scale(r->step[c], k, change == CHANGE_DIRECTION ? 12 : 20);
     return ml_add(r->from[c],
                   ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
 }
@@ -330,9 +331,11 @@ static void read_back(const struct turn *t, uint32_t bullet)
     const struct ml_roots *o = &t->b->ml_roots;
     struct ml_runners *r = &t->b->ml_runners;
     const uint32_t i = t->runner;
+    const bool stands = s->stands && s->stands[bullet];
+    const fx vx = (stands ? s->kept_vx : s->vx)[bullet], vy = (stands ? s->kept_vy : s->vy)[bullet];
 
-    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && s->vx[bullet] == r->put_vx[i] &&
-        s->vy[bullet] == r->put_vy[i])
+    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && vx == r->put_vx[i] &&
+        vy == r->put_vy[i])
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
         r->direction[i] = from_board(o, t->root, s->dir[bullet]);
@@ -346,8 +349,8 @@ static void read_back(const struct turn *t, uint32_t bullet)
     r->flags[i] &= (uint16_t)~(1u << CHANGE_X | 1u << CHANGE_Y);
     r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
-    r->put_vx[i] = s->vx[bullet];
-    r->put_vy[i] = s->vy[bullet];
+    r->put_vx[i] = vx;
+    r->put_vy[i] = vy;
 }
 
 /* Changes, then commands. */
@@ -398,7 +401,7 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    if (b->bullets.stands && b->bullets.stands[bullet]) {
+    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) { /* 0: it goes on in this move */
         stay(r, i);
         return true;
     }
@@ -509,6 +512,22 @@ static void drop_root(struct board *b, uint32_t i)
     slots_drop(&b->ml_roots.s, i);
 }
 
+static fx in_world(int64_t v)
+{
+    return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
+}
+
+/* A root is where what it follows is. */
+static void find_place(struct board *b, uint32_t i)
+{
+    struct ml_roots *o = &b->ml_roots;
+    fx x = 0, y = 0;
+
+    board_where(b, o->follow[i], &x, &y);
+    o->x[i] = in_world((int64_t)x + o->dx[i]);
+    o->y[i] = in_world((int64_t)y + o->dy[i]);
+}
+
 /* Before the turns: roots whose owner, or what they follow, is gone are over; what was over a frame ago, and its
  * bullets' actions too, is dropped. */
 static void find_roots(struct board *b)
@@ -521,13 +540,8 @@ static void find_roots(struct board *b)
         else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
             bulletml_stop(b, i);
         else if (o->follow[i])
-            board_where(b, o->follow[i], &o->x[i], &o->y[i]);
+            find_place(b, i);
     }
-}
-
-static fx in_world(int64_t v)
-{
-    return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
 }
 
 /* A root that moves itself, or an enemy that it steers. */
@@ -545,8 +559,8 @@ static void move_root(struct board *b, uint32_t i)
     o->x[i] = in_world((int64_t)o->x[i] + f.vx);
     o->y[i] = in_world((int64_t)o->y[i] + f.vy);
     if (o->follow[i]) {
-        b->enemies.x[handle_slot(o->follow[i])] = o->x[i];
-        b->enemies.y[handle_slot(o->follow[i])] = o->y[i];
+        b->enemies.x[handle_slot(o->follow[i])] = in_world((int64_t)o->x[i] - o->dx[i]);
+        b->enemies.y[handle_slot(o->follow[i])] = in_world((int64_t)o->y[i] - o->dy[i]);
     }
 }
 
@@ -577,14 +591,23 @@ static void end_roots(struct board *b)
     slots_trim(&o->s);
 }
 
-/* One turn; false: the runner has none any more. */
-static bool run_turn(struct board *b, uint32_t i, uint32_t now)
-{
-    struct turn t = { .b = b, .runner = i, .root = b->ml_runners.root[i], .body = b->ml_runners.body[i], .now = now };
+/* The program of the runner before, which is mostly the next one's too. */
+struct opened {
+    uint32_t program; /* UINT32_MAX: none */
     struct ml ml;
+};
 
-    cart_bulletml(&b->cart, b->ml_roots.program[t.root], &ml);
-    t.ml = &ml;
+/* One turn; false: the runner has none any more. */
+static bool run_turn(struct board *b, uint32_t i, uint32_t now, struct opened *o)
+{
+    struct turn t = {
+        .b = b, .ml = &o->ml, .runner = i, .root = b->ml_runners.root[i], .body = b->ml_runners.body[i], .now = now
+    };
+
+    if (o->program != b->ml_roots.program[t.root]) {
+        o->program = b->ml_roots.program[t.root];
+        cart_bulletml(&b->cart, (int)o->program, &o->ml);
+    }
     return b->ml_runners.flags[i] & RUNNER_TOP ? run_top(&t) : run_bullet(&t);
 }
 
@@ -593,6 +616,7 @@ void bulletml_run(struct board *b)
     struct ml_runners *r = &b->ml_runners;
     const uint32_t now = b->core.clock, n = r->n;
     const bool some_stand = b->bullets.stands;
+    struct opened opened = { .program = UINT32_MAX };
     uint32_t kept = 0;
 
     b->ml_fresh.n = 0;
@@ -602,7 +626,7 @@ void bulletml_run(struct board *b)
         const uint32_t i = r->order[k];
         const bool waits = (int32_t)(now - r->wake[i]) < 0 && !(r->flags[i] & (RUNNER_CHANGES | RUNNER_TOP)) &&
                            !some_stand && (k + now) % WAITING;
-        if (waits || run_turn(b, i, now))
+        if (waits || run_turn(b, i, now, &opened))
             r->order[kept++] = i;
         else
             drop_runner(b, i);
@@ -634,6 +658,8 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->follow[i] = start->follow;
     o->x[i] = start->x;
     o->y[i] = start->y;
+    o->dx[i] = start->dx;
+    o->dy[i] = start->dy;
     o->program[i] = start->program;
     o->kind[i] = start->kind;
     o->tag[i] = start->tag;

@@ -142,6 +142,8 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     struct bulletml_start s = { .program = program_of(L, b, lua_tostring(L, v[P_NAME].at)),
                                 .owner = tasks_owner(b),
                                 .follow = from->given ? from->i : 0,
+                                .dx = from->given ? v[P_PLACE + PLACE_DX].f : 0,
+                                .dy = from->given ? v[P_PLACE + PLACE_DY].f : 0,
                                 .kind = (uint16_t)v[P_KIND].i,
                                 .flags = flags_of(v),
                                 .rank = q32(v[P_RANK].n),
