@@ -98,7 +98,7 @@ int32_t trig_cos30(ang a)
     return trig_sin30(a + 0x40000000);
 }
 
-/* The sine in Q56 by a quadratic, off by less than 2^29.4. */
+/* The sine in Q56 by a quadratic, off by less than 2^29.4; and half an fx, so that cut it is rounded. */
 static inline int64_t sine_guess(ang a)
 {
     const uint32_t i = a >> 23;
@@ -109,8 +109,10 @@ static inline int64_t sine_guess(ang a)
 
 void trig_direction(ang a, int64_t *cosine, int64_t *sine)
 {
-    *cosine = sine_guess(a + 0x40000000) >> 16;
-    *sine = sine_guess(a) >> 16;
+    const int64_t half = (int64_t)1 << 39;
+
+    *cosine = (sine_guess(a + 0x40000000) - half + (1 << 15)) >> 16;
+    *sine = (sine_guess(a) - half + (1 << 15)) >> 16;
 }
 
 FX_COLD static fx sine_by_series(ang a)

@@ -217,6 +217,8 @@ static inline int64_t ml_wrap(int64_t d)
 {
     if ((uint64_t)d < (uint64_t)ML_TURN_ROUND)
         return d;
+    if (d >= -ML_TURN_ROUND && d < 2 * ML_TURN_ROUND)
+        return d < 0 ? d + ML_TURN_ROUND : d - ML_TURN_ROUND;
     d %= ML_TURN_ROUND;
     return d < 0 ? d + ML_TURN_ROUND : d;
 }
@@ -224,9 +226,7 @@ static inline int64_t ml_wrap(int64_t d)
 /* The nearest angle (2^32 a turn) of degrees in that range; and degrees of an angle, exactly. */
 static inline ang ml_angle(int64_t d)
 {
-    const uint64_t whole = (uint64_t)d / 360; /* Q32 turns, cut */
-
-    return (ang)(whole + ((uint64_t)d - whole * 360 >= 180));
+    return (ang)(((uint64_t)d + 180) / 360);
 }
 
 static inline int64_t ml_degrees(ang a)

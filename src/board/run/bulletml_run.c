@@ -91,14 +91,6 @@ struct flight {
     fx speed, vx, vy;
 };
 
-static int64_t scaled(int64_t v, int64_t pace)
-{
-    const int64_t most = (int64_t)1 << 46;
-
-    v = int64_clamp(v, -most, most);
-    return pace == ML_ONE ? v : ml_scale(v, pace, 32);
-}
-
 static int64_t in_speed(int64_t v)
 {
     const int64_t most = (int64_t)MAX_SPEED << 32;
@@ -106,16 +98,24 @@ static int64_t in_speed(int64_t v)
     return int64_clamp(v, -most, most);
 }
 
-static fx nearest(int64_t v)
+/* A document's speed in px a frame, at most MAX_SPEED. */
+static inline int64_t scaled(int64_t v, int64_t pace)
 {
-    return (fx)((in_speed(v) + (1 << 15)) >> 16);
+    const int64_t most = (int64_t)1 << 46;
+
+    return in_speed(pace == ML_ONE ? v : ml_scale(int64_clamp(v, -most, most), pace, 32));
 }
 
-static struct flight flight(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed)
+/* The nearest fx, of at most MAX_SPEED. */
+static inline fx nearest(int64_t v)
 {
-    const int64_t v = in_speed(scaled(speed, o->pace[root]));
-    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    return (fx)((v + (1 << 15)) >> 16);
+}
 
+static inline struct flight flight(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed)
+{
+    const int64_t v = scaled(speed, o->pace[root]);
+    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
     int64_t c, s;
 
     trig_direction(f.dir, &c, &s);
@@ -128,25 +128,29 @@ static struct flight flight(const struct ml_roots *o, uint32_t root, int64_t dir
 static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed, int64_t vx,
                                    int64_t vy)
 {
-    struct flight f = flight(o, root, direction, speed);
     const ang turned = o->turned[root] - UP;
-    const int64_t v = in_speed(scaled(speed, o->pace[root]));
-    int64_t x = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]), c, s;
+    const int64_t v = scaled(speed, o->pace[root]), across = scaled(vx, o->pace[root]),
+                  y = scaled(vy, o->pace[root]), x = o->flags[root] & ROOT_MIRRORED ? -across : across;
+    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    int64_t c, s, more_x = x, more_y = y;
 
-    if (!(vx | vy))
-        return f;
-    if (o->flags[root] & ROOT_MIRRORED)
-        x = -x;
     if (turned) {
-        const int64_t wide = in_speed(x), high = in_speed(y);
         trig_direction(turned, &c, &s);
-        x = ml_scale(wide, c, 40) - ml_scale(high, s, 40);
-        y = ml_scale(wide, s, 40) + ml_scale(high, c, 40);
+        more_x = ml_scale(x, c, 40) - ml_scale(y, s, 40);
+        more_y = ml_scale(x, s, 40) + ml_scale(y, c, 40);
     }
     trig_direction(f.dir, &c, &s);
-    f.vx = nearest(ml_scale(v, c, 40) + x);
-    f.vy = nearest(ml_scale(v, s, 40) + y);
+    f.vx = nearest(in_speed(ml_scale(v, c, 40) + more_x));
+    f.vy = nearest(in_speed(ml_scale(v, s, 40) + more_y));
     return f;
+}
+
+/* What a body's state comes to. */
+static inline struct flight flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
+{
+    if (r->vx[i] | r->vy[i])
+        return flight_beside(o, root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
+    return flight(o, root, r->direction[i], r->speed[i]);
 }
 
 /* ---- runners ---- */
@@ -294,33 +298,52 @@ void bulletml_let_go(struct board *b)
 
 /* ---- turns ---- */
 
-static int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_t now)
+/* The value of a change that is not over. */
+static inline int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_t now)
 {
     const int64_t k = now - r->begun[c], term = r->over[c] - r->begun[c];
 
-    if (k >= term)
-        return r->to[c];
     if (r->step[c])
         return r->from[c] + ml_scale(r->step[c], k, change == CHANGE_DIRECTION ? 12 : 20);
-    return ml_add(r->from[c],
-                  ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
+    return ml_add(r->from[c], ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
+}
+
+/* A direction in range; a turn that goes round goes on from as much less, so that it never is far out of it. */
+static inline int64_t wrap_turn(struct ml_runners *r, size_t c, int64_t v)
+{
+    const int64_t in = ml_wrap(v);
+
+    if (in != v) {
+        r->from[c] = ml_add(r->from[c], in - v);
+        r->to[c] = ml_add(r->to[c], in - v);
+    }
+    return in;
+}
+
+static inline void apply_change(struct ml_runners *r, const struct turn *t, int change, int64_t *of)
+{
+    const size_t c = (size_t)t->runner * CHANGES + (size_t)change;
+    const bool over = (int32_t)(t->now - r->over[c]) >= 0;
+    const int64_t v = over ? r->to[c] : changed(r, c, change, t->now);
+
+    of[t->body] = change == CHANGE_DIRECTION ? wrap_turn(r, c, v) : v;
+    if (over)
+        r->flags[t->runner] &= (uint16_t)~(1u << change);
 }
 
 static void apply_changes(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
-    const uint32_t i = t->runner;
-    int64_t *const of[CHANGES] = { r->direction, r->speed, r->vx, r->vy };
+    const unsigned flags = r->flags[t->runner];
 
-    for (int change = 0; change < CHANGES; change++) {
-        const size_t c = (size_t)i * CHANGES + (size_t)change;
-        if (!(r->flags[i] >> change & 1))
-            continue;
-        const int64_t v = changed(r, c, change, t->now);
-        of[change][t->body] = change == CHANGE_DIRECTION ? ml_wrap(v) : v;
-        if ((int32_t)(t->now - r->over[c]) >= 0)
-            r->flags[i] &= (uint16_t)~(1u << change);
-    }
+    if (flags & 1 << CHANGE_DIRECTION)
+        apply_change(r, t, CHANGE_DIRECTION, r->direction);
+    if (flags & 1 << CHANGE_SPEED)
+        apply_change(r, t, CHANGE_SPEED, r->speed);
+    if (flags & 1 << CHANGE_X)
+        apply_change(r, t, CHANGE_X, r->vx);
+    if (flags & 1 << CHANGE_Y)
+        apply_change(r, t, CHANGE_Y, r->vy);
     t->steers = true;
 }
 
@@ -361,9 +384,11 @@ static void run_one(struct turn *t)
 
     if (r->flags[i] & RUNNER_CHANGES)
         apply_changes(t);
+    if ((int32_t)(t->now - r->wake[i]) < 0)
+        return;
     if (!(r->flags[i] & RUNNER_OVER))
         bulletml_do(t);
-    else if (!(r->flags[i] & RUNNER_CHANGES) && (int32_t)(t->now - r->wake[i]) >= 0)
+    else if (!(r->flags[i] & RUNNER_CHANGES))
         r->flags[i] |= RUNNER_ENDED;
 }
 
@@ -372,8 +397,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     struct bullets *s = &t->b->bullets;
     struct ml_runners *r = &t->b->ml_runners;
     const uint32_t i = t->runner;
-    const struct flight f =
-        flight_beside(&t->b->ml_roots, t->root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
+    const struct flight f = flight_of(&t->b->ml_roots, r, t->root, i);
 
     s->dir[bullet] = r->put_dir[i] = f.dir;
     s->speed[bullet] = r->put_speed[i] = f.speed;
@@ -418,6 +442,47 @@ static bool run_bullet(struct turn *t)
     if (t->steers)
         steer_bullet(t, bullet);
     return !(r->flags[i] & RUNNER_OVER) || r->flags[i] & RUNNER_CHANGES;
+}
+
+/*
+ * A turn in which a bullet's runner has nothing due, and only its direction or speed change: the common one, done
+ * without the rest. False: it is not such a turn.
+ */
+static inline bool glide(struct board *b, uint32_t i, uint32_t now)
+{
+    struct ml_runners *r = &b->ml_runners;
+    struct bullets *s = &b->bullets;
+    const unsigned flags = r->flags[i];
+    const uint32_t k = handle_slot(r->bullet[i]), root = r->root[i];
+    const size_t turn = (size_t)i * CHANGES + CHANGE_DIRECTION, pace = turn - CHANGE_DIRECTION + CHANGE_SPEED;
+
+    if (flags & (1 << CHANGE_X | 1 << CHANGE_Y | RUNNER_TOP) || s->stands ||
+        !slots_has(&s->s, k, handle_gen(r->bullet[i])) || s->motion[k] || r->vx[i] | r->vy[i] |
+        (s->dir[k] ^ r->put_dir[i]) | (s->speed[k] ^ r->put_speed[i]) | (s->vx[k] ^ r->put_vx[i]) |
+        (s->vy[k] ^ r->put_vy[i]))
+        return false;
+    int64_t direction = r->direction[i], speed = r->speed[i];
+    if (flags & 1 << CHANGE_DIRECTION) {
+        if ((int32_t)(now - r->over[turn]) >= 0 || !r->step[turn])
+            return false;
+        direction = wrap_turn(r, turn, r->from[turn] + ml_scale(r->step[turn], now - r->begun[turn], 12));
+        r->direction[i] = direction;
+    }
+    if (flags & 1 << CHANGE_SPEED) {
+        if ((int32_t)(now - r->over[pace]) >= 0 || !r->step[pace])
+            return false;
+        speed = r->from[pace] + ml_scale(r->step[pace], now - r->begun[pace], 20);
+        r->speed[i] = speed;
+    }
+    const struct flight f = flight(&b->ml_roots, root, direction, speed);
+    const fx fast = fx_max(fx_abs(f.vx), fx_abs(f.vy));
+    s->dir[k] = r->put_dir[i] = f.dir;
+    s->speed[k] = r->put_speed[i] = f.speed;
+    s->vx[k] = r->put_vx[i] = f.vx;
+    s->vy[k] = r->put_vy[i] = f.vy;
+    if (fast > s->fastest)
+        s->fastest = fast;
+    return true;
 }
 
 /* All tops of a root begin anew. */
@@ -555,7 +620,7 @@ static void move_root(struct board *b, uint32_t i)
         return;
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
-    const struct flight f = flight_beside(o, i, r->direction[k], r->speed[k], r->vx[k], r->vy[k]);
+    const struct flight f = flight_of(o, r, i, k);
     o->x[i] = in_world((int64_t)o->x[i] + f.vx);
     o->y[i] = in_world((int64_t)o->y[i] + f.vy);
     if (o->follow[i]) {
@@ -624,9 +689,9 @@ void bulletml_run(struct board *b)
     find_roots(b);
     for (uint32_t k = 0; k < n; k++) {
         const uint32_t i = r->order[k];
-        const bool waits = (int32_t)(now - r->wake[i]) < 0 && !(r->flags[i] & (RUNNER_CHANGES | RUNNER_TOP)) &&
-                           !some_stand && (k + now) % WAITING;
-        if (waits || run_turn(b, i, now, &opened))
+        const bool due = (int32_t)(now - r->wake[i]) >= 0 && !(r->flags[i] & RUNNER_OVER);
+        const bool waits = !due && !(r->flags[i] & (RUNNER_CHANGES | RUNNER_TOP)) && !some_stand && (k + now) % WAITING;
+        if (waits || (!due && glide(b, i, now)) || run_turn(b, i, now, &opened))
             r->order[kept++] = i;
         else
             drop_runner(b, i);
