@@ -8,16 +8,16 @@ local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets wh
 -- 1. Gibbous: two wheels of light turn against each other; where they cross are the holes.
 local function wheel(e, kind, bank, step)
   pattern.spiral { from = e, kind = kind, bank = bank, n = forever, step = step,
-                   every = by(14, 8, 9, 11),
+                   every = by(14, 9, 9, 11),
                    speed = by(1.2, 1.4, 1.5, 1.05),
-                   arms = by(8, 12, 12, 18) }
+                   arms = by(8, 11, 12, 18) }
 end
 
 local function gibbous(e)
   task.go(wheel, e, "rice", 6, 5)
   if board.difficulty() ~= "easy" then task.go(wheel, e, "petal", 5, -5) end
   while true do
-    wait(by(150, 120, 100, 100))
+    wait(by(150, 80, 100, 82))
     pattern.fan { from = e, kind = "kunai", bank = 1, aim = true, spread = 40, speed = 2,
                   n = by(1, 3, 5, 3),
                   each = function(a)
@@ -65,11 +65,11 @@ local function half(e)
     pattern.ring { from = e, kind = "orb", bank = 6, dir = 5.5 * k + 3 * k * k % 17, speed = 2,
                    n = by(23, 43, 48, 66),
                    each = refract }
-    if k % by(6, 5, 4, 4) == 0 then
+    if k % by(6, 4, 3, 4) == 0 then
       pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
                     delay = 24, n = by(1, 2, 3, 3) }
     end
-    wait(by(42, 20, 25, 16))
+    wait(by(42, 17, 15, 16))
   end
 end
 
@@ -98,22 +98,23 @@ end
 
 local function crescent(e)
   e.picture = "sickle"
+  task.go(late.stream, e, by(64, 15, 6, 9), 2)
   task.go(function()
     pattern.spiral { from = e, kind = "pellet", bank = 5, n = forever, step = 29,
-                     arms = by(3, 5, 6, 10),
-                     every = by(16, 12, 10, 8),
+                     arms = by(4, 6, 8, 11),
+                     every = by(11, 6, 4, 4),
                      speed = by(1.1, 1.2, 1.3, 0.9) }
   end)
   for k = 1, forever do
     wait(20)
     local way = k % 2 == 0 and 1 or -1
     reap(e, 0, true, way)
-    wait(by(60, 40, 34, 26))
+    wait(by(39, 22, 13, 14))
     if board.difficulty() ~= "easy" then
       reap(e, 90 + 38 * way, false, -way)
       reap(e, 90 - 38 * way, false, way)
     end
-    wait(by(90, 84, 78, 56))
+    wait(by(57, 58, 46, 42))
   end
 end
 

@@ -2,6 +2,15 @@
 local by = require "stages/three/by"
 local late = {}
 
+-- Glints that look at you, one after the other, slow: whoever goes on a little is past them.
+function late.stream(e, every, bank)
+  while true do
+    wait(every)
+    bullet.fire { from = e, kind = "star", bank = bank, aim = true, delay = 20,
+                  speed = by(1.2, 1.4, 1.5, 1.2) }
+  end
+end
+
 -- 4. New: rings that turn while they grow, one gap or two in each. The next gap is never further
 -- from the last than a craft goes meanwhile.
 local GROW <const> = { easy = 0.8, normal = 0.8, hard = 0.85, abyss = 0.7 }
@@ -30,6 +39,7 @@ end
 
 function late.new(e)
   e.picture = "new"
+  task.go(late.stream, e, by(113, 18, 12, 14), 3)
   wait(40)
   local at = 90
   for k = 1, forever do
@@ -37,11 +47,11 @@ function late.new(e)
     at = at + rng.number(8, by(14, 19, 22, 19)) *
          (at > 104 and -1 or at < 76 and 1 or (rng.chance(0.5) and 1 or -1))
     maze_ring(e, at, way, by("pellet", "orb", "orb", "orb"), way > 0 and 6 or 7)
-    if k % 3 == 0 then
+    if k % 4 == 0 then
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
                       n = by(1, 2, 3, 4) }
     end
-    wait(by(110, 70, 60, 50))
+    wait(by(48, 31, 27, 29))
   end
 end
 
@@ -53,7 +63,7 @@ function late.full(e)
   e.picture = "full"
   e:move { x = 120, y = 114, over = 120, ease = "both" }
   task.go(function()
-    local rate = by(0.7, 3, 3, 3.4) -- seeds a frame
+    local rate = by(0.9, 3, 3.2, 3.4) -- seeds a frame
     local seed = { kind = "pellet", from = e, dir = 0, speed = by(1.1, 1.2, 1.3, 0.9) }
     local owed = 0
     for k = 1, forever do
@@ -126,11 +136,11 @@ end
 
 -- What fell in first comes down all the while: each drop as far as may be from those before.
 local function rain()
-  local rate = by(0.15, 0.4, 0.5, 0.6) -- drops a frame
+  local rate = by(0.3, 0.7, 0.9, 1.3) -- drops a frame
   local drop = { kind = "petal", bank = 3, y = -10, dir = 90 }
   local owed, fallen = 0, 0
   for k = 1, forever do
-    owed = owed + rate * math.min(1, 0.5 + k / 2400)
+    owed = owed + rate * math.min(1, 0.6 + k / 2400)
     while owed >= 1 do
       owed, fallen = owed - 1, fallen + 1
       drop.x = -4 + 248 * (0.618034 * fallen % 1)
