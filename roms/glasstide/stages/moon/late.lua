@@ -63,7 +63,7 @@ function late.full(e)
   e.picture = "full"
   e:move { x = 120, y = 114, over = 120, ease = "both" }
   task.go(function()
-    local rate = by(0.9, 3, 3.2, 3.4) -- seeds a frame
+    local rate = by(0.9, 2.4, 3, 3.4) -- seeds a frame
     local seed = { kind = "pellet", from = e, dir = 0, speed = by(1.1, 1.2, 1.3, 0.9) }
     local owed = 0
     for k = 1, forever do
@@ -109,7 +109,7 @@ local function recall(e, times)
     pattern.ring { from = e, kind = "orb", bank = 5, dir = 7 * k,
                    n = by(20, 30, 38, 50),
                    motion = pulled[board.difficulty()], speed = 1 }
-    wait(by(70, 54, 46, 46))
+    wait(by(68, 54, 46, 46))
   end
 end
 
@@ -128,7 +128,7 @@ local function corona(e, frames)
   sound.play("beam", { from = e })
   for k = 1, (frames - 100) // 48 do
     pattern.ring { from = e, kind = "pellet", bank = 7, dir = 11 * k, speed = 1.2,
-                   n = by(16, 28, 36, 46) }
+                   n = by(17, 28, 34, 46) }
     wait(48)
   end
   wait(30)
@@ -136,7 +136,7 @@ end
 
 -- What fell in first comes down all the while: each drop as far as may be from those before.
 local function rain()
-  local rate = by(0.3, 0.7, 0.9, 1.3) -- drops a frame
+  local rate = by(0.36, 0.34, 0.36, 0.52) -- drops a frame
   local drop = { kind = "petal", bank = 3, y = -10, dir = 90 }
   local owed, fallen = 0, 0
   for k = 1, forever do
@@ -156,6 +156,7 @@ function late.eclipse(e)
   screen.flash { over = 40, share = 0.4 }
   wait(50)
   task.go(rain)
+  task.go(late.stream, e, by(120, 16, 11, 15), 2)
   walls(560, by(80, 64, 54, 50))
   wait(60)
   corona(e, 640)
