@@ -93,7 +93,7 @@ end
 
 -- Walls from above, and the way through them goes to and fro.
 local function walls(frames, apart)
-  local wide = by(5, 4, 3, 3) -- of 14 px each
+  local wide = by(6, 6, 5, 5) -- of 14 px each
   for k = 1, frames // apart do
     local gap = (9 + 5 * angle.sin(53 * k) - wide / 2) // 1
     pattern.line { x = 120, y = -8, kind = "rice", bank = 6, n = 19, width = 252, dir = 90,
@@ -136,7 +136,7 @@ end
 
 -- What fell in first comes down all the while: each drop as far as may be from those before.
 local function rain()
-  local rate = by(0.36, 0.34, 0.36, 0.52) -- drops a frame
+  local rate = by(0.36, 0.32, 0.36, 0.52) -- drops a frame
   local drop = { kind = "petal", bank = 3, y = -10, dir = 90 }
   local owed, fallen = 0, 0
   for k = 1, forever do
@@ -144,7 +144,7 @@ local function rain()
     while owed >= 1 do
       owed, fallen = owed - 1, fallen + 1
       drop.x = -4 + 248 * (0.618034 * fallen % 1)
-      drop.speed = by(1, 1.1, 1.2, 0.9) + 0.1 * (fallen % 3)
+      drop.speed = by(0.9, 0.8, 0.8, 0.7) + 0.1 * (fallen % 3)
       bullet.fire(drop)
     end
     wait(1)
@@ -156,7 +156,7 @@ function late.eclipse(e)
   screen.flash { over = 40, share = 0.4 }
   wait(50)
   task.go(rain)
-  task.go(late.stream, e, by(120, 16, 11, 15), 2)
+  task.go(late.stream, e, by(120, 14, 10, 12), 2)
   walls(560, by(80, 64, 54, 50))
   wait(60)
   corona(e, 640)

@@ -27,7 +27,7 @@ function habits.litter(e)
   wait(26)
   while true do
     bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = fast(1.1, 1.3, 1.5, 1.2) }
-    wait(soon(52, 34, 24, 21))
+    wait(soon(72, 34, 22, 15))
   end
 end
 
@@ -62,7 +62,7 @@ function habits.ink(e)
       pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
                     speed = fast(1.5, 1.8, 2, 2), n = by(1, 3, 3, 5) }
     end
-    wait(soon(130, 100, 84, 70))
+    wait(soon(163, 100, 79, 55))
   end
 end
 
@@ -80,7 +80,7 @@ function habits.lights(e)
                       dir = 90 - 0.6 * open * side, speed = fast(1, 1.1, 1.2, 0.9) }
       end
     end
-    wait(soon(12, 8, 6, 5))
+    wait(soon(15, 8, 6, 4))
   end
 end
 
@@ -98,7 +98,7 @@ function habits.web(e)
     end
     pattern.ring { from = e, kind = "drop", bank = 1, n = 6, dir = 30 * (k % 2), motion = "web",
                    speed = 4.2 }
-    wait(soon(150, 124, 104, 96))
+    wait(soon(188, 124, 98, 75))
   end
 end
 
