@@ -110,7 +110,7 @@ local function shed(bell)
       bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
                     speed = fast(0.9, 1.1, 1.2, 0.9) }
     end
-    wait(soon(40, 28, 20, 18))
+    wait(soon(50, 27, 16, 12))
   end
 end
 
@@ -133,7 +133,7 @@ function habits.chain(e)
   while true do
     pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 16), dir = rng.dir(),
                    speed = fast(1, 1.2, 1.3, 1) }
-    wait(soon(120, 96, 80, 64))
+    wait(soon(164, 89, 56, 38))
   end
 end
 
@@ -150,7 +150,7 @@ function habits.hunt(e)
                     spread = by(0, 26, 40, 64), speed = fast(2.4, 2.8, 3.1, 3), n = by(1, 3, 5, 7) }
     end
     for _ = 1, 4 do
-      wait(soon(26, 20, 16, 14))
+      wait(soon(35, 19, 11, 8))
       pattern.fan { from = e, dy = -20, kind = "needle", bank = 5, n = 2, dir = 270, spread = 150,
                     speed = 1.3, motion = "round the back" }
     end
@@ -173,10 +173,10 @@ function habits.gulp(e)
                     dir = a + 180, spread = 0, speed = 1.6 }
       wait(3)
     end
-    pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 5),
+    pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 4),
                   spread = by(60, 90, 90, 140), speed = 2.3, delay = 20,
                   motion = by("gulp", "gulp", "great gulp", "great gulp") }
-    wait(soon(100, 84, 70, 62))
+    wait(soon(116, 84, 83, 87))
   end
 end
 
