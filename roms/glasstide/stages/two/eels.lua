@@ -187,13 +187,13 @@ local function spill(cinder, quench)
   wait(100)
   for k = 1, forever do
     pattern.fan { from = k % 2 == 0 and cinder or quench, dy = 14, kind = "drop", bank = 7 - k % 2,
-                  aim = true, spread = 60, speed = 1.5, delay = 20, n = by_difficulty { easy = 1,
-                                                                                        normal = 3, abyss = 5 } }
+                  aim = true, spread = 60, speed = 1.5, delay = 20,
+                  n = by_difficulty { easy = 1, normal = 3, abyss = 5 } }
     pattern.ring { from = k % 2 == 0 and quench or cinder, dy = 8, kind = "pellet",
                    bank = 5 + k % 2,
-                   dir = 11 * k, speed = 1.15, n = by_difficulty { easy = 9, normal = 12,
-                                                                   hard = 14, abyss = 24 } }
-    wait(by_difficulty { easy = 56, normal = 36, hard = 35, abyss = 24 })
+                   dir = 11 * k, speed = 1.15, n = by_difficulty { easy = 9, normal = 16,
+                                                                   hard = 18, abyss = 24 } }
+    wait(by_difficulty { easy = 56, normal = 26, hard = 27, abyss = 24 })
   end
 end
 
@@ -231,7 +231,8 @@ local function hammer(e)
   for k = 1, forever do
     rest(e, by_difficulty { easy = 94, normal = 71, hard = 51 })
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
-                   speed_to = 2.1, bend = k % 2 == 0 and 30 or -30, delay = 14, n = by_difficulty { easy = 3, normal = 4, hard = 6 } }
+                   speed_to = 2.1, bend = k % 2 == 0 and 30 or -30, delay = 14,
+                   n = by_difficulty { easy = 3, normal = 4, hard = 6 } }
   end
 end
 
