@@ -150,7 +150,7 @@ local CRACKS = { RUBY, MAGENTA, GOLD }
 -- Between the lamps that fall, wax.
 local function drips(e)
   while true do
-    wait(by_difficulty { easy = 160, normal = 50, hard = 40, abyss = 30 })
+    wait(by_difficulty { easy = 160, normal = 50, hard = 34, abyss = 30 })
     pattern.fan { from = e, dy = 14, kind = "drop", bank = AMBER, aim = true, spread = 50,
                   speed = 1.7, delay = 20, n = by_difficulty { easy = 1, hard = 3, abyss = 5 } }
   end
@@ -169,14 +169,14 @@ local function chandelier(e)
     for i = 1, by_difficulty { easy = 3, hard = 4 } do
       pattern.ring { from = e, kind = "ring", bank = CRACKS[i % 3 + 1], dir = 9.5 * (3 * k + i),
                      speed = 1.4 + i, motion = crack,
-                     n = by_difficulty { easy = 11, normal = 26, hard = 40, abyss = 42 } }
+                     n = by_difficulty { easy = 11, normal = 26, hard = 44, abyss = 42 } }
       wait(14)
     end
     wander(e, 50)
-    wait(by_difficulty { easy = 60, hard = 40, abyss = 32 })
+    wait(by_difficulty { easy = 60, hard = 28, abyss = 32 })
     lamps.motion = by_difficulty(fall)
     lamps.tag = "fallen"
-    wait(by_difficulty { easy = 100, normal = 54, hard = 20, abyss = 18 })
+    wait(by_difficulty { easy = 100, normal = 54, hard = 18 })
   end
 end
 
