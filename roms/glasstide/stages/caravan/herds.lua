@@ -22,7 +22,7 @@ local snake = path.def {
 -- A shot or two now and then: what swims by is after its own way, not after you.
 local function nip(e)
   wait(rng.int(30, by_difficulty { easy = 70, normal = 74, hard = 50, abyss = 40 }))
-  if e.y < 200 and rng.chance(by_difficulty { easy = 0.4, normal = 1 }) then
+  if e.y < 200 and rng.chance(by_difficulty { easy = 0.6, normal = 1 }) then
     pattern.aimed { from = e, kind = "pellet", bank = 7, speed = 1.8, every = 9, delay = 14,
                     n = by_difficulty { easy = 1, hard = 3, abyss = 4 } }
   end
