@@ -3,7 +3,7 @@
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
-         patterns library ports web
+         patterns library ports web bulletml
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -49,7 +49,7 @@ BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 # What `curtain new` writes.
-TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter) -type f ! -name '.*' ! -path '*/failed/*'))
+TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter bulletml) -type f ! -name '.*' ! -path '*/failed/*'))
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
@@ -68,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web
+.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -88,6 +88,7 @@ help:
 	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
 	@echo "make pacing   measure docs/pacing.md anew"
+	@echo "make bulletml documents of other games on the board and in libbulletml: docs/bulletml.md"
 	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/survive.md, docs/game.md"
 	@echo "make patterns what Glass Tide fires, in words and pictures: docs/patterns.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
@@ -174,7 +175,7 @@ FORCE:
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
+	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) --plain -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"
@@ -215,10 +216,10 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # Each port's test: build and play it where it is at home.
-ports: deps-play-ports-web
-	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so $(WEB)/player.html
-	@OUT=$(OUT) ports/libretro/test.sh
-	@OUT=$(OUT) ports/web/test.sh
+ports: deps-play-test-ports-web
+	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
+		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(WEB)/player.html build/curtain build/curtain-null
+	@OUT=$(OUT) tools/ports/ports.sh
 
 library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
@@ -228,10 +229,11 @@ VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host
 build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-$(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
+RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,ports/libretro/core ports/libretro/inside src/cab/share/mark)
+$(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
-		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
 
@@ -273,12 +275,13 @@ $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
 $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"
-	$(Q)OUT=$(OUT) ports/web/build.sh player $(WEB)/core.wasm $@
+	$(Q)OUT=$(OUT) ports/web/build.sh $(WEB)/core.wasm $@
 
 # One file with a game inside: make web GAME=DIR.
 web: say-null-web
 	@$(MAKE) --no-print-directory $(OUT)/curtain-bare $(WEB)/player.html
-	@OUT=$(OUT) ports/web/build.sh game $(GAME) $(WEB)/player.html
+	@$(OUT)/curtain-bare export $(GAME) --web -o $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
+	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
@@ -317,7 +320,7 @@ $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
 # Of these, some are ports themselves.
-OWN_PORT := test_cabinet
+OWN_PORT := test_cabinet test_calls
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
@@ -325,6 +328,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
+$(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
 # A fuzz target that takes what it is given from files, and no more: for valgrind.
@@ -339,10 +343,11 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
 programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
-          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(UNIT) $(MACHINE)
+          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
+          $(UNIT) $(MACHINE)
 
-test: deps-play-test
-	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
+test: deps-play-test-ports-web
+	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs $(OUT)/curtain_libretro.so $(WEB)/player.html
 	@OUT=$(OUT) tests/run.sh
 
 torture: deps-play-test
@@ -400,6 +405,10 @@ $(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(
 BOT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bot/*.c))
 
 $(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+$(OUT)/need: tools/ports/need.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
@@ -499,6 +508,26 @@ bench: deps-play
 compare: deps-null
 	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" TABLE="$(TABLE)" \
 		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
+
+# ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
+
+CXX       ?= c++
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
+                $(OUT)/tools/bench/measure.o
+
+$(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
+	@mkdir -p $(@D)
+	$(SAY) "  CXX   $<"
+	$(Q)$(CXX) -std=c++11 -O2 -g -ffp-contract=off -Wall -Wextra -Wno-deprecated-declarations \
+		-isystem /usr/include/bulletml -c $< -o $@
+
+$(OUT)/bulletml: $(BULLETML_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -lbulletml -lstdc++ -o $@
+
+bulletml: deps-play-bulletml
+	@$(MAKE) --no-print-directory -j2 $(OUT)/bulletml
+	@$(OUT)/bulletml all $(ARGS)
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 

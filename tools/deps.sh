@@ -41,6 +41,7 @@ for what; do
         library lua5.4 lua5.4/lua.h || need liblua5.4-dev
         [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
+        header expat.h || need libexpat1-dev
         ;;
     test)
         header cmocka.h || need libcmocka-dev
@@ -78,6 +79,8 @@ for what; do
     ports)
         have retroarch || need retroarch
         have python3 || need python3
+        have Xvfb || need xvfb
+        have identify || need imagemagick
         ;;
     fuzz)
         have clang || need clang
@@ -129,6 +132,8 @@ for what; do
         have xz || need xz-utils
         have node || need nodejs
         have chromium || need chromium
+        have firefox-esr || need firefox-esr
+        have identify || need imagemagick
         ;;
     *)
         echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, cross, web" >&2

@@ -101,7 +101,11 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)                                                      \
     PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
     PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
-    PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)
+    PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)                                                            \
+    PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_ROOTS), 0)                                                   \
+    PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
+    PART(ml_frames_chip, ml_frames, ML_FRAMES * m->bulletml, 0)                                                        \
+    PART(ml_params_chip, ml_params, m->bulletml, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
@@ -137,11 +141,18 @@ static struct layout layout_of(const struct manifest *m)
 
 /* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, or as
  * many as it can go through, an enemy may touch, die and leave, an item is taken once and may give lives, a laser may
- * graze or hit both players, or shoot. */
+ * graze or hit both players, or shoot, and a document may tell of each bullet that it fires. */
 static uint64_t event_room(const struct manifest *m)
 {
     return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? PIERCED : 1) * (uint64_t)m->shots +
-           8 * (uint64_t)m->enemies + 2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + 1024;
+           8 * (uint64_t)m->enemies + 2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers +
+           (m->bulletml ? (uint64_t)m->bullets : 0) + 1024;
+}
+
+/* What documents fire in a frame. */
+static uint32_t fresh_room(const struct manifest *m)
+{
+    return m->bulletml ? (uint32_t)m->bullets : 0;
 }
 
 uint64_t board_room(const struct cart *cart)
@@ -153,6 +164,7 @@ uint64_t board_room(const struct cart *cart)
         sum += slots_size(machine_parts[i].chip, l.cap[i], l.groups[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
     sum += aligned(events_size((uint32_t)event_room(&cart->m)));
+    sum += aligned(fresh_room(&cart->m) * sizeof(struct ml_fired));
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
 }
 
@@ -232,6 +244,8 @@ static void set_up(struct board *b)
  *   pictures                      a struct sprite for each of the    none; a restore reads the ROM
  *                                 ROM's sprites
  *   events                        events_size of event_room          none; there are no events between frames
+ *   fresh bullets                 a struct ml_fired a bullet, where  none; there are none between frames
+ *                                 documents may run
  *   Lua's heap                    board.lua_kib KiB                  what is in use
  */
 static void lay_out(struct board *b)
@@ -251,6 +265,8 @@ static void lay_out(struct board *b)
     next += aligned((uint64_t)b->cart.sprites * sizeof(struct sprite));
     events_layout(&b->events, (uint32_t)event_room(&b->cart.m), next);
     next += aligned(events_size(b->events.cap));
+    b->ml_fresh = (struct ml_fresh){ 0, fresh_room(&b->cart.m), (struct ml_fired *)next };
+    next += aligned(b->ml_fresh.cap * sizeof(struct ml_fired));
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
@@ -450,6 +466,8 @@ void board_move(struct board *b)
         options_follow(b);
     enemies_move(&b->enemies, &b->keep, &we);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
+    if (b->ml_roots.s.live)
+        board_ml_run(b);
     hit_queries(b, query);
     bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     if (b->items.s.top)
@@ -472,6 +490,8 @@ static int move_and_hit(lua_State *L)
     vm_charge(L, b->bullets.ran + b->shots.ran + b->laser_heads.ran);
     phase_done(b, PHASE_MOTION);
     hit_run(b);
+    if (b->ml_fresh.n)
+        board_ml_let_go(b);
     vm_charge(L, WORK_FIRE * emit_run(b));
     return 0;
 }
@@ -897,6 +917,8 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
         return &b->lines.s;
     case H_OPTION:
         return &b->options.s;
+    case H_BULLETML:
+        return &b->ml_roots.s;
     default:
         return NULL;
     }
@@ -925,6 +947,8 @@ bool board_alive(const struct board *b, int64_t h)
         return tasks_alive(b, slot, gen);
     if (kind == H_LAYER || kind == H_PLANE)
         return gen == 1 && slot < b->bg.s.live && (slot == BG_PLANE) == (kind == H_PLANE);
+    if (kind == H_BULLETML && slots_has(s, slot, gen))
+        return !(b->ml_roots.flags[slot] & ROOT_OVER);
     if (kind == H_ENEMY && slots_has(s, slot, gen))
         return !(b->enemies.flags[slot] & ENEMY_GONE);
     return s ? slots_has(s, slot, gen) : gen != 0;

@@ -29,6 +29,10 @@ static const struct wording wordings[] = {
     { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },
     { &lasers_chip, "lasers", "lasers", gone },
     { &laser_points_chip, "curve points", "curve_points", gone },
+    { &ml_roots_chip, "BulletML documents", "bulletml", "what finds no room is not started" },
+    { &ml_runners_chip, "BulletML's runners", "bulletml", "bullets that find no room fly straight" },
+    { &ml_frames_chip, "BulletML's repeats and calls", "bulletml", "what finds no room ends there" },
+    { &ml_params_chip, "BulletML's parameters", "bulletml", "what finds no room ends there" },
     { &steps_chip, "motion steps", "motions", "what is given a program that finds no room flies straight" },
 };
 

@@ -31,6 +31,7 @@ enum handle_kind {
     H_LASER,
     H_LASERS,
     H_OPTION,
+    H_BULLETML,
     HANDLES
 };
 

@@ -288,6 +288,11 @@ void bullets_steer(struct bullets *b, uint32_t i)
     steer(b, i);
 }
 
+void bullets_set_flight(struct bullets *b, uint32_t i, fx vx, fx vy)
+{
+    set_velocity(b, i, vx, vy);
+}
+
 static int64_t clamp_pace(int64_t v)
 {
     const int64_t most = (int64_t)MAX_SPEED << 32;

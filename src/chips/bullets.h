@@ -262,6 +262,9 @@ uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64
 /* Recomputes vx, vy from dir and speed. */
 void bullets_steer(struct bullets *b, uint32_t i);
 
+/* Sets vx, vy alone. */
+void bullets_set_flight(struct bullets *b, uint32_t i, fx vx, fx vy);
+
 /* Gives live bullet i another kind; its cloud, if it is delayed and that kind has one. */
 void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind);
 /* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was.

@@ -24,6 +24,7 @@ enum event_kind {
     EV_SCRIPT,   /* a: index of what sys.emit queued */
     EV_BLOCK,    /* a: bullet handle, b: enemy handle: the bullet goes */
     EV_LASER,    /* a: handle of a player's laser that touches enemies */
+    EV_FIRED,    /* a: bullet handle, b: root of the document that fired it << 32 | label + 1 */
     EV_MEET      /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
 };
 

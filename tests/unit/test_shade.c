@@ -103,9 +103,9 @@ static void test_kept(void **state)
     (void)state;
     art_default_palette(rgb);
     manifest_default(&m);
-    manifest_pack(&m, manifest);
+    const uint32_t manifest_size = manifest_pack(&m, manifest);
     for (int with = 0; with < 3; with++) {
-        struct lump lumps[] = { { "manifest", manifest, sizeof manifest },
+        struct lump lumps[] = { { "manifest", manifest, manifest_size },
                                 { "palette/main", rgb, sizeof rgb },
                                 { "script/main.lua", (const uint8_t *)"", 0 },
                                 { "shades", want, CART_SHADES } };

@@ -399,18 +399,18 @@ static const struct api_module api_std = { entries, sizeof entries / sizeof *ent
 
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_body, api_item, api_player, api_screen,
     api_rng, api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option, api_boss,
-    api_sound;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,  &api_body,
-                                                 &api_player, &api_screen, &api_rng,   &api_query,  &api_save,
-                                                 &api_board,  &api_sys,    &api_std,   &api_item,   &api_line,
-                                                 &api_bg,     &api_laser,  &api_bomb,  &api_option, &api_boss,
-                                                 &api_sound };
+    api_sound, api_bulletml;
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet,  &api_value, &api_enemy,  &api_body,
+                                                 &api_player, &api_screen,  &api_rng,   &api_query,  &api_save,
+                                                 &api_board,  &api_sys,     &api_std,   &api_item,   &api_line,
+                                                 &api_bg,     &api_laser,   &api_bomb,  &api_option, &api_boss,
+                                                 &api_sound,  &api_bulletml };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
     api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing,
-    api_option_thing;
+    api_option_thing, api_bulletml_thing;
 const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_bullet_thing,
                                                       &api_shot_thing,
@@ -429,4 +429,5 @@ const struct api_thing *const api_things[HANDLES] = { NULL,
                                                       &api_plane_thing,
                                                       &api_laser_thing,
                                                       &api_lasers_thing,
-                                                      &api_option_thing };
+                                                      &api_option_thing,
+                                                      &api_bulletml_thing };

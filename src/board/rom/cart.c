@@ -456,6 +456,23 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
+static bool open_bulletml(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+    char why[96];
+
+    c->first_bulletml = range(c->rom, "bulletml/", "bulletml0", &c->bulletmls);
+    if (c->bulletmls > CART_MAX_BULLETML)
+        return err_set(err, err_size, "%d lumps \"bulletml/...\", expected at most %d", c->bulletmls,
+                       CART_MAX_BULLETML);
+    for (int i = 0; i < c->bulletmls; i++) {
+        rom_lump(c->rom, c->first_bulletml + i, &l);
+        if (!ml_check(l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
 /* The samples of a stream, which music alone may be. */
 static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
 {
@@ -514,7 +531,7 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
            open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_looks(cart, err, err_size) &&
            open_langs(cart, err, err_size) && open_faces(cart, err, err_size) && open_font(cart, err, err_size) &&
            open_sprites(cart, err, err_size) && open_hits(cart, err, err_size) && open_maps(cart, err, err_size) &&
-           open_sounds(cart, err, err_size);
+           open_bulletml(cart, err, err_size) && open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -621,6 +638,29 @@ const char *cart_map_name(const struct cart *cart, int i)
 int cart_find_map(const struct cart *cart, const char *name)
 {
     return index_in(cart, "map/", name, cart->first_map);
+}
+
+void cart_bulletml(const struct cart *cart, int i, struct ml *out)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->bulletmls);
+    rom_lump(cart->rom, cart->first_bulletml + i, &l);
+    ml_open(out, l.data);
+}
+
+const char *cart_bulletml_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->bulletmls);
+    rom_lump(cart->rom, cart->first_bulletml + i, &l);
+    return l.name + strlen("bulletml/");
+}
+
+int cart_find_bulletml(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "bulletml/", name, cart->first_bulletml);
 }
 
 const uint8_t *cart_palette(const struct cart *cart, const char *name)

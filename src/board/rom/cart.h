@@ -20,6 +20,7 @@
  *                         then four times i32 a b x y, as the rows of a kind have them (a capsule: x, y is one end of
  *                         its bar); rows that are not used are 0. A tick reads it
  *         lang/X          a language: words.h
+ *         bulletml/X      a BulletML document's program: bulletml.h
  *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero
  *                         bytes); columns * rows tile numbers, u16, row by row; a byte a tile, 1 if none of its pixels
  *                         is transparent; then the tiles, side * side bytes each. Tile 0 is empty; whole: 1 if all
@@ -37,6 +38,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../../base/rom.h"
+#include "bulletml.h"
 #include "manifest.h"
 #include "face.h"
 #include "words.h"
@@ -60,7 +62,8 @@ enum {
     CART_MAX_MAPS = 1024,
     CART_MAP_SIDE = 16384, /* px of a map */
     CART_MAP_CELLS = 1 << 20,
-    CART_MAX_TUNES = 1024 /* and so many sounds */
+    CART_MAX_TUNES = 1024, /* and so many sounds */
+    CART_MAX_BULLETML = 1024
 };
 
 /* Sounds of these names play by themselves. */
@@ -106,6 +109,7 @@ struct cart {
     int first_blend, blends;
     int first_lang, langs;
     int first_map, maps;
+    int first_bulletml, bulletmls;
     struct cart_look main;                  /* of palette/main, and of all that have none */
     struct cart_look looks[CART_MAX_LOOKS]; /* of each palette, where has_looks */
     const uint8_t *glyphs;                  /* NULL: no font */
@@ -169,6 +173,11 @@ bool cart_lang(const struct cart *cart, const char *name, struct words *out);
 void cart_map(const struct cart *cart, int i, struct map *out);
 const char *cart_map_name(const struct cart *cart, int i);
 int cart_find_map(const struct cart *cart, const char *name);
+
+/* Document i, 0 <= i < bulletmls: its program; its name without "bulletml/"; the index of a name, or -1. */
+void cart_bulletml(const struct cart *cart, int i, struct ml *out);
+const char *cart_bulletml_name(const struct cart *cart, int i);
+int cart_find_bulletml(const struct cart *cart, const char *name);
 
 /* 256 x R G B, or NULL. The name comes without "palette/"; "main" is always there. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);

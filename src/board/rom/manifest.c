@@ -18,9 +18,9 @@
 #include "../../chips/registers.h"
 
 /* The first word of the lump, and how many of the numbers a lump of each format has: core versions to 4 wrote format 1,
- * core version 5 wrote format 2, core version 6 format 3. */
-enum { FORMAT = 4, NUMBERS_1 = 17 };
-static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, MANIFEST_NUMBERS };
+ * core version 5 wrote format 2, core version 6 format 3; format 5 is that of games that run BulletML documents. */
+enum { FORMAT = 5, FORMAT_PLAIN = 4, NUMBERS_1 = 17 };
+static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -70,6 +70,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.bodies", bodies),
     FLAG("board.pierce", pierce),
     FLAG("board.sound", sound),
+    NUMBER("board.bulletml", bulletml, 0, 1 << 16),
 };
 
 void manifest_default(struct manifest *m)
@@ -344,13 +345,21 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
     walk_numbers(w, m, NUMBERS_1, numbers_of[expected]);
 }
 
-void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
+static size_t bytes_of(int format)
 {
+    return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_of[format]);
+}
+
+uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
+{
+    const int format = m->bulletml ? FORMAT : FORMAT_PLAIN;
     struct manifest copy = *m;
     struct walk w = { out, NULL, true };
 
-    walk_manifest(&w, &copy, FORMAT);
-    assert(w.out == out + MANIFEST_BYTES);
+    memset(out, 0, MANIFEST_BYTES);
+    walk_manifest(&w, &copy, format);
+    assert(w.out == out + bytes_of(format));
+    return (uint32_t)bytes_of(format);
 }
 
 static bool unused_dips_zero(const struct manifest *m)
@@ -362,11 +371,6 @@ static bool unused_dips_zero(const struct manifest *m)
             return false;
     }
     return true;
-}
-
-static size_t bytes_of(int format)
-{
-    return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_of[format]);
 }
 
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size)
@@ -384,6 +388,8 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     walk_manifest(&w, m, format);
     if (!w.good)
         return err_set(err, err_size, "its format is not known");
+    if (format == FORMAT && !m->bulletml)
+        return err_set(err, err_size, "board.bulletml: 0, which a manifest of format %d says", FORMAT_PLAIN);
     if (!manifest_check(m, err, err_size))
         return false;
     return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");

@@ -19,7 +19,7 @@ enum {
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
-    MANIFEST_BYTES = 5252,  /* the lump's size, the same on every host */
+    MANIFEST_BYTES = 5256,  /* the lump's size at most, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */
 };
 
@@ -54,6 +54,7 @@ struct manifest {
     int32_t bodies;               /* 1: enemies have rates and parts, go round and wander */
     int32_t pierce;               /* 1: shots may go through what they hit */
     int32_t sound;                /* 1: there are sounds or music */
+    int32_t bulletml;             /* BulletML documents' runners; 0 unless rom.lua asks for them */
     int32_t lua_kib;
     int32_t nvram_kib; /* room for score tables and saves */
     int32_t players;
@@ -192,7 +193,7 @@ struct manifest_number {
     int32_t lo, hi;
     bool flag; /* rom.lua says true or false */
 };
-enum { MANIFEST_NUMBERS = 36 };
+enum { MANIFEST_NUMBERS = 37 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* All defaults but the id, which is "game". */
@@ -201,9 +202,9 @@ void manifest_default(struct manifest *m);
 /* Is every field in range? False and one sentence ("board.bullets: ...") else. */
 bool manifest_check(const struct manifest *m, char *err, size_t err_size);
 
-/* The lump and back. unpack refuses what is not exactly a lump that manifest_pack makes, or once made, of a manifest in
- * range. */
-void manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
+/* The lump and back. The lump is of the oldest format that can say all of it; pack returns its bytes. unpack refuses
+ * what is not exactly a lump that manifest_pack makes, or once made, of a manifest in range. */
+uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
 /* Reads the text of rom.lua. file is its name for messages, folder the id's default (other characters become _). work

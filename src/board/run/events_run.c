@@ -687,6 +687,10 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
     case EV_SCRIPT:
         apply_emitted(L, e);
         break;
+    case EV_FIRED:
+        if (board_alive(b, e->a))
+            board_ml_tell(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
+        break;
     case EV_KILL:
     case EV_LEAVE:
         apply_end(b, L, e);

@@ -31,6 +31,7 @@ enum command {
     COMMAND_SOUND,
     COMMAND_ART,
     COMMAND_PALETTE,
+    COMMAND_BULLETML,
     COMMAND_HELP,
     COMMAND_VERSION,
     COMMAND_LICENCES,
@@ -81,9 +82,10 @@ struct args {
     const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
     int n_traces;
     uint64_t seed;
-    bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
+    bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
+        play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
-    bool update, tap, keys, desktop, full;
+    bool update, tap, keys, desktop, web, libretro, full, lua;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */

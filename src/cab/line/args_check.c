@@ -73,6 +73,20 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
+/* A page and a core are no programs. */
+static bool check_export(const struct args *a, char *err, size_t err_size)
+{
+    const char *is = a->web ? "--web" : "--libretro";
+
+    if (!a->web && !a->libretro)
+        return true;
+    if (a->web && a->libretro)
+        return err_set(err, err_size, "--libretro does not go with --web: export twice");
+    if (a->keys || a->desktop)
+        return err_set(err, err_size, "%s does not go with %s", a->keys ? "--keys" : "--desktop", is);
+    return true;
+}
+
 /* Both are of the whole API; test scripts have one of their own. */
 static bool check_help(const struct args *a, char *err, size_t err_size)
 {
@@ -145,5 +159,5 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
 bool args_check(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size) &&
-           check_help(a, err, err_size);
+           check_export(a, err, err_size) && check_help(a, err, err_size);
 }

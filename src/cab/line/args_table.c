@@ -45,6 +45,8 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_PALETTE] = { "palette", "FILE", 1, 1,
                           "put the colours of a .hex or .gpl into a bank of the palette -o; or a bank of a palette "
                           "into such a file" },
+    [COMMAND_BULLETML] = { "bulletml", "FILE...", 1, 1 << 20,
+                           "read BulletML documents and say what is in them and what is wrong; or print one as Lua" },
     [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
                        "this; of a command; of the settings and their file; of the Lua API, and what has a word in "
                        "it" },
@@ -145,7 +147,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, NUMBER(bank, 0, 15), "the bank, 0 to 15" },
     [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE, TEXT(out),
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; export: the program; survive: demo, or with .png in place of its ending the "
+                     "pack: ROM file; export: the file; survive: demo, or with .png in place of its ending the "
                      "picture, with --all "
                      "their folder; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship could be, frame by frame" },
@@ -163,9 +165,11 @@ const struct option_row args_options[OPTIONS] = {
                            "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES, SWITCH(nearest),
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
+    [OPTION_PLAIN] = { "--plain", NULL, FOR_PACK, SWITCH(plain),
+                       "pack: do not compress, for machines that read the ROM where it is; it is the same game" },
     [OPTION_FROM] = { "--from", "NAME", FOR_NEW, TEXT(from),
                       "which game: shooter (ship, stage, boss, music; without --from), first (30 lines), pattern (a "
-                      "place to try patterns)" },
+                      "place to try patterns), bulletml (a gallery of documents)" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY, SWITCH(bisect),
                         "verify --bisect A B: compare what hash printed of two runs (--parts or --trace); names the "
                         "first frame, part, slot and column that differ. - is standard input" },
@@ -204,7 +208,14 @@ const struct option_row args_options[OPTIONS] = {
                       "panels; verify, render" },
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
                          "also write FILE.desktop and FILE.png, an entry for the desktop's menu" },
+    [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, SWITCH(web),
+                     "not a program: one HTML file that plays the game in browsers, ID.html" },
+    [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, SWITCH(libretro),
+                          "not a program: a core for RetroArch and its like with the game in it, ID_libretro.so, and "
+                          "beside it ID_libretro.info" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full), "also the texts of the licences, to be given along" },
+    [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),
+                     "print the script that does the same with motion programs and tasks" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script fault; play: how late sound was; verify: hashes, "
                          "moment and buttons of a difference too (also -v, --traceback)" },

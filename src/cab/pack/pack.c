@@ -17,10 +17,13 @@
 #include "../../base/heap.h"
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
+#include "../../board/rom/compressed.h"
 #include "../../board/script.h"
 #include "../../board/std.h"
 #include "../../snd/tune.h"
 #include "art.h"
+#include "../bulletml/compile.h"
+#include "../bulletml/document.h"
 #include "../tables/blend.h"
 #include "bdf.h"
 #include "faces.h"
@@ -169,9 +172,9 @@ static bool read_manifest(struct packer *p)
 static bool add_manifest(struct packer *p)
 {
     uint8_t bytes[MANIFEST_BYTES];
+    const size_t size = manifest_pack(&p->m, bytes);
 
-    manifest_pack(&p->m, bytes);
-    return add_copy(p, "", "manifest", bytes, sizeof bytes);
+    return add_copy(p, "", "manifest", bytes, size);
 }
 
 /* Does p stand behind -- in its line? */
@@ -817,20 +820,77 @@ static bool add_lang(struct packer *p, const char *path)
     return size > 0 ? add(p, "lang/", name, data, size) : err_set(p->err, p->err_size, "out of memory");
 }
 
+bool pack_is_bulletml(const char *path)
+{
+    return starts_with(path, "bulletml/") && ends_with(path + strlen("bulletml/"), ".xml");
+}
+
+/* The name of a document: what stands behind bulletml/, with _ for what no file of a ROM has in its name. Collections
+ * have names such as "[game] boss 2.xml". */
+static void name_bulletml(const char *path, char name[PATH])
+{
+    const char *from = path + strlen("bulletml/");
+    const int n = (int)(strlen(from) - strlen(".xml"));
+
+    snprintf(name, PATH, "%.*s", n, from);
+    for (char *c = name; *c != '\0'; c++)
+        if (strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./", *c) == NULL)
+            *c = '_';
+}
+
+/* Is it no document's that is in already? */
+static bool name_free(const struct packer *p, const char *name)
+{
+    for (int i = 0; i < p->lumps.n; i++)
+        if (starts_with(p->lumps.lump[i].name, "bulletml/") &&
+            strcmp(p->lumps.lump[i].name + strlen("bulletml/"), name) == 0)
+            return false;
+    return true;
+}
+
+/* A document becomes the program that the board runs. */
+static bool add_bulletml(struct packer *p, const char *path)
+{
+    char name[PATH];
+    uint8_t *text, *data = NULL;
+    struct document d;
+    size_t size;
+
+    if (!load_in(p, path, DOCUMENT_FILE, &text, &size))
+        return false;
+    const bool good = document_read(&d, (const char *)text, size, path, p->warn, p->context, p->err, p->err_size) &&
+                      bulletml_compile(&d, path, &data, &size, p->err, p->err_size);
+    document_close(&d);
+    free(text);
+    name_bulletml(path, name);
+    if (good && !name_free(p, name)) {
+        free(data);
+        return err_set(p->err, p->err_size, "%s: another document is packed as \"%s\", too", path, name);
+    }
+    return good && add(p, "bulletml/", name, data, size);
+}
+
+/* Documents are there for a game that has room to run them. */
+static bool goes_in(const struct packer *p, const char *path)
+{
+    return ends_with(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
+}
+
 static bool add_file(struct packer *p, const char *path)
 {
     bool lua = ends_with(path, ".lua"), demo = starts_with(path, "demos/") && ends_with(path + 6, ".demo");
 
-    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !ends_with(path, ".txt")))
+    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !goes_in(p, path)))
         return true;
-    if (!manifest_path_ok(path))
+    if (!manifest_path_ok(path) && !pack_is_bulletml(path))
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
-    return lua                  ? add_script(p, path)
-           : demo               ? add_demo(p, path)
-           : pack_is_lang(path) ? add_lang(p, path)
-                                : add_text(p, path);
+    return lua                       ? add_script(p, path)
+           : demo                    ? add_demo(p, path)
+           : pack_is_lang(path)      ? add_lang(p, path)
+           : ends_with(path, ".txt") ? add_text(p, path)
+                                     : add_bulletml(p, path);
 }
 
 static bool add_files(struct packer *p)
@@ -981,13 +1041,34 @@ bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context,
 
 /* ---- ROMs ---- */
 
+bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
+{
+    if (!compressed_is(*bytes, *size))
+        return true;
+    const size_t plain_size = compressed_size(*bytes, *size, err, err_size);
+    if (plain_size == 0)
+        return false;
+    uint8_t *plain = malloc(plain_size);
+    if (!plain)
+        return err_set(err, err_size, "out of memory");
+    if (!compressed_read(*bytes, *size, plain, err, err_size)) {
+        free(plain);
+        return false;
+    }
+    free(*bytes);
+    *bytes = plain;
+    *size = plain_size;
+    return true;
+}
+
 static bool load_file(const char *path, struct rom_image *out, char *err, size_t err_size)
 {
     char why[256];
 
     if (!files_read(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
         return false;
-    if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
+    if (rom_image_plain(&out->bytes, &out->size, why, sizeof why) &&
+        check_image(out->bytes, out->size, &out->rom, why, sizeof why))
         return true;
     rom_image_free(out);
     return err_set(err, err_size, "%s: %s", path, why);

@@ -2,8 +2,8 @@
  * pack.h - a game's folder to a ROM, and a ROM to files again.
  * floor: cab
  *
- * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names, and the
- * modules of the standard library that these scripts name, or modules that go in (std.h). std/NAME.lua of the game goes
+ * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names,
+ * bulletml/NAME.xml as programs where rom.lua has room for their runners, and the modules of the standard library that these scripts name, or modules that go in (std.h). std/NAME.lua of the game goes
  * in too, in place of the library's NAME. Left out: tests/, names that start with a dot, all other files. The same
  * folder gives the same bytes, on every host.
  */
@@ -30,6 +30,9 @@ bool pack_is_std(const char *path);
 /* Is it a language's file, lang/NAME.txt? */
 bool pack_is_lang(const char *path);
 
+/* Is it a BulletML document, bulletml/NAME.xml? */
+bool pack_is_bulletml(const char *path);
+
 /* A ROM in memory, checked by rom_open and cart_open. */
 struct rom_image {
     uint8_t *bytes; /* malloc; NULL: nothing is loaded */
@@ -52,6 +55,10 @@ bool rom_image_load(const char *path, bool nearest, struct rom_image *out, char 
 bool rom_image_load_told(const char *path, bool nearest, void (*warn)(void *context, const char *sentence),
                          void *context, struct rom_image *out, char *err, size_t err_size);
 void rom_image_free(struct rom_image *image);
+
+/* Where *bytes (malloc) are a compressed ROM, puts the plain one in their place. False and one sentence: they are a
+ * damaged one, and stay. */
+bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size);
 
 /* Calls each with one line a lump, in order: "script/main.lua 1234 0a1b2c3d" (name, bytes, CRC32). */
 void pack_list(const struct rom *rom, void (*each)(void *user, const char *line), void *user);

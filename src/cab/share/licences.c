@@ -127,8 +127,8 @@ enum result licences_run(bool full)
     for (int i = 0; i < n; i++)
         printf("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
                all[i].what);
-    puts("Packing opens libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) where they are installed, for recordings;");
-    puts("a game that is played needs neither.");
+    puts("Packing opens libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) where they are installed, for recordings,");
+    puts("and libexpat (MIT) for BulletML; a game that is played needs none of them.");
     if (full)
         print_texts(all, n);
     else

@@ -15,7 +15,7 @@
 
 static bool is_source(const char *path)
 {
-    static const char *const ends[] = { ".lua", ".mml", ".tmx", ".bdf", ".ase", ".aseprite" };
+    static const char *const ends[] = { ".lua", ".mml", ".tmx", ".bdf", ".ase", ".aseprite", ".xml" };
     const char *dot = strrchr(path, '.');
 
     for (size_t i = 0; dot && i < sizeof ends / sizeof *ends; i++)

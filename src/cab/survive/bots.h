@@ -7,7 +7,7 @@
  *     dodge   six of them see bullets as they were 12 frames ago, think that these fly straight on, and every 4 frames
  *             take the way on which none comes near for longest
  *
- * Or more of them, in these parts, that fly on when they are hit: how often that is says how hard all of the section is.
+ * Or more of them, in these parts, that fly on when they are hit: how often that is says how hard a section is.
  */
 #ifndef CAB_BOTS_H
 #define CAB_BOTS_H

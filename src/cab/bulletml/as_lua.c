@@ -1,0 +1,550 @@
+/*
+ * as_lua.c - see as_lua.h. The script has a function for each element that is asked for by its label, in the tables
+ * actions, fires and bullets, and is written as the document is: a line or two an element. What runs a list of commands
+ * is `s`, with its thing and the shot before; bullets that a motion program can lead have one, the others a task.
+ */
+#include "as_lua.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include "as_lua_parts.h"
+
+static void line(struct lua_writer *w)
+{
+    as_lua_put(&w->body, "%*s", 2 * w->indent, "");
+}
+
+/* ---- names ---- */
+
+static bool is_word(const char *s)
+{
+    static const char *const kept[] = { "and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+                                        "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+                                        "repeat",   "return", "then", "true", "until",  "while" };
+
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
+        if (strcmp(s, kept[i]) == 0)
+            return false;
+    for (const char *c = s; *c; c++)
+        if (!(isalpha((unsigned char)*c) || *c == '_' || (c > s && isdigit((unsigned char)*c))) || (*c & 0x80))
+            return false;
+    return *s != '\0';
+}
+
+static void put_string(struct lua_text *t, const char *s)
+{
+    as_lua_put(t, "\"");
+    for (; *s; s++)
+        as_lua_put(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
+    as_lua_put(t, "\"");
+}
+
+/* "actions.ring", "bullets["two words"]" */
+static void put_name(struct lua_writer *w, enum document_element element, const char *label)
+{
+    as_lua_put(&w->body, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
+    if (is_word(label)) {
+        as_lua_put(&w->body, ".%s", label);
+        return;
+    }
+    as_lua_put(&w->body, "[");
+    put_string(&w->body, label);
+    as_lua_put(&w->body, "]");
+}
+
+/* What runs the commands, and what is fired: s and shot, and in functions within functions s2, shot2. */
+static void put_own(struct lua_writer *w, const char *name)
+{
+    as_lua_put(&w->body, w->depth ? "%s%d" : "%s", name, w->depth + 1);
+}
+
+/* ---- numbers ---- */
+
+static const struct document_node *child(const struct lua_writer *w, int32_t node, enum document_element element)
+{
+    const int32_t i = document_child(w->d, node, element);
+
+    return i == DOCUMENT_NONE ? NULL : &w->d->node[i];
+}
+
+static void put_direction(struct lua_writer *w, const struct document_node *v)
+{
+    static const char *const names[] = { "aimed", "aimed", "straight", "turned", "next_dir" };
+
+    as_lua_put(&w->body, "%s(", names[v->type]);
+    put_own(w, "s");
+    as_lua_put(&w->body, ", ");
+    as_lua_value(&w->body, v, v->type == NODE_ABSOLUTE ? as_lua_up(w->d) : 0, false);
+    as_lua_put(&w->body, ")");
+}
+
+static void put_speed(struct lua_writer *w, const struct document_node *v)
+{
+    static const char *const names[] = { "plain", "plain", "plain", "faster", "next_speed" };
+
+    as_lua_put(&w->body, "%s(", names[v->type]);
+    put_own(w, "s");
+    as_lua_put(&w->body, ", ");
+    as_lua_value(&w->body, v, 0, false);
+    as_lua_put(&w->body, ")");
+}
+
+/* A function and what goes with every one: turn_to(s, ..., term). */
+static void begin_change(struct lua_writer *w, const char *name)
+{
+    line(w);
+    as_lua_put(&w->body, "%s(", name);
+    put_own(w, "s");
+    as_lua_put(&w->body, ", ");
+}
+
+static void end_change(struct lua_writer *w, int32_t node)
+{
+    as_lua_put(&w->body, ", ");
+    as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
+    as_lua_put(&w->body, ")\n");
+}
+
+static void put_turn(struct lua_writer *w, int32_t node)
+{
+    const struct document_node *v = child(w, node, NODE_DIRECTION);
+
+    begin_change(w, v->type == NODE_SEQUENCE ? "turn_on" : "turn_to");
+    if (v->type == NODE_SEQUENCE)
+        as_lua_value(&w->body, v, 0, false);
+    else
+        put_direction(w, v);
+    end_change(w, node);
+}
+
+static void put_change_speed(struct lua_writer *w, int32_t node)
+{
+    const struct document_node *v = child(w, node, NODE_SPEED);
+
+    begin_change(w, v->type == NODE_SEQUENCE ? "speed_on" : "speed_to");
+    if (v->type == NODE_SEQUENCE)
+        as_lua_value(&w->body, v, 0, false);
+    else
+        put_speed(w, v);
+    end_change(w, node);
+}
+
+/* In a horizontal document `vertical` leads to the right, and `horizontal` upwards. */
+static void put_push(struct lua_writer *w, int32_t node, enum document_element element)
+{
+    const struct document_node *v = child(w, node, element);
+    const bool x = (element == NODE_HORIZONTAL) != w->d->horizontal;
+
+    if (!v)
+        return;
+    begin_change(w, v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "push_on" : "push_to");
+    const bool back = w->d->horizontal && !x;
+    as_lua_put(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
+    as_lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
+    as_lua_put(&w->body, back ? ")" : "");
+    if (v->type == NODE_SEQUENCE) {
+        as_lua_put(&w->body, " * ");
+        as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
+    }
+    end_change(w, node);
+}
+
+/* ---- refs ---- */
+
+static void put_params(struct lua_writer *w, int32_t ref)
+{
+    int n = 0; /* more than nine have no name */
+
+    for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE && n < 9; i = w->d->node[i].next, n++) {
+        as_lua_put(&w->body, ", ");
+        as_lua_value(&w->body, &w->d->node[i], 0, false);
+    }
+}
+
+static int highest_param(const struct document *d, int32_t node)
+{
+    int most = 0;
+
+    for (int i = 0; i < d->node[node].ops; i++)
+        if (d->node[node].op[i].kind == EXPRESSION_PARAM && d->node[node].op[i].number > most)
+            most = (int)d->node[node].op[i].number;
+    for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next) {
+        const int inner = highest_param(d, i);
+        most = inner > most ? inner : most;
+    }
+    return most;
+}
+
+/* ---- bullets ---- */
+
+static void put_commands(struct lua_writer *w, int32_t node);
+
+static bool has_actions(const struct lua_writer *w, int32_t bullet)
+{
+    return document_child(w->d, bullet, NODE_ACTION) != DOCUMENT_NONE ||
+           document_child(w->d, bullet, NODE_ACTION_REF) != DOCUMENT_NONE;
+}
+
+/* shot.run = function(s2) ... end */
+static void put_run(struct lua_writer *w, int32_t bullet)
+{
+    line(w);
+    put_own(w, "shot");
+    w->depth++;
+    as_lua_put(&w->body, ".run = function(");
+    put_own(w, "s");
+    as_lua_put(&w->body, ")\n");
+    w->indent++;
+    put_commands(w, bullet);
+    w->indent--;
+    w->depth--;
+    line(w);
+    as_lua_put(&w->body, "end\n");
+}
+
+/* What a bullet says of itself, and its start. */
+static void put_bullet(struct lua_writer *w, int32_t bullet)
+{
+    const struct document_node *b = &w->d->node[bullet];
+    const struct document_node *speed = child(w, bullet, NODE_SPEED), *direction = child(w, bullet, NODE_DIRECTION);
+    struct lua_text motion = { 0 };
+
+    if (speed) {
+        line(w);
+        put_own(w, "shot");
+        as_lua_put(&w->body, ".speed = ");
+        put_speed(w, speed);
+        as_lua_put(&w->body, "\n");
+    }
+    if (direction) {
+        line(w);
+        put_own(w, "shot");
+        as_lua_put(&w->body, ".dir = ");
+        put_direction(w, direction);
+        as_lua_put(&w->body, "\n");
+    }
+    if (b->label[0]) {
+        line(w);
+        put_own(w, "shot");
+        as_lua_put(&w->body, ".label = ");
+        put_string(&w->body, b->label);
+        as_lua_put(&w->body, "\n");
+    }
+    if (has_actions(w, bullet) && !as_lua_motion(&motion, w->d, bullet)) {
+        put_run(w, bullet);
+    } else if (motion.n > 0) {
+        line(w);
+        put_own(w, "shot");
+        as_lua_put(&w->body, ".motion = motion.def { %s }\n", motion.s);
+    }
+    w->body.failed |= motion.failed;
+    free(motion.s);
+    line(w);
+    as_lua_put(&w->body, "launch(");
+    put_own(w, "s");
+    as_lua_put(&w->body, ", ");
+    put_own(w, "shot");
+    as_lua_put(&w->body, ")\n");
+}
+
+/* ---- fires ---- */
+
+/* { speed = plain(s, 2), dir = aimed(s, 10) } */
+static void put_shot(struct lua_writer *w, int32_t fire)
+{
+    const struct document_node *speed = child(w, fire, NODE_SPEED), *direction = child(w, fire, NODE_DIRECTION);
+
+    if (!speed && !direction) {
+        as_lua_put(&w->body, "{}");
+        return;
+    }
+    as_lua_put(&w->body, "{ ");
+    if (speed) {
+        as_lua_put(&w->body, "speed = ");
+        put_speed(w, speed);
+    }
+    if (direction) {
+        as_lua_put(&w->body, speed ? ", dir = " : "dir = ");
+        put_direction(w, direction);
+    }
+    as_lua_put(&w->body, " }");
+}
+
+static void put_fire(struct lua_writer *w, int32_t fire)
+{
+    const int32_t ref = document_child(w->d, fire, NODE_BULLET_REF), own = document_child(w->d, fire, NODE_BULLET);
+
+    line(w);
+    if (ref != DOCUMENT_NONE) {
+        put_name(w, NODE_BULLET, w->d->node[ref].label);
+        as_lua_put(&w->body, "(");
+        put_own(w, "s");
+        as_lua_put(&w->body, ", ");
+        put_shot(w, fire);
+        put_params(w, ref);
+        as_lua_put(&w->body, ")\n");
+    } else if (w->d->node[own].first == DOCUMENT_NONE && w->d->node[own].label[0] == '\0') {
+        as_lua_put(&w->body, "launch(");
+        put_own(w, "s");
+        as_lua_put(&w->body, ", ");
+        put_shot(w, fire);
+        as_lua_put(&w->body, ")\n");
+    } else {
+        as_lua_put(&w->body, "do\n");
+        w->indent++;
+        line(w);
+        as_lua_put(&w->body, "local ");
+        put_own(w, "shot");
+        as_lua_put(&w->body, " = ");
+        put_shot(w, fire);
+        as_lua_put(&w->body, "\n");
+        put_bullet(w, own);
+        w->indent--;
+        line(w);
+        as_lua_put(&w->body, "end\n");
+    }
+}
+
+/* ---- commands ---- */
+
+static void put_repeat(struct lua_writer *w, int32_t node)
+{
+    line(w);
+    as_lua_put(&w->body, "for _ = 1, ");
+    as_lua_count(&w->body, child(w, node, NODE_TIMES), 1);
+    as_lua_put(&w->body, " do\n");
+    w->indent++;
+    put_commands(w, node);
+    w->indent--;
+    line(w);
+    as_lua_put(&w->body, "end\n");
+}
+
+/* An action that calls itself at its end would go deeper each time; `return` lets go of where it came from. */
+static bool is_last(const struct lua_writer *w, int32_t node)
+{
+    const struct document_node *n = &w->d->node[node], *in = &w->d->node[n->parent];
+
+    return n->next == DOCUMENT_NONE && in->element == NODE_ACTION && in->parent == 0;
+}
+
+static void put_call(struct lua_writer *w, int32_t node)
+{
+    const struct document_node *n = &w->d->node[node];
+
+    line(w);
+    as_lua_put(&w->body, is_last(w, node) ? "return " : "");
+    put_name(w,
+             document_find(w->d, n->element, n->label) == DOCUMENT_NONE ? NODE_ACTION : w->d->node[n->target].element,
+             n->label);
+    as_lua_put(&w->body, "(");
+    put_own(w, "s");
+    put_params(w, node);
+    as_lua_put(&w->body, ")\n");
+}
+
+static void put_wait(struct lua_writer *w, int32_t node)
+{
+    line(w);
+    as_lua_put(&w->body, "pause(");
+    put_own(w, "s");
+    as_lua_put(&w->body, ", ");
+    as_lua_count(&w->body, &w->d->node[node], 0);
+    as_lua_put(&w->body, ")\n");
+}
+
+static void put_command(struct lua_writer *w, int32_t node)
+{
+    switch (w->d->node[node].element) {
+    case NODE_WAIT:
+        put_wait(w, node);
+        break;
+    case NODE_VANISH:
+        line(w);
+        put_own(w, "s");
+        as_lua_put(&w->body, ".o.gone = true\n");
+        break;
+    case NODE_FIRE:
+        put_fire(w, node);
+        break;
+    case NODE_REPEAT:
+        put_repeat(w, node);
+        break;
+    case NODE_CHANGE_DIRECTION:
+        put_turn(w, node);
+        break;
+    case NODE_CHANGE_SPEED:
+        put_change_speed(w, node);
+        break;
+    case NODE_ACCEL:
+        put_push(w, node, NODE_HORIZONTAL);
+        put_push(w, node, NODE_VERTICAL);
+        break;
+    case NODE_ACTION:
+        put_commands(w, node);
+        break;
+    case NODE_ACTION_REF:
+    case NODE_FIRE_REF:
+        put_call(w, node);
+        break;
+    default:
+        break;
+    }
+}
+
+static void put_commands(struct lua_writer *w, int32_t node)
+{
+    for (int32_t i = w->d->node[node].first; i != DOCUMENT_NONE; i = w->d->node[i].next)
+        put_command(w, i);
+}
+
+/* ---- functions ---- */
+
+static void put_function(struct lua_writer *w, int32_t node)
+{
+    const struct document_node *n = &w->d->node[node];
+    const int params = highest_param(w->d, node);
+
+    as_lua_put(&w->body, "\nfunction ");
+    if (is_word(n->label)) {
+        put_name(w, n->element, n->label);
+    } else {
+        w->body.n -= strlen("function ");
+        put_name(w, n->element, n->label);
+        as_lua_put(&w->body, " = function");
+    }
+    as_lua_put(&w->body, n->element == NODE_BULLET ? "(s, shot" : "(s");
+    for (int i = 1; i <= params; i++)
+        as_lua_put(&w->body, ", p%d", i);
+    as_lua_put(&w->body, ")\n");
+    w->indent = 1;
+    for (int i = 1; i <= params; i++)
+        as_lua_put(&w->body, "  p%d = p%d or 1\n", i, i);
+    if (n->element == NODE_ACTION)
+        put_commands(w, node);
+    else if (n->element == NODE_FIRE)
+        put_fire(w, node);
+    else
+        put_bullet(w, node);
+    w->indent = 0;
+    as_lua_put(&w->body, "end\n");
+}
+
+/* All that something asks for by its label. */
+static void put_functions(struct lua_writer *w)
+{
+    uint8_t *meant = calloc((size_t)w->d->n, 1);
+
+    w->body.failed |= !meant;
+    for (int32_t i = 0; meant && i < w->d->n; i++) {
+        if (document_is_top(w->d, i))
+            meant[i] = 1;
+        if (w->d->node[i].target != DOCUMENT_NONE)
+            meant[w->d->node[i].target] = 1;
+    }
+    for (int32_t i = 0; meant && i < w->d->n; i++)
+        if (meant[i])
+            put_function(w, i);
+    free(meant);
+}
+
+static void put_tops(struct lua_writer *w)
+{
+    as_lua_put(&w->body,
+               "\n-- All of it, in a task of a thing: play(e), or play(e, { rank = 0.8, unit = 2, kind = \"orb\" }).\n"
+               "return function(me, options)\n"
+               "  options = options or {}\n"
+               "  rank, unit = options.rank or rank, options.unit or unit\n"
+               "  kind, kinds = options.kind or kind, options.kinds or kinds\n"
+               "  local o = { me = me, dir = 90, speed = 0, root = true }\n");
+    for (int32_t i = 0; i < w->d->n; i++)
+        if (document_is_top(w->d, i)) {
+            as_lua_put(&w->body, "  task.own(me, function() ");
+            put_name(w, NODE_ACTION, w->d->node[i].label);
+            as_lua_put(&w->body, " { o = o } end)\n");
+        }
+    as_lua_put(&w->body, "end\n");
+}
+
+/* ---- what cannot be said ---- */
+
+/* Is there a vanish that no bullet is round? */
+static bool root_vanishes(const struct document *d)
+{
+    for (int32_t i = 0; i < d->n; i++) {
+        int32_t in = i;
+        if (d->node[i].element != NODE_VANISH)
+            continue;
+        while (in != 0 && d->node[in].element != NODE_BULLET)
+            in = d->node[in].parent;
+        if (in == 0)
+            return true;
+    }
+    return false;
+}
+
+static bool draws(const struct document *d)
+{
+    for (int32_t i = 0; i < d->n; i++)
+        for (int k = 0; k < d->node[i].ops; k++)
+            if (d->node[i].op[k].kind == EXPRESSION_RAND)
+                return true;
+    return false;
+}
+
+static bool has_two(const struct document *d)
+{
+    for (int32_t i = 0; i < d->n; i++) {
+        int n = 0;
+        for (int32_t k = d->node[i].first; k != DOCUMENT_NONE; k = d->node[k].next)
+            n += d->node[k].element == NODE_ACTION || d->node[k].element == NODE_ACTION_REF;
+        if (d->node[i].element == NODE_BULLET && n > 1)
+            return true;
+    }
+    return false;
+}
+
+static void put_head(struct lua_text *t, const struct document *d, const char *file, const char *body)
+{
+    as_lua_put(t, "-- ");
+    for (const char *c = strrchr(file, '/') ? strrchr(file, '/') + 1 : file; *c; c++)
+        as_lua_put(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
+    as_lua_put(t, ", as Lua. Directions: 0 is right, as everywhere in Curtain, and 90 down.\n");
+    as_lua_put(t,
+               "-- Not as in the document: a bullet flies in the frame in which it is fired, one sooner than there.\n");
+    if (draws(d))
+        as_lua_put(t, "-- Chance is the game's, so it is another than that of bullet.ml's seed.\n");
+    if (has_two(d))
+        as_lua_put(t, "-- Between a bullet's actions there a frame passes; here the next begins at once.\n");
+    if (strstr(body, "motion.def"))
+        as_lua_put(t, "-- Changes of a motion program begin one frame sooner.\n");
+    if (root_vanishes(d))
+        as_lua_put(t, "-- Where the root vanishes there, the thing stays here, unless you remove it.\n");
+    if (strstr(body, "_to(") || strstr(body, "_on("))
+        as_lua_put(t,
+                   "-- Each bullet whose speed or direction changes has a task; thousands of them are bullet.ml's.\n");
+    as_lua_put(t, "local unit, rank = 1, 0.5         -- px a frame of speed 1; 0 to 1\n"
+                  "local kind, kinds = \"orb\", {}     -- of all bullets; of those of a label: { petal = \"rice\" }\n"
+                  "local actions, fires, bullets = {}, {}, {}\n\n");
+}
+
+char *as_lua(const struct document *d, const char *file)
+{
+    struct lua_writer w = { .d = d };
+    struct lua_text whole = { 0 };
+
+    as_lua_put(&w.body, "%s", "");
+    put_functions(&w);
+    put_tops(&w);
+    if (!w.body.failed) {
+        put_head(&whole, d, file, w.body.s);
+        as_lua_helpers(&whole, w.body.s);
+        as_lua_put(&whole, "%s", w.body.s + 1);
+    }
+    free(w.body.s);
+    if (!whole.failed)
+        return whole.s;
+    free(whole.s);
+    return NULL;
+}

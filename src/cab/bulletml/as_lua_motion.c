@@ -1,0 +1,218 @@
+/*
+ * as_lua_motion.c - a bullet's actions as a motion program. That can be said where a bullet fires nothing, its frames
+ * and times are plain numbers, and what changes has come to its end when the next thing begins.
+ */
+#include "as_lua_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEPTH = 8 /* of actions in one another */, COMMANDS = 1000, LOOPS = 4 /* as motion.def takes them */ };
+
+struct steps {
+    struct lua_text text;
+    const struct document *d;
+    int32_t speed, turn; /* what was ordered and has not begun: nodes, or DOCUMENT_NONE */
+    bool none;           /* it cannot be said */
+    bool over;           /* a vanish has ended it */
+    int left;            /* commands that may come; actions can ask for each other ever so often */
+    double waited;       /* frames, in the loop that is written */
+};
+
+/* A plain number of frames or times, at least 1. */
+static double frames(struct steps *s, int32_t node)
+{
+    double v = 1;
+
+    if (node == DOCUMENT_NONE || !expression_constant(s->d->node[node].op, s->d->node[node].ops, &v) || v > 65534)
+        s->none = true;
+    v = trunc(v + 1e-6);
+    return v < 1 ? 1 : v;
+}
+
+static const struct document_node *child(const struct steps *s, int32_t node, enum document_element element)
+{
+    return &s->d->node[document_child(s->d, node, element)];
+}
+
+static void put_step(struct steps *s, const char *format, double n)
+{
+    as_lua_put(&s->text, format, s->text.n ? ", " : "", n);
+}
+
+/* ---- changes ---- */
+
+/* The inner part of a step, for a change over so many frames. */
+static void put_speed(struct steps *s, double over)
+{
+    const struct document_node *v = child(s, s->speed, NODE_SPEED);
+
+    s->none |= !as_lua_fixed(v);
+    as_lua_put(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
+    as_lua_value(&s->text, v, 0, true);
+    as_lua_put(&s->text, " * unit");
+    if (v->type == NODE_RELATIVE && over > 1)
+        as_lua_put(&s->text, " / %g", over);
+}
+
+static void put_turn(struct steps *s, double over)
+{
+    const struct document_node *v = child(s, s->turn, NODE_DIRECTION);
+    double turn = 0;
+
+    s->none |= !as_lua_fixed(v);
+    if (v->type == NODE_SEQUENCE || (v->type == NODE_RELATIVE && over == 1)) {
+        as_lua_put(&s->text, "turn = ");
+        as_lua_value(&s->text, v, 0, false);
+    } else if (v->type == NODE_RELATIVE && expression_constant(v->op, v->ops, &turn)) {
+        as_lua_put(&s->text, "turn = ");
+        as_lua_number(&s->text, round(remainder(turn, 360) / over * 1e8) / 1e8);
+    } else if (over > 1) {
+        s->none = true;
+    } else if (v->type == NODE_ABSOLUTE) {
+        as_lua_put(&s->text, "dir = ");
+        as_lua_value(&s->text, v, as_lua_up(s->d), false);
+    } else {
+        as_lua_put(&s->text, "aim = true");
+        if (!expression_constant(v->op, v->ops, &turn) || turn != 0) {
+            as_lua_put(&s->text, " }, { turn = ");
+            as_lua_value(&s->text, v, 0, false);
+        }
+    }
+}
+
+/* Both, one, or none of them, for so many frames. */
+static void put_change(struct steps *s, double over, bool speed, bool turn)
+{
+    as_lua_put(&s->text, "%s{ ", s->text.n ? ", " : "");
+    if (speed)
+        put_speed(s, over);
+    if (turn)
+        as_lua_put(&s->text, speed ? ", " : "");
+    if (turn)
+        put_turn(s, over);
+    if (over > 1)
+        as_lua_put(&s->text, ", over = %g", over);
+    as_lua_put(&s->text, " }");
+}
+
+/* What was ordered begins now and has `wait` frames. */
+static void begin(struct steps *s, double wait)
+{
+    const double speed = s->speed == DOCUMENT_NONE ? 0 : frames(s, document_child(s->d, s->speed, NODE_TERM));
+    const double turn = s->turn == DOCUMENT_NONE ? 0 : frames(s, document_child(s->d, s->turn, NODE_TERM));
+    const double last = fmax(speed, turn);
+
+    if (speed > 0 && turn > 0 && speed != turn && fmin(speed, turn) > 1)
+        s->none = true;
+    if (s->none)
+        return;
+    if (speed == 1 || (speed == turn && speed > 0))
+        put_change(s, speed, true, turn == speed);
+    if (turn > 0 && turn != speed)
+        put_change(s, turn, false, true);
+    if (speed > 1 && turn != speed)
+        put_change(s, speed, true, false);
+    s->speed = s->turn = DOCUMENT_NONE;
+    s->waited += wait;
+    wait -= last > 1 ? last : 0;
+    if (wait < 0)
+        s->none = true;
+    else if (wait > 0 && isfinite(wait))
+        put_step(s, "%s{ wait = %g }", wait);
+}
+
+/* ---- commands ---- */
+
+static void put_commands(struct steps *s, int32_t node, int depth, int loops);
+
+static void put_repeat(struct steps *s, int32_t node, int depth, int loops)
+{
+    const double times = frames(s, document_child(s->d, node, NODE_TIMES)), before = s->waited;
+
+    if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE)
+        begin(s, 0); /* what takes no time */
+    s->none |= loops == LOOPS;
+    if (s->none)
+        return;
+    struct lua_text outer = s->text;
+    s->text = (struct lua_text){ 0 };
+    s->waited = 0;
+    put_commands(s, node, depth, loops + 1);
+    if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || s->waited == 0 || s->over)
+        s->none = true;
+    as_lua_put(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, s->text.s ? s->text.s : "");
+    outer.failed |= s->text.failed;
+    free(s->text.s);
+    s->text = outer;
+    s->waited += before;
+}
+
+static void put_command(struct steps *s, int32_t node, int depth, int loops)
+{
+    const struct document_node *n = &s->d->node[node];
+
+    s->none |= --s->left < 0;
+    switch (n->element) {
+    case NODE_WAIT: {
+        double v = 0;
+        if (!expression_constant(n->op, n->ops, &v))
+            s->none = true;
+        else if (v + 1e-6 >= 1)
+            begin(s, frames(s, node));
+        break;
+    }
+    case NODE_CHANGE_SPEED:
+        s->speed = node;
+        break;
+    case NODE_CHANGE_DIRECTION:
+        s->turn = node;
+        break;
+    case NODE_VANISH:
+        s->speed = s->turn = DOCUMENT_NONE;
+        put_step(s, "%s{ die = true }", 0);
+        s->over = true;
+        break;
+    case NODE_REPEAT:
+        put_repeat(s, node, depth, loops);
+        break;
+    case NODE_ACTION:
+        put_commands(s, node, depth + 1, loops);
+        break;
+    case NODE_ACTION_REF:
+        if (n->first != DOCUMENT_NONE)
+            s->none = true;
+        else
+            put_commands(s, n->target, depth + 1, loops);
+        break;
+    case NODE_TIMES:
+    case NODE_DIRECTION:
+    case NODE_SPEED:
+        break;
+    default:
+        s->none = true;
+    }
+}
+
+static void put_commands(struct steps *s, int32_t node, int depth, int loops)
+{
+    if (depth > DEPTH)
+        s->none = true;
+    for (int32_t i = s->d->node[node].first; i != DOCUMENT_NONE && !s->none && !s->over; i = s->d->node[i].next)
+        put_command(s, i, depth, loops);
+}
+
+bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
+{
+    struct steps s = { .d = d, .left = COMMANDS, .speed = DOCUMENT_NONE, .turn = DOCUMENT_NONE };
+
+    put_commands(&s, bullet, 0, 0);
+    if (!s.none && !s.over)
+        begin(&s, INFINITY);
+    if (!s.none && s.text.n > 0)
+        as_lua_put(t, "%s", s.text.s);
+    t->failed |= s.text.failed;
+    free(s.text.s);
+    return !s.none;
+}

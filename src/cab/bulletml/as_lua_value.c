@@ -1,0 +1,166 @@
+/*
+ * as_lua_value.c - numbers of a document as Lua writes them. A stack of pieces of text, each with how tightly its words
+ * hang together, becomes one.
+ */
+#include "as_lua_parts.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void as_lua_put(struct lua_text *t, const char *format, ...)
+{
+    va_list args, again;
+
+    va_start(args, format);
+    va_copy(again, args);
+    const int n = vsnprintf(NULL, 0, format, args);
+    va_end(args);
+    if (!t->failed && t->n + (size_t)n + 1 > t->room) {
+        const size_t room = 2 * t->room + (size_t)n + 256;
+        char *more = realloc(t->s, room);
+        t->failed = !more;
+        if (more) {
+            t->s = more;
+            t->room = room;
+        }
+    }
+    if (!t->failed) {
+        vsnprintf(t->s + t->n, t->room - t->n, format, again);
+        t->n += (size_t)n;
+    }
+    va_end(again);
+}
+
+void as_lua_number(struct lua_text *t, double v)
+{
+    as_lua_put(t, "%.10g", v == 0 ? 0 : v);
+}
+
+/* How tightly: a sum, a product, a sign, one word. */
+enum tight { SUM, PRODUCT, SIGN, WORD };
+
+struct piece {
+    struct lua_text text;
+    enum tight tight;
+};
+
+static void put_piece(struct lua_text *t, const struct piece *p, enum tight least)
+{
+    const bool open = p->tight < least;
+
+    as_lua_put(t, "%s%s%s", open ? "(" : "", p->text.s ? p->text.s : "", open ? ")" : "");
+}
+
+static void join(struct piece *a, struct piece *b, enum expression_kind kind)
+{
+    static const char *const signs[] = {
+        [EXPRESSION_ADD] = " + ",
+        [EXPRESSION_SUBTRACT] = " - ",
+        [EXPRESSION_MULTIPLY] = " * ",
+        [EXPRESSION_DIVIDE] = " / ",
+    };
+    const enum tight own = kind == EXPRESSION_ADD || kind == EXPRESSION_SUBTRACT ? SUM : PRODUCT;
+    struct piece both = { .tight = own };
+
+    put_piece(&both.text, a, own);
+    as_lua_put(&both.text, "%s", signs[kind]);
+    put_piece(&both.text, b, kind == EXPRESSION_ADD || kind == EXPRESSION_MULTIPLY ? own : own + 1);
+    free(a->text.s);
+    free(b->text.s);
+    *a = both;
+}
+
+static void negate(struct piece *p)
+{
+    struct piece less = { .tight = SIGN };
+
+    as_lua_put(&less.text, "-");
+    put_piece(&less.text, p, WORD);
+    free(p->text.s);
+    *p = less;
+}
+
+static struct piece one_word(const struct expression_op *op)
+{
+    struct piece p = { .tight = WORD };
+
+    if (op->kind == EXPRESSION_NUMBER)
+        as_lua_number(&p.text, round((double)op->number / 4294967296.0 * 1e8) / 1e8);
+    else if (op->kind == EXPRESSION_RAND)
+        as_lua_put(&p.text, "rng.number(0, 1)");
+    else if (op->kind == EXPRESSION_RANK)
+        as_lua_put(&p.text, "rank");
+    else if (op->number == 0)
+        as_lua_put(&p.text, "1");
+    else
+        as_lua_put(&p.text, "p%d", (int)op->number);
+    return p;
+}
+
+static struct piece whole_of(const struct document_node *node)
+{
+    struct piece stack[EXPRESSION_STACK] = { 0 };
+    int top = 0;
+
+    for (int i = 0; i < node->ops; i++) {
+        if (node->op[i].kind <= EXPRESSION_PARAM)
+            stack[top++] = one_word(&node->op[i]);
+        else if (node->op[i].kind == EXPRESSION_NEGATE)
+            negate(&stack[top - 1]);
+        else {
+            join(&stack[top - 2], &stack[top - 1], node->op[i].kind);
+            top--;
+        }
+    }
+    return stack[0];
+}
+
+void as_lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight)
+{
+    double v;
+
+    if (expression_constant(node->op, node->ops, &v)) {
+        as_lua_number(t, round((v + add) * 1e8) / 1e8);
+        return;
+    }
+    struct piece p = whole_of(node);
+    const bool open = tight && (add != 0 || p.tight < SIGN);
+    as_lua_put(t, "%s%s", open ? "(" : "", p.text.s ? p.text.s : "");
+    if (add != 0) {
+        as_lua_put(t, add < 0 ? " - " : " + ");
+        as_lua_number(t, fabs(add));
+    }
+    as_lua_put(t, open ? ")" : "");
+    t->failed |= p.text.failed;
+    free(p.text.s);
+}
+
+void as_lua_count(struct lua_text *t, const struct document_node *node, int least)
+{
+    double v;
+
+    if (expression_constant(node->op, node->ops, &v)) {
+        const double n = trunc(v + (v < 0 ? -1e-6 : 1e-6));
+        as_lua_number(t, n < least ? least : n > 1e9 ? 1e9 : n);
+        return;
+    }
+    as_lua_put(t, "count(");
+    as_lua_value(t, node, 0, false);
+    as_lua_put(t, ", %d)", least);
+}
+
+bool as_lua_fixed(const struct document_node *node)
+{
+    for (int i = 0; i < node->ops; i++)
+        if (node->op[i].kind == EXPRESSION_RAND || node->op[i].kind == EXPRESSION_PARAM)
+            return false;
+    return true;
+}
+
+double as_lua_up(const struct document *d)
+{
+    return d->horizontal ? -180 : -90;
+}

@@ -1,0 +1,211 @@
+/*
+ * document_check.c - is each element of a document where it may be, and has what it must have? What libbulletml takes
+ * is taken, such as <term> before <direction>; what makes it crash is refused.
+ */
+#include "document_parts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/edit.h"
+
+#define BIT(element) (1u << (element))
+
+enum {
+    ACTIONS = BIT(NODE_ACTION) | BIT(NODE_ACTION_REF),
+    BULLETS = BIT(NODE_BULLET) | BIT(NODE_BULLET_REF),
+    AIMS = BIT(NODE_DIRECTION) | BIT(NODE_SPEED),
+    COMMANDS = ACTIONS | BIT(NODE_REPEAT) | BIT(NODE_FIRE) | BIT(NODE_FIRE_REF) | BIT(NODE_CHANGE_SPEED) |
+               BIT(NODE_CHANGE_DIRECTION) | BIT(NODE_ACCEL) | BIT(NODE_WAIT) | BIT(NODE_VANISH),
+    ONCE = AIMS | BIT(NODE_HORIZONTAL) | BIT(NODE_VERTICAL) | BIT(NODE_TERM) | BIT(NODE_TIMES)
+};
+
+/* What may stand in an element, and what must: one of each of the sets. */
+static const struct {
+    unsigned may, must[2];
+} rules[NODE_ELEMENTS] = {
+    [NODE_BULLETML] = { BIT(NODE_BULLET) | BIT(NODE_FIRE) | BIT(NODE_ACTION), { 0, 0 } },
+    [NODE_BULLET] = { AIMS | ACTIONS, { 0, 0 } },
+    [NODE_ACTION] = { COMMANDS, { 0, 0 } },
+    [NODE_FIRE] = { AIMS | BULLETS, { BULLETS, 0 } },
+    [NODE_CHANGE_DIRECTION] = { BIT(NODE_DIRECTION) | BIT(NODE_TERM), { BIT(NODE_DIRECTION), BIT(NODE_TERM) } },
+    [NODE_CHANGE_SPEED] = { BIT(NODE_SPEED) | BIT(NODE_TERM), { BIT(NODE_SPEED), BIT(NODE_TERM) } },
+    [NODE_ACCEL] = { BIT(NODE_HORIZONTAL) | BIT(NODE_VERTICAL) | BIT(NODE_TERM), { BIT(NODE_TERM), 0 } },
+    [NODE_REPEAT] = { COMMANDS | BIT(NODE_TIMES), { BIT(NODE_TIMES), ACTIONS } },
+    [NODE_BULLET_REF] = { BIT(NODE_PARAM), { 0, 0 } },
+    [NODE_ACTION_REF] = { BIT(NODE_PARAM), { 0, 0 } },
+    [NODE_FIRE_REF] = { BIT(NODE_PARAM), { 0, 0 } },
+};
+
+static void bad_at(struct document_reader *r, int32_t node, const char *why, const char *what)
+{
+    const struct document_node *n = &r->d->node[node];
+
+    document_bad(r, n->line, n->column, why, document_element_name(n->element), what);
+}
+
+/* "<direction>", "<bullet> or <bulletRef>" */
+static void say_set(unsigned set, char out[64])
+{
+    size_t at = 0;
+
+    out[0] = '\0';
+    for (int e = 0; e < NODE_ELEMENTS && at < 64; e++)
+        if (set >> e & 1)
+            at += (size_t)snprintf(out + at, 64 - at, "%s<%s>", at ? " or " : "",
+                                   document_element_name((enum document_element)e));
+}
+
+/* ---- children ---- */
+
+/* What came before, in a fire and in a repeat: their bodies stand last, for libbulletml reads them so. */
+static void check_order(struct document_reader *r, int32_t node, int32_t child, unsigned before)
+{
+    const enum document_element in = r->d->node[node].element;
+    const unsigned is = BIT(r->d->node[child].element);
+
+    if (in == NODE_FIRE && (is & AIMS) && (before & BULLETS))
+        bad_at(r, child, "<%s> stands behind the %s of its <fire>; write it before", "bullet");
+    else if (in == NODE_FIRE && (is & BULLETS) && (before & BULLETS))
+        bad_at(r, child, "<%s>: a %s bullet in one <fire>", "second");
+    else if (in == NODE_REPEAT && (is & BIT(NODE_TIMES)) && before)
+        bad_at(r, child, "<%s> stands behind the %s of its <repeat>; write it before", "action");
+    else if (in == NODE_REPEAT && (is & COMMANDS & ~(unsigned)ACTIONS) && !(before & ACTIONS))
+        bad_at(r, child, "<%s> stands in <repeat> without %s round it", "an <action>");
+}
+
+static void check_children(struct document_reader *r, int32_t node)
+{
+    const struct document *d = r->d;
+    const enum document_element in = d->node[node].element;
+    unsigned before = 0;
+    char set[64];
+
+    for (int32_t i = d->node[node].first; i != DOCUMENT_NONE && !r->failed; i = d->node[i].next) {
+        const unsigned is = BIT(d->node[i].element);
+        if (!(rules[in].may & is))
+            bad_at(r, i, "<%s> may not stand in <%s>", document_element_name(in));
+        else if (before & is & ONCE)
+            bad_at(r, i, "<%s>: a second one in one <%s>", document_element_name(in));
+        else
+            check_order(r, node, i, before);
+        before |= is;
+    }
+    for (int k = 0; k < 2 && !r->failed; k++)
+        if (rules[in].must[k] && !(rules[in].must[k] & before)) {
+            say_set(rules[in].must[k], set);
+            bad_at(r, node, "<%s> has no %s", set);
+        }
+}
+
+/* ---- labels ---- */
+
+struct label {
+    const struct document_node *node;
+    int32_t at;
+};
+
+static int by_label(const void *a, const void *b)
+{
+    const struct label *x = a, *y = b;
+    const int d = (int)x->node->element - (int)y->node->element;
+
+    return d ? d : strcmp(x->node->label, y->node->label);
+}
+
+static int by_label_and_place(const void *a, const void *b)
+{
+    const struct label *x = a, *y = b;
+    const int d = by_label(a, b);
+
+    return d ? d : (x->at > y->at) - (x->at < y->at);
+}
+
+static void bad_label(struct document_reader *r, int32_t ref, const struct label *labels, int n)
+{
+    const struct document_node *at = &r->d->node[ref];
+    const enum document_element meant = document_meant(at->element);
+    const char *near = "";
+    int best = EDIT_FAR;
+
+    for (int i = 0; i < n; i++) {
+        const int far = labels[i].node->element == meant ? edit_distance(at->label, labels[i].node->label) : EDIT_FAR;
+        if (far < best) {
+            best = far;
+            near = labels[i].node->label;
+        }
+    }
+    document_bad(r, at->line, at->column, "<%s>: there is no <%s label=\"%s\">%s%s%s",
+                 document_element_name(at->element), document_element_name(meant), at->label,
+                 near[0] ? " (did you mean \"" : "", near, near[0] ? "\"?)" : "");
+}
+
+/* The last of that label; labels are sorted, those of one name by place. */
+static int32_t target_of(const struct document *d, int32_t ref, const struct label *labels, int n)
+{
+    struct document_node wanted = { .element = document_meant(d->node[ref].element), .label = d->node[ref].label };
+    const struct label key = { &wanted, 0 };
+    int low = 0, high = n; /* the first that is greater than the key */
+
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (by_label(&labels[middle], &key) > 0)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low > 0 && by_label(&labels[low - 1], &key) == 0 ? labels[low - 1].at : DOCUMENT_NONE;
+}
+
+/* Of two of a label that something asks for. Bullets that are fired where they stand may share theirs: it names them. */
+static void tell_twins(struct document_reader *r, const struct label *labels, int n)
+{
+    uint8_t *asked = calloc((size_t)r->d->n, 1);
+
+    for (int32_t i = 0; asked && i < r->d->n; i++)
+        if (r->d->node[i].target != DOCUMENT_NONE)
+            asked[r->d->node[i].target] = 1;
+    for (int last = n - 1, i = n - 2; asked && i >= 0; i--) {
+        if (by_label(&labels[i], &labels[last]) != 0)
+            last = i;
+        else if (asked[labels[last].at])
+            document_told(r, labels[i].at, "label \"%s\" is there again in line %d, which is the one that counts",
+                          labels[i].node->label, labels[last].node->line);
+    }
+    free(asked);
+}
+
+static void check_labels(struct document_reader *r)
+{
+    struct document *d = r->d;
+    struct label *labels = malloc((size_t)d->n * sizeof *labels);
+    int n = 0;
+
+    if (!labels) {
+        document_bad(r, 1, 1, "out of memory");
+        return;
+    }
+    for (int32_t i = 0; i < d->n; i++)
+        if (d->node[i].element >= NODE_BULLET && d->node[i].element <= NODE_FIRE && d->node[i].label[0] != '\0')
+            labels[n++] = (struct label){ &d->node[i], i };
+    qsort(labels, (size_t)n, sizeof *labels, by_label_and_place);
+    for (int32_t i = 0; i < d->n && !r->failed; i++) {
+        if (d->node[i].element < NODE_BULLET_REF || d->node[i].element > NODE_FIRE_REF)
+            continue;
+        if (d->node[i].label[0] == '\0')
+            bad_at(r, i, "<%s> has no %s", "label");
+        else if ((d->node[i].target = target_of(d, i, labels, n)) == DOCUMENT_NONE)
+            bad_label(r, i, labels, n);
+    }
+    if (!r->failed)
+        tell_twins(r, labels, n);
+    free(labels);
+}
+
+void document_check(struct document_reader *r)
+{
+    for (int32_t i = 0; i < r->d->n && !r->failed; i++)
+        check_children(r, i);
+    if (!r->failed)
+        check_labels(r);
+}

@@ -1,0 +1,507 @@
+/*
+ * test_document.c - BulletML documents: the tree that is read, numbers to the last bit, each way in which one is
+ * refused with its place, what is told of those that are allowed, and documents that mean harm.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/cab/bulletml/document.h"
+
+#define HEAD       "<?xml version=\"1.0\"?>\n<bulletml>\n"
+#define TAIL       "\n</bulletml>\n"
+#define TOP(body)  HEAD "<action label=\"top\">" body "</action>" TAIL
+#define FIRE(body) TOP("<fire>" body "</fire>")
+
+static struct document d;
+static char err[1200], told[8192];
+static int tells;
+
+static void tell(void *context, const char *sentence)
+{
+    const size_t n = strlen(told);
+
+    (void)context;
+    tells++;
+    snprintf(told + n, sizeof told - n, "%s\n", sentence);
+}
+
+/* Reads a copy of exactly that size, so that a sanitizer sees any read beyond it. */
+static bool reads_n(const char *text, size_t n)
+{
+    char *copy = malloc(n + (n == 0));
+
+    memcpy(copy, text, n);
+    told[0] = err[0] = '\0';
+    tells = 0;
+    const bool good = document_read(&d, copy, n, "a.xml", tell, NULL, err, sizeof err);
+    free(copy);
+    return good;
+}
+
+static void good(const char *text)
+{
+    if (!reads_n(text, strlen(text)))
+        fail_msg("%s\n%s", text, err);
+}
+
+static void bad_n(const char *text, size_t n, const char *want)
+{
+    if (reads_n(text, n))
+        fail_msg("taken: %.400s", text);
+    if (strcmp(err, want) != 0)
+        print_message("%.400s\n", text);
+    assert_string_equal(err, want);
+    document_close(&d);
+}
+
+static void bad(const char *text, const char *want)
+{
+    bad_n(text, strlen(text), want);
+}
+
+static void tells_of(const char *text, const char *want)
+{
+    good(text);
+    if (strcmp(told, want) != 0)
+        print_message("%s\n", text);
+    assert_string_equal(told, want);
+    document_close(&d);
+}
+
+/* ---- the tree ---- */
+
+static void test_tree(void **state)
+{
+    (void)state;
+    good("<?xml version=\"1.0\" ?>\n"
+         "<!DOCTYPE bulletml SYSTEM \"http://example.org/bulletml.dtd\">\n"
+         "<bulletml type=\"horizontal\" xmlns=\"http://example.org/\">\n"
+         "  <!-- a comment -->\n"
+         "  <bullet label=\"ball\"><speed type=\"relative\">1</speed><action><vanish/></action></bullet>\n"
+         "  <action label=\"top1\"><fire>\n"
+         "    <direction>0</direction><speed type=\"sequence\">2</speed>\n"
+         "    <bulletRef label=\"ball\"><param>3</param><param>$rank</param></bulletRef></fire></action>\n"
+         "</bulletml>\n");
+    assert_true(d.horizontal);
+    assert_int_equal(tells, 0);
+    assert_int_equal(d.n, 12);
+    const int32_t ball = d.node[0].first, top = d.node[ball].next;
+    assert_int_equal(d.node[ball].element, NODE_BULLET);
+    assert_string_equal(d.node[ball].label, "ball");
+    assert_int_equal(d.node[ball].line, 5);
+    assert_int_equal(d.node[ball].column, 3);
+    assert_int_equal(d.node[top].next, DOCUMENT_NONE);
+    assert_int_equal(d.node[0].last, top);
+    assert_true(document_is_top(&d, top) && !document_is_top(&d, ball));
+    const int32_t fire = d.node[top].first, direction = document_child(&d, fire, NODE_DIRECTION);
+    const int32_t speed = document_child(&d, fire, NODE_SPEED), ref = document_child(&d, fire, NODE_BULLET_REF);
+    assert_int_equal(d.node[direction].type, NODE_PLAIN);
+    assert_int_equal(d.node[direction].ops, 1);
+    assert_int_equal(d.node[speed].type, NODE_SEQUENCE);
+    assert_int_equal(d.node[speed].parent, fire);
+    assert_int_equal(d.node[ref].target, ball);
+    assert_int_equal(document_find(&d, NODE_BULLET_REF, "ball"), ball);
+    assert_int_equal(document_find(&d, NODE_ACTION, "ball"), DOCUMENT_NONE);
+    assert_int_equal(document_child(&d, fire, NODE_BULLET), DOCUMENT_NONE);
+    const int32_t param = d.node[ref].first;
+    assert_int_equal(d.node[param].op[0].kind, EXPRESSION_NUMBER);
+    assert_int_equal(d.node[d.node[param].next].op[0].kind, EXPRESSION_RANK);
+    assert_string_equal(document_element_name(d.node[param].element), "param");
+    assert_string_equal(document_type_name(d.node[speed].type), "sequence");
+    document_close(&d);
+    good("<bulletml/>");
+    assert_int_equal(d.n, 1);
+    document_close(&d);
+    good("\xef\xbb\xbf<bulletml type='none'><action label='top'/></bulletml>"); /* with a byte order mark */
+    document_close(&d);
+    assert_int_equal(tells, 0);
+}
+
+/* libbulletml takes the last of two, wherever they stand. */
+static void test_labels(void **state)
+{
+    (void)state;
+    good(TOP("<actionRef label=\"a\"/><action label=\"a\"/><fireRef label=\"a\"/>"
+             "<repeat><times>2</times><action label=\"a\"><fire label=\"a\"><bullet/></fire></action></repeat>"));
+    const int32_t ref = d.node[d.node[0].first].first;
+    assert_int_equal(d.node[d.node[ref].target].parent, document_find(&d, NODE_ACTION, "a") - 2);
+    assert_int_equal(d.node[ref].target, document_find(&d, NODE_ACTION, "a"));
+    assert_string_equal(told, "a.xml:3:43: <action>: label \"a\" is there again in line 3, which is the one that "
+                              "counts\n");
+    document_close(&d);
+    tells_of(HEAD
+             "<action label=\"top\"><actionRef label=\"caf\xc3\xa9\"/></action><action label=\"caf\xc3\xa9\"/>" TAIL,
+             "");
+}
+
+/* ---- numbers ---- */
+
+static struct expression_op op[EXPRESSION_OPS];
+static bool large;
+
+static int64_t number(const char *text)
+{
+    struct expression_error error;
+
+    if (expression_read(text, strlen(text), op, &large, &error) != 1)
+        fail_msg("%s", text);
+    assert_int_equal(op[0].kind, EXPRESSION_NUMBER);
+    return op[0].number;
+}
+
+static void test_decimals(void **state)
+{
+    const int64_t one = (int64_t)1 << 32;
+
+    (void)state;
+    assert_true(number("0") == 0 && number(" 007\t\n") == 7 * one && number("1.") == one && number(".5") == one / 2);
+    assert_true(number("0.1") == 429496730); /* 429496729.6 */
+    assert_true(number("0.7") == 3006477107 && number("2.3") == 2 * one + 1288490189);
+    assert_true(number("0.00000000011641532182693481") == 0); /* half a unit is 0.000000000116415321826934814.. */
+    assert_true(number("0.00000000011641532182693482") == 1);
+    assert_true(number("0.9999999999999999999999999999999999999999999999999") == one);
+    assert_true(number("2147483647.5") == 2147483647 * one + one / 2 && !large);
+    assert_true(number("2147483648") == INT64_MAX && large);
+    assert_true(number("2147483647.99999999999") == INT64_MAX && !large);
+    assert_true(number("99999999999999999999999999999999999999") == INT64_MAX && large);
+}
+
+/* As a text: n a number, ? $rand, r $rank, $1.. and the signs. */
+static void words(const char *text, const char *want)
+{
+    static const char signs[] = "n?r$+-*/~";
+    struct expression_error error;
+    char got[EXPRESSION_OPS + 1] = "";
+    const int n = expression_read(text, strlen(text), op, &large, &error);
+
+    for (int i = 0; i < n; i++)
+        got[i] = op[i].kind == EXPRESSION_PARAM ? (char)('0' + op[i].number) : signs[op[i].kind];
+    if (n == 0)
+        fail_msg("%s: %s", text, error.text);
+    assert_string_equal(got, want);
+}
+
+static void refused(const char *text, size_t at, const char *want)
+{
+    struct expression_error error = { 99, "" };
+
+    assert_int_equal(expression_read(text, strlen(text), op, &large, &error), 0);
+    assert_string_equal(error.text, want);
+    assert_int_equal(error.at, at);
+}
+
+static void test_expressions(void **state)
+{
+    double v = 0;
+
+    (void)state;
+    words("$rand-$rank", "?r-");
+    words("1+2*3-4/5", "nnn*+nn/-");
+    words("10-4-3", "nn-n-");
+    words("-2*3+1", "n~n*n+");
+    words("3--2", "nn~-");
+    words("-(-$1)", "1~~");
+    words("(1+2)*$9\n\t + $0", "nn+9*0+");
+    words("$rand*($rank*$2)", "?r2**");
+    assert_int_equal(expression_depth(op, 5), 3);
+    words("(16/4-1)*-2", "nn/n-n~*");
+    assert_true(expression_constant(op, 8, &v) && v == -6);
+    words("1/(2-2)", "nnn-/");
+    assert_false(expression_constant(op, 5, &v));
+    words("$1", "1");
+    assert_false(expression_constant(op, 1, &v));
+}
+
+static void test_bad_expressions(void **state)
+{
+    char deep[200];
+
+    (void)state;
+    refused("10%3", 2, "expected + - * / or the end, got \"%\"");
+    refused("1e2", 1, "expected + - * / or the end, got \"e\"");
+    refused("1.5.2", 3, "expected + - * / or the end, got \".\"");
+    refused("+5", 0, "expected a number, $rand, $rank, $1 to $9, - or (, got \"+\"");
+    refused("2*", 2, "expected a number, $rand, $rank, $1 to $9, - or (, got the end");
+    refused("(1+2", 4, "expected + - * / or ), got the end");
+    refused("1)", 1, "expected + - * / or the end, got \")\"");
+    refused(".", 1, "expected a digit behind \".\", got the end");
+    refused("$RAND", 1, "expected rand, rank or 1 to 9 behind \"$\", got \"R\"");
+    refused("$loop.index", 1, "expected rand, rank or 1 to 9 behind \"$\", got \"l\"");
+    refused("$randy", 1, "expected rand, rank or 1 to 9 behind \"$\", got \"r\"");
+    refused("$12", 2, "expected + - * / or the end, got \"2\"");
+    refused("$", 1, "expected rand, rank or 1 to 9 behind \"$\", got the end");
+    refused("2 \xc3\x97 3", 2, "expected + - * / or the end, got \"\xc3\x97\"");
+    refused("", 0, "expected a number, $rand, $rank, $1 to $9, - or (, got the end");
+    memset(deep, '-', sizeof deep);
+    deep[199] = '\0';
+    refused(deep, EXPRESSION_NEST, "too many parentheses or signs in one another");
+    strcpy(deep, "1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1+(1))))))))))))))))");
+    refused(deep, 0, "too many numbers wait for each other; write it with fewer parentheses");
+}
+
+static void test_long(void **state)
+{
+    char text[2 * EXPRESSION_OPS + 8] = "";
+
+    (void)state;
+    for (int i = 0; i <= EXPRESSION_OPS / 2; i++)
+        strcat(text, "1+");
+    refused(text, EXPRESSION_OPS + 1, "more than 250 numbers and signs");
+}
+
+/* ---- what is refused ---- */
+
+static void test_elements(void **state)
+{
+    (void)state;
+    bad(TOP("<fyre/>"), "a.xml:3:21: <fyre> is no element of BulletML (did you mean <fire>?)");
+    bad(TOP("<notify/>"), "a.xml:3:21: <notify> is no element of BulletML");
+    bad("<action/>", "a.xml:1:1: <action>: expected <bulletml> round everything");
+    bad(TOP("<bulletml/>"), "a.xml:3:21: <bulletml> stands in another element");
+    bad(TOP("<bullet/>"), "a.xml:3:21: <bullet> may not stand in <action>");
+    bad(TOP("\n  <direction>1</direction>"), "a.xml:4:3: <direction> may not stand in <action>");
+    bad(TOP("<wait><rand/></wait>"), "a.xml:3:27: <rand> is no element of BulletML");
+    bad(TOP("<wait>1<wait>1</wait></wait>"), "a.xml:3:21: <wait>: there is no number in it");
+    bad(TOP("<wait><wait>1</wait>1</wait>"), "a.xml:3:27: <wait> may not stand in <wait>");
+    bad(TOP("hello"), "a.xml:3:21: <action>: expected elements, got text");
+    bad(FIRE("<direction type=\"aims\">1</direction><bullet/>"),
+        "a.xml:3:27: <direction>: type: expected aim, absolute, relative or sequence, got \"aims\" (did you mean "
+        "\"aim\"?)");
+    bad(FIRE("<speed type=\"none\">1</speed><bullet/>"),
+        "a.xml:3:27: <speed>: type: expected absolute, relative or sequence, got \"none\"");
+    bad("<bulletml type=\"up\"/>", "a.xml:1:1: <bulletml>: type: expected none, vertical or horizontal, got \"up\"");
+}
+
+static void test_missing(void **state)
+{
+    (void)state;
+    bad(TOP("<fire/>"), "a.xml:3:21: <fire> has no <bullet> or <bulletRef>");
+    bad(TOP("<changeDirection><direction>1</direction></changeDirection>"),
+        "a.xml:3:21: <changeDirection> has no <term>");
+    bad(TOP("<changeSpeed><term>1</term></changeSpeed>"), "a.xml:3:21: <changeSpeed> has no <speed>");
+    bad(TOP("<accel><vertical>1</vertical></accel>"), "a.xml:3:21: <accel> has no <term>");
+    bad(TOP("<repeat><action/></repeat>"), "a.xml:3:21: <repeat> has no <times>");
+    bad(TOP("<repeat><times>2</times></repeat>"), "a.xml:3:21: <repeat> has no <action> or <actionRef>");
+    bad(TOP("<wait/>"), "a.xml:3:21: <wait>: there is no number in it");
+    bad(TOP("<wait> \n </wait>"), "a.xml:3:21: <wait>: there is no number in it");
+    bad(TOP("<actionRef/>"), "a.xml:3:21: <actionRef> has no label");
+    bad(TOP("<fireRef label=\"\"/>"), "a.xml:3:21: <fireRef> has no label");
+    bad(TOP("<actionRef label=\"tip\"/>"),
+        "a.xml:3:21: <actionRef>: there is no <action label=\"tip\"> (did you mean \"top\"?)");
+    bad(TOP("<fireRef label=\"top\"/>"), "a.xml:3:21: <fireRef>: there is no <fire label=\"top\">");
+    bad(TOP("<wait>1\n + \n%</wait>"), "a.xml:5:1: <wait>: expected a number, $rand, $rank, $1 to $9, - or (, got "
+                                       "\"%\"");
+    bad(TOP("<wait>\xc3\xa4</wait>"), "a.xml:3:27: <wait>: expected a number, $rand, $rank, $1 to $9, - or (, got "
+                                      "\"\xc3\xa4\"");
+}
+
+/* What libbulletml crashes on. What it takes is taken. */
+static void test_order(void **state)
+{
+    (void)state;
+    bad(FIRE("<bullet/><direction>1</direction>"),
+        "a.xml:3:36: <direction> stands behind the bullet of its <fire>; write it before");
+    bad(FIRE("<bullet/><bullet/>"), "a.xml:3:36: <bullet>: a second bullet in one <fire>");
+    bad(FIRE("<speed>1</speed><speed>1</speed><bullet/>"), "a.xml:3:43: <speed>: a second one in one <fire>");
+    bad(TOP("<repeat><action/><times>2</times></repeat>"),
+        "a.xml:3:38: <times> stands behind the action of its <repeat>; write it before");
+    bad(TOP("<repeat><times>2</times><fire><bullet/></fire></repeat>"),
+        "a.xml:3:45: <fire> stands in <repeat> without an <action> round it");
+    tells_of(FIRE("<speed>1</speed><direction>1</direction><bullet><action/><speed>1</speed></bullet>"), "");
+    tells_of(TOP("<changeDirection><term>1</term><direction>1</direction></changeDirection>"
+                 "<accel><term>1</term><vertical>1</vertical><horizontal>1</horizontal></accel>"),
+             "");
+}
+
+static void test_xml(void **state)
+{
+    (void)state;
+    bad("", "a.xml:1:1: this is no XML: no element found");
+    bad("hello", "a.xml:1:1: this is no XML: syntax error");
+    bad(TOP("<fire>"), "a.xml:3:29: <fire>, which begins in line 3: mismatched tag");
+    bad(HEAD, "a.xml:3:1: <bulletml>, which begins in line 2: no element found");
+    bad(TOP("<wait>1 < 2</wait>"),
+        "a.xml:3:30: this is no XML (a stray \"<\" or \"&\", or a character that may not stand there)");
+    bad(TOP("<wait>&one;</wait>"), "a.xml:3:27: <wait>, which begins in line 3: undefined entity");
+    bad("<!DOCTYPE bulletml SYSTEM \"x.dtd\">\n<bulletml>&one;</bulletml>",
+        "a.xml:2:11: &one; is no character that XML knows");
+    bad(TOP("<wait>\xff</wait>"), "a.xml:3:27: a byte that is no UTF-8, 0xff; save the document as UTF-8, or name its "
+                                  "encoding in the first line");
+    bad(HEAD "<!-- caf\xe9 -->" TAIL,
+        "a.xml:3:9: a byte that is no UTF-8, 0xe9; save the document as UTF-8, or name its encoding in the first line");
+    bad("<?xml version=\"1.0\" encoding=\"KOI8-R\"?><bulletml/>",
+        "a.xml:1:1: its encoding \"KOI8-R\" is not known here; save the document as UTF-8");
+    bad_n("<bulletml>\0</bulletml>", 22,
+          "a.xml:1:11: this is no XML (a stray \"<\" or \"&\", or a character that may not stand there)");
+}
+
+/* Old documents have their comments in what their authors' machines had. */
+static void test_encodings(void **state)
+{
+    (void)state;
+    tells_of("<?xml version=\"1.0\" encoding=\"Shift_JIS\"?><bulletml><!-- \x92\x65\x96\x8b \xb1 \x83\x5c -->"
+             "<action label=\"top\"/></bulletml>",
+             "");
+    tells_of("<?xml version=\"1.0\" encoding=\"euc-jp\"?><bulletml><!-- \xc3\xc6\xcb\xeb \x8e\xb1 \x8f\xb0\xa1 -->"
+             "<action label=\"top\"/></bulletml>",
+             "");
+    tells_of(
+        "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?><bulletml><!-- caf\xe9 --><action label=\"top\"/></bulletml>",
+        "");
+    bad("<?xml version=\"1.0\" encoding=\"Shift_JIS\"?><bulletml><action label=\"\x92\x65\"/></bulletml>",
+        "a.xml:1:53: <action>: its label has letters beyond ASCII; save the document as UTF-8");
+    bad("<?xml version=\"1.0\" encoding=\"EUC-JP\"?><bulletml><!-- \xc3 --></bulletml>",
+        "a.xml:1:55: a byte that is no letter of the document's encoding, 0xc3");
+}
+
+/* ---- what is told ---- */
+
+static void test_told(void **state)
+{
+    (void)state;
+    tells_of(TOP("<repeat><times>0</times><action/></repeat>"),
+             "a.xml:3:21: <repeat>: times 0: a repeat runs once at least\n");
+    tells_of(TOP("<repeat><times>1-$rank</times><action/></repeat>"), "");
+    tells_of(TOP("<wait>0.9</wait><wait>0</wait>"), "a.xml:3:21: <wait>: 0.9 frames are none: it goes on at once\n");
+    tells_of(FIRE("<bullet><action/><actionRef label=\"top\"/></bullet>"),
+             "a.xml:3:27: <bullet>: its 2 actions run one after another, not side by side\n");
+    tells_of(HEAD "<action label=\"Top\"/>" TAIL,
+             "a.xml:2:1: <bulletml>: no action has a label that begins with \"top\", so nothing runs\n"
+             "a.xml:3:1: <action>: nothing asks for label \"Top\"\n");
+    tells_of(HEAD "<action label=\"topmost\"/><bullet/>" TAIL,
+             "a.xml:3:26: <bullet>: it has no label, so nothing runs it\n");
+    tells_of(FIRE("<speed type=\"aim\">1</speed><bullet/>"),
+             "a.xml:3:27: <speed>: type \"aim\" is the same as absolute here\n");
+    tells_of(TOP("<wait>2<!-- or -->3</wait><wait><!-- frames -->2</wait><wait>2<!-- frames --> </wait>"),
+             "a.xml:3:21: <wait>: what stands behind the comment in it does not count\n");
+    tells_of(TOP("<vanish>now<wait>1</wait><hide/></vanish>"), "a.xml:3:21: <vanish>: what is in it does nothing\n");
+    tells_of(TOP("<fire lable=\"x\"><bullet/></fire>"),
+             "a.xml:3:21: <fire>: its attribute \"lable\" says nothing here\n");
+    tells_of(TOP("<repeat><times>2</times><action/><wait>1</wait></repeat>"),
+             "a.xml:3:21: <repeat>: what stands behind its first action runs in each pass, too\n");
+    tells_of(TOP("<repeat><times>1000000000</times><action><fire><bullet/></fire></action></repeat>"),
+             "a.xml:3:21: <repeat>: 1000000000 times without a wait: more than a frame has room for\n");
+    tells_of(TOP("<repeat><times>9999</times><actionRef label=\"a\"/></repeat><action label=\"a\"><action>"
+                 "<wait>1</wait><actionRef label=\"a\"/></action></action>"),
+             "");
+    tells_of(HEAD "<action label=\"top\"><actionRef label=\"a\"><param>1</param></actionRef></action>"
+                  "<action label=\"a\"><wait>$1</wait><repeat><times>$3</times><action/></repeat></action>" TAIL,
+             "a.xml:3:21: <actionRef>: \"a\" asks for $3, which is 1 where only 1 param is given\n");
+    tells_of(TOP("<wait>99999999999</wait>"),
+             "a.xml:3:21: <wait>: a number beyond 2147483647 is taken for the greatest there is\n");
+}
+
+/* ---- harm ---- */
+
+static void fill(char *out, size_t *n, const char *text, int times)
+{
+    const size_t size = strlen(text);
+
+    for (int i = 0; i < times; i++, *n += size)
+        memcpy(out + *n, text, size);
+}
+
+static void test_harm(void **state)
+{
+    char *text = malloc(DOCUMENT_FILE + 4096);
+    size_t n = 0;
+
+    (void)state;
+    bad("<!DOCTYPE bulletml [<!ENTITY a \"lol\">\n<!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\">]>\n<bulletml>&b;</bulletml>",
+        "a.xml:1:32: <!ENTITY a>: a document's own entities are not read; write it out");
+    bad("<!DOCTYPE bulletml [<!ENTITY % e SYSTEM \"/etc/passwd\"> %e;]><bulletml/>",
+        "a.xml:1:54: <!ENTITY e>: a document's own entities are not read; write it out");
+    bad("<!DOCTYPE bulletml [<!ENTITY e SYSTEM \"/etc/passwd\">]><bulletml>&e;</bulletml>",
+        "a.xml:1:52: <!ENTITY e>: a document's own entities are not read; write it out");
+    tells_of("<!DOCTYPE bulletml [<!ELEMENT bulletml ANY>\n<!ATTLIST bulletml type CDATA \"none\">]>\n"
+             "<bulletml><action label=\"top\"/></bulletml>",
+             "");
+    fill(text, &n, "<bulletml>", 1);
+    fill(text, &n, "<action>", 80000);
+    bad_n(text, n, "a.xml:1:515: <action>: more than 64 elements in one another");
+    n = 0;
+    fill(text, &n, "<bulletml>", 1);
+    fill(text, &n, "<action/>", DOCUMENT_NODES);
+    bad_n(text, n, "a.xml:1:589826: <action>: more than 65536 elements");
+    n = 0;
+    fill(text, &n, "<bulletml><action label='top'><wait>", 1);
+    fill(text, &n, "(", 9000);
+    bad_n(text, n, "a.xml:1:37: <wait>: a number of more than 8192 bytes");
+    n = 0;
+    fill(text, &n, " ", DOCUMENT_FILE + 1);
+    bad_n(text, n, "a.xml: expected a document of at most 1048576 bytes, got 1048577");
+    n = 0;
+    fill(text, &n, "<bulletml><action label='", 1);
+    fill(text, &n, "x", 64);
+    fill(text, &n, "'/></bulletml>", 1);
+    bad_n(text, n, "a.xml:1:11: <action>: expected a label of at most 63 bytes, got 64");
+    free(text);
+}
+
+/* Thousands of refs and of repeats: read, and what is told of them, in no time that grows with their square. */
+static void test_many(void **state)
+{
+    char *text = malloc(DOCUMENT_FILE);
+    size_t n = 0;
+
+    (void)state;
+    fill(text, &n, "<bulletml><action label='top'>", 1);
+    for (int i = 0; i < 9000; i++)
+        n += (size_t)sprintf(text + n, "<actionRef label='a%d'/><action label='a%d'/>", i, i);
+    fill(text, &n, "</action></bulletml>", 1);
+    if (!reads_n(text, n))
+        fail_msg("%s", err);
+    assert_int_equal(d.n, 18002);
+    assert_string_equal(d.node[d.node[16002].target].label, "a8000");
+    document_close(&d);
+    n = 0;
+    fill(text, &n, "<bulletml><action label='top'>", 1);
+    fill(text, &n, "<repeat><times>9999</times><actionRef label='top'/></repeat>", 15000);
+    fill(text, &n, "</action></bulletml>", 1);
+    if (!reads_n(text, n))
+        fail_msg("%s", err);
+    document_close(&d);
+    free(text);
+}
+
+/* Wherever a document is cut off, and whatever a byte of it becomes, it is read or refused in one sentence. */
+static void test_spoilt(void **state)
+{
+    static const char text[] =
+        TOP("<repeat><times>3+$rank*2</times><action><fire><direction type=\"sequence\">10</direction><bulletRef "
+            "label=\"b\"><param>$rand</param></bulletRef></fire></action></repeat><!-- x -->") "<!-- y -->";
+    char copy[sizeof text];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof text - 1; i++) {
+        if (!reads_n(text, i))
+            assert_memory_equal(err, "a.xml:", 6);
+        document_close(&d);
+        for (int bit = 0; bit < 8; bit++) {
+            memcpy(copy, text, sizeof text);
+            copy[i] = (char)(copy[i] ^ 1 << bit);
+            if (!reads_n(copy, sizeof text - 1))
+                assert_memory_equal(err, "a.xml:", 6);
+            assert_null(strchr(err, '\n'));
+            document_close(&d);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_tree),     cmocka_unit_test(test_labels),      cmocka_unit_test(test_decimals),
+        cmocka_unit_test(test_long),     cmocka_unit_test(test_expressions), cmocka_unit_test(test_bad_expressions),
+        cmocka_unit_test(test_elements), cmocka_unit_test(test_missing),     cmocka_unit_test(test_order),
+        cmocka_unit_test(test_xml),      cmocka_unit_test(test_encodings),   cmocka_unit_test(test_told),
+        cmocka_unit_test(test_harm),     cmocka_unit_test(test_many),        cmocka_unit_test(test_spoilt),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
