@@ -216,10 +216,10 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # Each port's test: build and play it where it is at home.
-ports: deps-play-ports-web
-	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so $(WEB)/player.html
-	@OUT=$(OUT) ports/libretro/test.sh
-	@OUT=$(OUT) ports/web/test.sh
+ports: deps-play-test-ports-web
+	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
+		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(WEB)/player.html build/curtain build/curtain-null
+	@OUT=$(OUT) tools/ports/ports.sh
 
 library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
@@ -328,6 +328,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
+$(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
 # A fuzz target that takes what it is given from files, and no more: for valgrind.
@@ -345,8 +346,8 @@ programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT
           $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
           $(UNIT) $(MACHINE)
 
-test: deps-play-test
-	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
+test: deps-play-test-ports-web
+	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs $(OUT)/curtain_libretro.so $(WEB)/player.html
 	@OUT=$(OUT) tests/run.sh
 
 torture: deps-play-test
@@ -404,6 +405,10 @@ $(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(
 BOT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bot/*.c))
 
 $(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+$(OUT)/need: tools/ports/need.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
@@ -507,7 +512,8 @@ compare: deps-null
 # ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
 
 CXX       ?= c++
-BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
+                $(OUT)/tools/bench/measure.o
 
 $(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
 	@mkdir -p $(@D)

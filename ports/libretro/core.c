@@ -303,31 +303,49 @@ static void tell_buttons(void)
     core.environment(RETRO_SET_INPUTS, inputs);
 }
 
+/* The ROM in core.rom becomes the plain one, for it is opened at each reset. */
+static bool make_plain(char *err, size_t err_size)
+{
+    const size_t size = curtain_plain(core.rom, core.rom_size, NULL, 0, err, err_size);
+    void *plain = size > 0 ? malloc(size) : NULL;
+
+    if (size > 0 && !plain)
+        snprintf(err, err_size, "there is too little memory");
+    const bool good = plain && curtain_plain(core.rom, core.rom_size, plain, size, err, err_size) > 0;
+    free(good ? core.rom : plain);
+    core.rom = good ? plain : core.rom;
+    core.rom_size = good ? size : core.rom_size;
+    return good;
+}
+
 /* The game inside, or the content. */
 static bool take_rom(const struct retro_game *game)
 {
-    char err[TEXT];
+    char err[TEXT] = "there is no game, or too little memory for it";
 
     if (inside_is()) {
-        if (inside_read(&core.rom, &core.rom_size, err, sizeof err))
-            return true;
-        show(err);
-        return false;
+        inside_read(&core.rom, &core.rom_size, err, sizeof err);
+    } else {
+        core.rom_size = game ? game->size : 0;
+        core.rom = game && game->data ? malloc(core.rom_size + 1) : NULL;
+        if (core.rom)
+            memcpy(core.rom, game->data, core.rom_size);
     }
-    core.rom_size = game ? game->size : 0;
-    core.rom = game && game->data ? malloc(core.rom_size + 1) : NULL;
-    if (core.rom)
-        memcpy(core.rom, game->data, core.rom_size);
-    return core.rom != NULL;
+    if (core.rom && make_plain(err, sizeof err))
+        return true;
+    show(err);
+    free(core.rom);
+    core.rom = NULL;
+    return false;
 }
 
 bool retro_load_game(const struct retro_game *game)
 {
     const int format = RETRO_PIXEL_FORMAT_XRGB8888;
 
-    if (!take_rom(game) || !core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format))
+    if (!take_rom(game))
         return false;
-    if (!power()) {
+    if (!core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format) || !power()) {
         free(core.rom);
         core.rom = NULL;
         return false;

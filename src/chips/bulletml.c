@@ -6,6 +6,8 @@
 static const struct column root_columns[] = {
     COLUMN(ml_roots, owner),
     COLUMN(ml_roots, follow),
+    COLUMN(ml_roots, dx),
+    COLUMN(ml_roots, dy),
     COLUMN(ml_roots, x),
     COLUMN(ml_roots, y),
     COLUMN(ml_roots, x_more),

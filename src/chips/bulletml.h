@@ -17,10 +17,10 @@
 #include "slots.h"
 
 enum {
-    ML_ROOTS = 256, /* documents at once */
-    ML_KINDS = 64,  /* labels of a document for which a kind can be given */
-    ML_VALUES = 9,  /* of a parameter list */
-    ML_FRAMES = 4   /* frames there is room for, a runner */
+    ML_ROOTS = 4096, /* documents at once */
+    ML_KINDS = 64,   /* labels of a document for which a kind can be given */
+    ML_VALUES = 9,   /* of a parameter list */
+    ML_FRAMES = 4    /* frames there is room for, a runner */
 };
 
 /* Flags of a root. */
@@ -37,10 +37,10 @@ enum {
 
 struct ml_roots {
     struct slots s;
-    int64_t *owner;  /* handle, 0: the board */
-    int64_t *follow; /* the thing where it is, 0: none */
-    fx *x, *y;
-    int16_t *x_more, *y_more; /* 16 more bits of them: x and y are the nearest fx */
+    int64_t *owner;           /* handle, 0: the board */
+    int64_t *follow;          /* the thing where it is, 0: none */
+    fx *x, *y, *dx, *dy;      /* dx, dy: from what it follows */
+    int16_t *x_more, *y_more; /* 16 more bits of x and y, which are the nearest fx */
     uint16_t *program;        /* of the ROM's */
     uint32_t *body;           /* the first of its own runners */
     uint16_t *kind, *tag;

@@ -77,6 +77,24 @@ static size_t plain_size(const struct curtain_config *config, size_t *room, char
     return *room = compressed_size(config->rom, config->rom_size, err, err_size);
 }
 
+size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, char *err, size_t err_size)
+{
+    const struct curtain_config config = { .rom = rom, .rom_size = rom_size };
+    size_t packed, size = plain_size(&config, &packed, err, err_size);
+
+    if (size == 0 || !out)
+        return size;
+    if (room < size) {
+        err_set(err, err_size, "%zu bytes for the plain ROM, expected %zu", room, size);
+        return 0;
+    }
+    if (packed == 0)
+        memcpy(out, rom, size);
+    else if (!compressed_read(rom, rom_size, out, err, err_size))
+        return 0;
+    return size;
+}
+
 /* Opens the plain ROM, and tells how much memory all takes, `room` bytes for that ROM among it; c->rom and c->cart are
  * good then. */
 static bool look_at(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size, size_t room,
@@ -126,7 +144,6 @@ bool lib_power(struct curtain *c, char *err, size_t err_size)
         return false;
     if (!board_last(c->board)->fault)
         board_count(c->board, c->counts);
-    board_nvram(c->board, &(size_t){ 0 }, &c->writes);
     return true;
 }
 
@@ -174,6 +191,7 @@ struct curtain *curtain_open(const struct curtain_config *config, void *memory, 
         demo_free(&c->demo);
         return NULL;
     }
+    board_nvram(c->board, &(size_t){ 0 }, &c->writes);
     pads_log_begin(&c->log, c->begin.hash);
     if (c->tables)
         board_sound_open(c->tables);
@@ -215,9 +233,10 @@ static unsigned events_of(struct curtain *c)
     unsigned events = out->fault ? CURTAIN_FAULT : 0;
 
     board_nvram(c->board, &size, &writes);
-    if (writes != c->writes)
+    if (writes != c->writes || c->saved)
         events |= CURTAIN_SAVED;
     c->writes = writes;
+    c->saved = false;
     events |= out->log_size > 0 ? CURTAIN_LOG : 0;
     events |= out->menu ? CURTAIN_MENU : 0;
     events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;
@@ -258,6 +277,20 @@ const char *curtain_attract(const struct curtain *c)
     const struct board_out *out = board_last(c->board);
 
     return out->request == REQUEST_ATTRACT ? out->attract : "";
+}
+
+const void *curtain_attract_demo(const struct curtain *c, size_t *size)
+{
+    char name[128];
+    struct lump lump = { .size = 0 };
+    int i = -1;
+
+    if (snprintf(name, sizeof name, "demo/%s", curtain_attract(c)) < (int)sizeof name)
+        i = rom_find(&c->rom, name);
+    if (i >= 0)
+        rom_lump(&c->rom, i, &lump);
+    *size = lump.size;
+    return lump.data;
 }
 
 const char *curtain_asked(const struct curtain *c)

@@ -4,6 +4,7 @@
  */
 #include <errno.h>
 #include <fenv.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -113,6 +114,8 @@ static void serve(int from, FILE *to, const struct side_setup *setup, enum side_
         .loop = setup->loop,
         .most = SIDE_MOST + 1,
         .root_y = REFERENCE_ROOT_Y,
+        .box_x = INFINITY,
+        .box_y = INFINITY,
     };
     char err[SIDE_ERROR] = "";
     struct order order;

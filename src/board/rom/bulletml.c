@@ -1,6 +1,6 @@
 /*
- * bulletml.c - see bulletml.h. A command's words have ML_COMMAND and no others do, so one pass over them knows whether a
- * place is that of a command; and a value begins where the step before it is STEP_DONE.
+ * bulletml.c - see bulletml.h. A command's words have ML_COMMAND and no others do, so one pass over them knows whether
+ * a place is that of a command; and a value begins where the step before it is STEP_DONE.
  */
 #include "bulletml.h"
 #include <inttypes.h>
