@@ -65,14 +65,14 @@ end
 -- The street: everything comes faster, and in formation.
 local function street()
   stage.at(1740) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 22,
-                        run = habits.cork }
+                        run = habits.shaken }
   stage.at(1880) both { kind = "drone", n = 6, every = 9, path = sweep, run = habits.blink }
   stage.at(2000) wave { kind = "bottle", n = 6, every = 0, path = rush, formation = "line",
                         gap = 34,
-                        run = habits.cork }
+                        run = habits.shaken }
   stage.at(2120) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
   stage.at(2260) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
-                        run = habits.cork }
+                        run = habits.shaken }
   stage.at(2360) both { kind = "drone", n = 6, every = 9, path = hook, run = habits.beads }
   stage.at(2480)
   stage.clear(200)

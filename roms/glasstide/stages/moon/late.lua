@@ -51,7 +51,7 @@ function late.new(e)
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
                       n = by(1, 2, 3, 4) }
     end
-    wait(by(48, 31, 27, 29))
+    wait(by(48, 30, 27, 29))
   end
 end
 
@@ -136,7 +136,7 @@ end
 
 -- What fell in first comes down all the while: each drop as far as may be from those before.
 local function rain()
-  local rate = by(0.36, 0.32, 0.36, 0.52) -- drops a frame
+  local rate = by(0.36, 0.3, 0.32, 0.55) -- drops a frame
   local drop = { kind = "petal", bank = 3, y = -10, dir = 90 }
   local owed, fallen = 0, 0
   for k = 1, forever do
@@ -156,7 +156,7 @@ function late.eclipse(e)
   screen.flash { over = 40, share = 0.4 }
   wait(50)
   task.go(rain)
-  task.go(late.stream, e, by(120, 14, 10, 12), 2)
+  task.go(late.stream, e, by(120, 14, 10, 11), 2)
   walls(560, by(80, 64, 54, 50))
   wait(60)
   corona(e, 640)

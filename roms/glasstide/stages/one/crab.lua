@@ -104,24 +104,23 @@ local function lamplight(e)
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
-                   spin = way * by_difficulty { easy = 0.14, normal = 0.15, hard = 0.16,
-                                                abyss = 0.26 } }
+                   spin = way * by_difficulty { easy = 0.14, normal = 0.15, abyss = 0.26 } }
     end
     sound.play("charge", { from = e })
     wait(56)
     sound.play("beam", { from = e })
     wait(14)
-    for i = 1, by_difficulty { easy = 6, normal = 7, hard = 8 } do
+    for i = 1, by_difficulty { easy = 6, normal = 8, hard = 9, abyss = 8 } do
       local even = i % 2 == 0
       pattern.ring { from = e, kind = even and "orb" or "pellet", bank = even and MAGENTA or RUBY,
                      dir = 17 * (k + i), speed = 1.3,
-                     n = by_difficulty { easy = 12, normal = 18, hard = 22, abyss = 27 } }
+                     n = by_difficulty { easy = 12, normal = 22, hard = 28, abyss = 27 } }
       if even then -- and some wax, to where you were
         pattern.fan { from = e, dy = 10, kind = "drop", bank = AMBER, aim = true, speed = 1.6,
                       spread = 44, delay = 20, n = by_difficulty { easy = 1, normal = 3,
                                                                    abyss = 5 } }
       end
-      wait(by_difficulty { easy = 40, normal = 33, hard = 29, abyss = 32 })
+      wait(by_difficulty { easy = 40, normal = 26, hard = 24, abyss = 32 })
     end
     wander(e, 60)
     wait(64)
@@ -151,7 +150,7 @@ local CRACKS = { RUBY, MAGENTA, GOLD }
 -- Between the lamps that fall, wax.
 local function drips(e)
   while true do
-    wait(by_difficulty { easy = 160, normal = 50, hard = 40, abyss = 30 })
+    wait(by_difficulty { easy = 160, normal = 50, hard = 34, abyss = 30 })
     pattern.fan { from = e, dy = 14, kind = "drop", bank = AMBER, aim = true, spread = 50,
                   speed = 1.7, delay = 20, n = by_difficulty { easy = 1, hard = 3, abyss = 5 } }
   end
@@ -170,14 +169,14 @@ local function chandelier(e)
     for i = 1, by_difficulty { easy = 3, hard = 4 } do
       pattern.ring { from = e, kind = "ring", bank = CRACKS[i % 3 + 1], dir = 9.5 * (3 * k + i),
                      speed = 1.4 + i, motion = crack,
-                     n = by_difficulty { easy = 16, normal = 26, hard = 28, abyss = 42 } }
+                     n = by_difficulty { easy = 11, normal = 26, hard = 44, abyss = 42 } }
       wait(14)
     end
     wander(e, 50)
-    wait(by_difficulty { easy = 60, hard = 50, abyss = 32 })
+    wait(by_difficulty { easy = 60, hard = 28, abyss = 32 })
     lamps.motion = by_difficulty(fall)
     lamps.tag = "fallen"
-    wait(by_difficulty { easy = 80, normal = 54, hard = 46, abyss = 18 })
+    wait(by_difficulty { easy = 100, normal = 54, hard = 18 })
   end
 end
 

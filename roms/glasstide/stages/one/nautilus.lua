@@ -73,7 +73,7 @@ end
 local function chambers(e)
   for k = 1, forever do
     local way = k % 2 == 0 and -1 or 1
-    local n = by_difficulty { easy = 20, normal = 63, hard = 53, abyss = 60 }
+    local n = by_difficulty { easy = 20, normal = 63, hard = 53, abyss = 50 }
     local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
     e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
@@ -89,7 +89,7 @@ local function chambers(e)
                     spread = 50, n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 6 },
                     speed = by_difficulty { easy = 1.7, normal = 1.8, hard = 2.1 }, delay = 12 }
     end
-    wait(by_difficulty { easy = 120, normal = 24, hard = 57, abyss = 40 })
+    wait(by_difficulty { easy = 120, normal = 24, hard = 57, abyss = 20 })
   end
 end
 

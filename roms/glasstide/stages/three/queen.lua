@@ -111,7 +111,7 @@ local function held(e)
     end
     let_go(e)
     wander(e, 60)
-    wait(by(138, 115, 88, 86))
+    wait(by(138, 131, 88, 86))
   end
 end
 

@@ -154,7 +154,7 @@ local FLIGHT <const> = 46 -- frames from the one to the other
 
 local function throw(from, to, k, back)
   local list, out = {}, 90 + 78 * angle.sin(19 * k + (back and 90 or 0))
-  local n = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 8 }
+  local n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 }
   local dx, dy = to.x - from.x, to.y - from.y
   for i = 1, n do
     list[i] = bullet.fire { from = from, dy = 10, kind = back and "orb" or "rice", bank = 7,
@@ -187,13 +187,13 @@ local function spill(cinder, quench)
   wait(100)
   for k = 1, forever do
     pattern.fan { from = k % 2 == 0 and cinder or quench, dy = 14, kind = "drop", bank = 7 - k % 2,
-                  aim = true, spread = 60, speed = 1.5, delay = 20, n = by_difficulty { easy = 1,
-                                                                                        normal = 3, abyss = 5 } }
+                  aim = true, spread = 60, speed = 1.5, delay = 20,
+                  n = by_difficulty { easy = 1, normal = 3, abyss = 5 } }
     pattern.ring { from = k % 2 == 0 and quench or cinder, dy = 8, kind = "pellet",
                    bank = 5 + k % 2,
-                   dir = 11 * k, speed = 1.15, n = by_difficulty { easy = 9, normal = 12,
-                                                                   hard = 14, abyss = 24 } }
-    wait(by_difficulty { easy = 56, normal = 36, hard = 35, abyss = 24 })
+                   dir = 11 * k, speed = 1.15, n = by_difficulty { easy = 9, normal = 16,
+                                                                   hard = 22, abyss = 24 } }
+    wait(by_difficulty { easy = 56, normal = 25, hard = 20, abyss = 24 })
   end
 end
 
@@ -229,9 +229,10 @@ local shut = motion.def {
 -- It spits while the press is open and while it is shut.
 local function hammer(e)
   for k = 1, forever do
-    rest(e, by_difficulty { easy = 94, normal = 71, hard = 51 })
+    rest(e, by_difficulty { easy = 94, normal = 54, hard = 51, abyss = 50 })
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
-                   speed_to = 2.1, bend = k % 2 == 0 and 30 or -30, delay = 14, n = by_difficulty { easy = 3, normal = 4, hard = 6 } }
+                   speed_to = 2.1, bend = k % 2 == 0 and 30 or -30, delay = 14,
+                   n = by_difficulty { easy = 3, normal = 5, hard = 6 } }
   end
 end
 
@@ -262,13 +263,13 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 15, normal = 28, hard = 34, abyss = 39 }
+    local n = by_difficulty { easy = 15, normal = 31, hard = 34, abyss = 40 }
     local thick = k % 3 == 0 -- steam: fewer, and wider
     if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
-    rest(e, by_difficulty { easy = 46, normal = 27, hard = 22, abyss = 19 })
+    rest(e, by_difficulty { easy = 46, normal = 24, hard = 22, abyss = 19 })
     if k % 4 == 0 then
       e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
     end
