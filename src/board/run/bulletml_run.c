@@ -87,9 +87,14 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *what)
 
 /* What a polar speed and an extra velocity of a document come to on the board. */
 struct flight {
-    ang dir;
     fx speed, vx, vy;
     int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
+};
+
+/* A direction on the board, and its parts in Q30. */
+struct heading {
+    ang dir;
+    int32_t cosine, sine;
 };
 
 static int64_t in_speed(int64_t v)
@@ -113,28 +118,43 @@ static inline fx nearest(int64_t v)
     return (fx)((v + (1 << 15)) >> 16);
 }
 
-static inline struct flight flight(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed)
+static inline struct heading heading_of(const struct ml_roots *o, uint32_t root, int64_t direction)
 {
-    const int64_t v = scaled(speed, o->pace[root]);
-    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    struct heading h = { .dir = to_board(o, root, direction) };
     int64_t c, s;
 
-    trig_direction(f.dir, &c, &s);
-    f.fine_x = ml_scale(v, c, 40);
-    f.fine_y = ml_scale(v, s, 40);
-    f.vx = nearest(f.fine_x);
-    f.vy = nearest(f.fine_y);
-    return f;
+    trig_direction(h.dir, &c, &s);
+    h.cosine = (int32_t)((c + (1 << 9)) >> 10);
+    h.sine = (int32_t)((s + (1 << 9)) >> 10);
+    return h;
 }
 
-/* The same with (vx, vy) beside it: one sum, rounded once. */
-static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed,
-                                   int64_t vx, int64_t vy)
+/* A body has another direction. */
+static inline void head_for(struct ml_runners *r, const struct ml_roots *o, uint32_t root, uint32_t body,
+                            int64_t direction)
+{
+    const struct heading h = heading_of(o, root, direction);
+
+    r->direction[body] = direction;
+    r->put_dir[body] = h.dir;
+    r->cosine[body] = h.cosine;
+    r->sine[body] = h.sine;
+}
+
+static inline struct flight flight(const struct ml_roots *o, uint32_t root, int32_t cosine, int32_t sine, int64_t speed)
+{
+    const int64_t v = scaled(speed, o->pace[root]);
+    const int64_t x = ml_scale(v, cosine, 30), y = ml_scale(v, sine, 30);
+
+    return (struct flight){ nearest(v), nearest(x), nearest(y), x, y };
+}
+
+/* Adds a velocity of the document's: one sum, rounded once. */
+static inline void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
 {
     const ang turned = o->turned[root] - UP;
-    const int64_t v = scaled(speed, o->pace[root]), across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
+    const int64_t across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
                   x = o->flags[root] & ROOT_MIRRORED ? -across : across;
-    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
     int64_t c, s, more_x = x, more_y = y;
 
     if (turned) {
@@ -142,20 +162,20 @@ static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int6
         more_x = ml_scale(x, c, 40) - ml_scale(y, s, 40);
         more_y = ml_scale(x, s, 40) + ml_scale(y, c, 40);
     }
-    trig_direction(f.dir, &c, &s);
-    f.fine_x = in_speed(ml_scale(v, c, 40) + more_x);
-    f.fine_y = in_speed(ml_scale(v, s, 40) + more_y);
-    f.vx = nearest(f.fine_x);
-    f.vy = nearest(f.fine_y);
-    return f;
+    f->fine_x = in_speed(f->fine_x + more_x);
+    f->fine_y = in_speed(f->fine_y + more_y);
+    f->vx = nearest(f->fine_x);
+    f->vy = nearest(f->fine_y);
 }
 
 /* What a body's state comes to. */
 static inline struct flight flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
 {
+    struct flight f = flight(o, root, r->cosine[i], r->sine[i], r->speed[i]);
+
     if (r->vx[i] | r->vy[i])
-        return flight_beside(o, root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
-    return flight(o, root, r->direction[i], r->speed[i]);
+        fly_beside(&f, o, root, r->vx[i], r->vy[i]);
+    return f;
 }
 
 /* ---- runners ---- */
@@ -187,6 +207,7 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
         r->begun[c] = r->over[c] = 0;
     }
     r->put_dir[i] = 0;
+    r->cosine[i] = r->sine[i] = 0;
     r->put_speed[i] = r->put_vx[i] = r->put_vy[i] = 0;
     b->ml_roots.runners[root]++;
     return i;
@@ -219,7 +240,8 @@ static void drop_runner(struct board *b, uint32_t i)
 /* ---- firing ---- */
 
 /* A runner for what is fired, the bullet of which comes later; returns its slot + 1, or 0. */
-static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, struct given *given)
+static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, const struct heading *h,
+                      struct given *given)
 {
     struct ml_runners *r = &t->b->ml_runners;
 
@@ -235,7 +257,9 @@ static uint32_t equip(const struct turn *t, const struct fired *f, const struct 
     r->given[i] = given->list;
     r->direction[i] = f->direction;
     r->speed[i] = f->speed;
-    r->put_dir[i] = way->dir;
+    r->put_dir[i] = h->dir;
+    r->cosine[i] = h->cosine;
+    r->sine[i] = h->sine;
     r->put_speed[i] = way->speed;
     r->put_vx[i] = way->vx;
     r->put_vy[i] = way->vy;
@@ -252,18 +276,19 @@ void bulletml_fire(const struct turn *t, const struct fired *f, struct given *gi
         emit_refuse(t->b, false, 1);
         return;
     }
-    const struct flight way = flight(o, t->root, f->direction, f->speed);
+    const struct heading h = heading_of(o, t->root, f->direction);
+    const struct flight way = flight(o, t->root, h.cosine, h.sine, f->speed);
     fresh->at[fresh->n++] = (struct ml_fired){
         .x = t->x,
         .y = t->y,
         .vx = way.vx,
         .vy = way.vy,
         .speed = way.speed,
-        .dir = way.dir,
+        .dir = h.dir,
         .kind = known ? o->kinds[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
         .root = t->root,
         .label = f->label,
-        .runner = f->at ? equip(t, f, &way, given) : 0,
+        .runner = f->at ? equip(t, f, &way, &h, given) : 0,
     };
 }
 
@@ -331,7 +356,10 @@ static inline void apply_change(struct ml_runners *r, const struct turn *t, int 
     const bool over = (int32_t)(t->now - r->over[c]) >= 0;
     const int64_t v = over ? r->to[c] : changed(r, c, change, t->now);
 
-    of[t->body] = change == CHANGE_DIRECTION ? wrap_turn(r, c, v) : v;
+    if (change == CHANGE_DIRECTION)
+        head_for(r, &t->b->ml_roots, t->root, t->body, wrap_turn(r, c, v));
+    else
+        of[t->body] = v;
     if (over)
         r->flags[t->runner] &= (uint16_t) ~(1u << change);
 }
@@ -366,7 +394,7 @@ static void read_back(const struct turn *t, uint32_t bullet)
         vy == r->put_vy[i])
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
-        r->direction[i] = from_board(o, t->root, s->dir[bullet]);
+        head_for(r, o, t->root, i, from_board(o, t->root, s->dir[bullet]));
         r->flags[i] &= (uint16_t) ~(1u << CHANGE_DIRECTION);
     }
     if (s->speed[bullet] != r->put_speed[i]) {
@@ -375,7 +403,6 @@ static void read_back(const struct turn *t, uint32_t bullet)
     }
     r->vx[i] = r->vy[i] = 0;
     r->flags[i] &= (uint16_t) ~(1u << CHANGE_X | 1u << CHANGE_Y);
-    r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
     r->put_vx[i] = vx;
     r->put_vy[i] = vy;
@@ -404,7 +431,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     const uint32_t i = t->runner;
     const struct flight f = flight_of(&t->b->ml_roots, r, t->root, i);
 
-    s->dir[bullet] = r->put_dir[i] = f.dir;
+    s->dir[bullet] = r->put_dir[i];
     s->speed[bullet] = r->put_speed[i] = f.speed;
     r->put_vx[i] = f.vx;
     r->put_vy[i] = f.vy;
@@ -478,24 +505,23 @@ static inline bool glide(struct board *b, uint32_t i, uint32_t now)
     const unsigned flags = r->flags[i];
     const uint32_t k = handle_slot(r->bullet[i]), root = r->root[i];
     const size_t c = (size_t)i * CHANGES;
-    int64_t direction = r->direction[i], speed = r->speed[i], vx = r->vx[i], vy = r->vy[i], turn = direction;
+    int64_t direction = 0, speed = r->speed[i], vx = r->vx[i], vy = r->vy[i];
 
     if (flags & RUNNER_TOP || s->stands || !untouched(r, s, i, k))
         return false;
-    if ((flags & 1 << CHANGE_DIRECTION && !goes_on(r, c + CHANGE_DIRECTION, 12, now, &turn)) ||
+    if ((flags & 1 << CHANGE_DIRECTION && !goes_on(r, c + CHANGE_DIRECTION, 12, now, &direction)) ||
         (flags & 1 << CHANGE_SPEED && !goes_on(r, c + CHANGE_SPEED, 20, now, &speed)) ||
         (flags & 1 << CHANGE_X && !goes_on(r, c + CHANGE_X, 20, now, &vx)) ||
         (flags & 1 << CHANGE_Y && !goes_on(r, c + CHANGE_Y, 20, now, &vy)))
         return false;
     if (flags & 1 << CHANGE_DIRECTION)
-        r->direction[i] = direction = wrap_turn(r, c + CHANGE_DIRECTION, turn);
+        head_for(r, o, root, i, wrap_turn(r, c + CHANGE_DIRECTION, direction));
     r->speed[i] = speed;
     r->vx[i] = vx;
     r->vy[i] = vy;
-    const struct flight f =
-        vx | vy ? flight_beside(o, root, direction, speed, vx, vy) : flight(o, root, direction, speed);
+    const struct flight f = flight_of(o, r, root, i);
     const fx fast = fx_max(fx_abs(f.vx), fx_abs(f.vy));
-    s->dir[k] = r->put_dir[i] = f.dir;
+    s->dir[k] = r->put_dir[i];
     s->speed[k] = r->put_speed[i] = f.speed;
     s->vx[k] = r->put_vx[i] = f.vx;
     s->vy[k] = r->put_vy[i] = f.vy;
@@ -776,7 +802,7 @@ int32_t board_ml_begin(struct board *b, const struct bulletml_start *start)
         }
         if (!top) {
             o->body[i] = (uint32_t)k;
-            r->direction[k] = 180 * ML_ONE;
+            head_for(r, o, (uint32_t)i, (uint32_t)k, 180 * ML_ONE);
         }
         r->body[k] = o->body[i];
         r->given[k] = o->given[i];
