@@ -118,7 +118,8 @@ static inline fx nearest(int64_t v)
     return (fx)((v + (1 << 15)) >> 16);
 }
 
-static inline struct heading heading_of(const struct ml_roots *o, uint32_t root, int64_t direction)
+static inline __attribute__((always_inline)) struct heading heading_of(const struct ml_roots *o, uint32_t root,
+                                                                       int64_t direction)
 {
     struct heading h = { .dir = to_board(o, root, direction) };
     int64_t c, s;
@@ -130,8 +131,8 @@ static inline struct heading heading_of(const struct ml_roots *o, uint32_t root,
 }
 
 /* A body has another direction. */
-static inline void head_for(struct ml_runners *r, const struct ml_roots *o, uint32_t root, uint32_t body,
-                            int64_t direction)
+static inline __attribute__((always_inline)) void head_for(struct ml_runners *r, const struct ml_roots *o,
+                                                           uint32_t root, uint32_t body, int64_t direction)
 {
     const struct heading h = heading_of(o, root, direction);
 
@@ -141,7 +142,8 @@ static inline void head_for(struct ml_runners *r, const struct ml_roots *o, uint
     r->sine[body] = h.sine;
 }
 
-static inline struct flight flight(const struct ml_roots *o, uint32_t root, int32_t cosine, int32_t sine, int64_t speed)
+static inline __attribute__((always_inline)) struct flight flight(const struct ml_roots *o, uint32_t root,
+                                                                  int32_t cosine, int32_t sine, int64_t speed)
 {
     const int64_t v = scaled(speed, o->pace[root]);
     const int64_t x = ml_scale(v, cosine, 30), y = ml_scale(v, sine, 30);
@@ -150,7 +152,7 @@ static inline struct flight flight(const struct ml_roots *o, uint32_t root, int3
 }
 
 /* Adds a velocity of the document's: one sum, rounded once. */
-static inline void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
+static void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
 {
     const ang turned = o->turned[root] - UP;
     const int64_t across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
@@ -169,7 +171,8 @@ static inline void fly_beside(struct flight *f, const struct ml_roots *o, uint32
 }
 
 /* What a body's state comes to. */
-static inline struct flight flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
+static inline __attribute__((always_inline)) struct flight
+flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
 {
     struct flight f = flight(o, root, r->cosine[i], r->sine[i], r->speed[i]);
 
