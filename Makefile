@@ -175,7 +175,7 @@ FORCE:
 
 $(OUT)/game.rom: $(OUT)/curtain-bare $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) -o $@
+	$(Q)$(RUN) $(OUT)/curtain-bare pack $(GAME) --plain -o $@
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"
@@ -216,10 +216,10 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # Each port's test: build and play it where it is at home.
-ports: deps-play-ports-web
-	@$(MAKE) --no-print-directory $(OUT)/curtain-null $(OUT)/curtain_libretro.so $(WEB)/player.html
-	@OUT=$(OUT) ports/libretro/test.sh
-	@OUT=$(OUT) ports/web/test.sh
+ports: deps-play-test-ports-web
+	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
+		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(WEB)/player.html build/curtain build/curtain-null
+	@OUT=$(OUT) tools/ports/ports.sh
 
 library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
@@ -229,10 +229,11 @@ VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host
 build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-$(OUT)/curtain_libretro.so: ports/libretro/core.c ports/libretro/abi.h src/lib/curtain.h $(OUT)/libcurtain.a
+RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,ports/libretro/core ports/libretro/inside src/cab/share/mark)
+$(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $< $(GAME_INSIDE) $(OUT)/libcurtain.a \
-		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -o $@
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
+		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
 
@@ -274,12 +275,13 @@ $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
 $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"
-	$(Q)OUT=$(OUT) ports/web/build.sh player $(WEB)/core.wasm $@
+	$(Q)OUT=$(OUT) ports/web/build.sh $(WEB)/core.wasm $@
 
 # One file with a game inside: make web GAME=DIR.
 web: say-null-web
 	@$(MAKE) --no-print-directory $(OUT)/curtain-bare $(WEB)/player.html
-	@OUT=$(OUT) ports/web/build.sh game $(GAME) $(WEB)/player.html
+	@$(OUT)/curtain-bare export $(GAME) --web -o $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
+	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
 # The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
 SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
@@ -318,7 +320,7 @@ $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
 
 # Of these, some are ports themselves.
-OWN_PORT := test_cabinet
+OWN_PORT := test_cabinet test_calls
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
@@ -341,10 +343,11 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
 programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
-          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(UNIT) $(MACHINE)
+          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
+          $(UNIT) $(MACHINE)
 
-test: deps-play-test
-	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs
+test: deps-play-test-ports-web
+	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs $(OUT)/curtain_libretro.so $(WEB)/player.html
 	@OUT=$(OUT) tests/run.sh
 
 torture: deps-play-test
@@ -402,6 +405,10 @@ $(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(
 BOT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bot/*.c))
 
 $(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+$(OUT)/need: tools/ports/need.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 

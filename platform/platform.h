@@ -8,6 +8,9 @@
  *
  * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
  * and nothing else of ours. Everything is called from one thread.
+ *
+ * What a port calls itself are the three functions of the program, below, and that only where the host has the loop:
+ * elsewhere src/cab/main.c is the loop.
  */
 #ifndef PLATFORM_PLATFORM_H
 #define PLATFORM_PLATFORM_H
@@ -100,6 +103,22 @@ static inline bool plat_key(const struct plat_input *in, unsigned usage)
     return in->keys[usage >> 3 & 31] >> (usage & 7) & 1;
 }
 
+/* ---- what a port calls, where the host has the loop ---- */
+
+/* The program, with its arguments as those of main: "curtain", "play", a game, and so on. What has no window is done
+ * when program_open returns. argv may be rearranged, and must last until program_close. Several may be open at once,
+ * also of different games: what one of them asks of the port, it asks in these calls of its own. NULL: no memory. */
+struct program;
+struct program *program_open(int argc, char **argv);
+
+/* Does what is due by plat_usec, and shows a picture if a frame was: to be called at each refresh of the screen, or
+ * more often. False: it is over; close it. */
+bool program_frame(struct program *program);
+
+/* Ends it, in the middle as well, and gives back all that it took: a host that plays one game after another does not
+ * grow. Returns the exit code. */
+int program_close(struct program *program);
+
 /* ---- the six of a port ---- */
 
 /* Opens the window, or changes the open one to `want`: another picture, scale, title, or fullscreen. False after a
@@ -118,7 +137,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 /* Microseconds from any fixed moment, never going back. Works before plat_open. */
 uint64_t plat_usec(void);
 
-/* Returns when plat_usec() has reached `until`, or at once where the host calls us (plat_loop). */
+/* Returns when plat_usec() has reached `until`, or at once where the host has the loop. */
 void plat_wait(uint64_t until);
 
 /* ---- those with defaults ---- */
@@ -152,13 +171,11 @@ void plat_icon(const uint8_t *rgba, int w, int h);
  * was. */
 bool plat_dropped(char *path, size_t size);
 
-/* Calls frame until it returns false, then returns. A host that calls us (a browser) arranges that and never returns
- * from here, so what must happen at the end, frame does before it returns false. */
-void plat_loop(bool (*frame)(void));
-
-/* Calls fn once, ms from now, on the thread that armed it (from a signal handler: fn may do little); 0 cancels. One
- * alarm at a time. fn may come just after a cancel that was too late. False: the host has no alarms. */
-bool plat_alarm(int ms, void (*fn)(void));
+/* Calls fn(context) once, ms from now, on the thread that armed it (from a signal handler: fn may do little); 0
+ * cancels, and once that has returned fn is not called. One alarm at a time. A host that looks after us itself may keep
+ * fn and context and call them when a frame takes too long for it. False: there are no alarms: then instructions are
+ * counted. */
+bool plat_alarm(int ms, void (*fn)(void *context), void *context);
 
 /* Says what is plugged in as number i of plat_input.controllers, from 0. False: nothing. A number stays a controller's
  * while it is plugged in. The default knows of none: each is there, unknown, without a name, and never goes. */
@@ -182,6 +199,11 @@ void plat_name(const char *name);
 /* Writes a name by which the program's own file can be read, whatever it is called by now. False: the host does not
  * say. */
 bool plat_program(char *name, size_t size);
+
+/* Writes the name of a file that came with the program, by its path from the program's own folder, as
+ * "../share/curtain/player.html"; whether it is there is another question. False: the host does not say where the
+ * program is. */
+bool plat_beside(const char *path, char *name, size_t size);
 
 /* Lets those who can read a file run it as a program; where there is no such thing, nothing. False: it cannot be. */
 bool plat_runnable(const char *name);
@@ -220,11 +242,12 @@ struct plat_file {
 int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
 
 /* From now on, when the program is about to die of a fault of its own (desktop: SIGSEGV, SIGBUS, SIGFPE, SIGILL,
- * SIGABRT), fn is called with what it was, as "SIGSEGV", and may write a file by handing out its bytes: STEM-N.txt,
- * with the first N from 1 on that is free. Then a line says where that is, and the program dies as it would have. fn
- * runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that of a file; fn
- * NULL: no more. False: the host has nothing like it. */
-bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)));
+ * SIGABRT), fn is called with context and what it was, as "SIGSEGV", and may write a file by handing out its bytes:
+ * STEM-N.txt, with the first N from 1 on that is free. Then a line says where that is, and the program dies as it
+ * would have. fn runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that
+ * of a file; fn NULL: no more. The last call holds. False: the host has nothing like it. */
+bool plat_crash(const char *stem, void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
+                void *context);
 
 /* For reports: what the port is made with, as "SDL 2.28.5, x11", or "no window" if nothing can be played in it; and
  * what it runs on, as "Linux 6.1.0 x86_64". */

@@ -142,14 +142,6 @@ DEFAULT bool plat_dropped(char *path, size_t size)
 }
 #endif
 
-#ifndef PLAT_OWN_LOOP
-DEFAULT void plat_loop(bool (*frame)(void))
-{
-    while (frame())
-        ;
-}
-#endif
-
 #ifndef PLAT_OWN_CONTROLLER
 DEFAULT bool plat_controller(int i, struct plat_controller *controller)
 {
@@ -212,6 +204,28 @@ DEFAULT bool plat_program(char *name, size_t size)
 }
 #endif
 
+#ifndef PLAT_OWN_BESIDE
+DEFAULT bool plat_beside(const char *path, char *name, size_t size)
+{
+#ifdef PROCESSES
+    char program[256], *real = plat_program(program, sizeof program) ? realpath(program, NULL) : NULL;
+    char *end = real ? strrchr(real, '/') : NULL;
+    for (; end && strncmp(path, "../", 3) == 0; path += 3) {
+        *end = '\0';
+        end = strrchr(real, '/');
+    }
+    const int n = end ? snprintf(name, size, "%.*s/%s", (int)(end - real), real, path) : -1;
+    free(real);
+    return n >= 0 && n < (int)size;
+#else
+    (void)path;
+    (void)name;
+    (void)size;
+    return false;
+#endif
+}
+#endif
+
 /* ---- alarm ---- */
 
 #ifndef PLAT_OWN_ALARM
@@ -219,7 +233,8 @@ DEFAULT bool plat_program(char *name, size_t size)
 /* SIGALRM is sent to the process and may land on any thread (SDL has some), so the handler passes it on to the one that
  * armed. */
 static pthread_t alarm_thread;
-static void (*volatile alarm_call)(void);
+static void (*volatile alarm_call)(void *context);
+static void *volatile alarm_context;
 
 static void alarm_rings(int sig)
 {
@@ -227,15 +242,15 @@ static void alarm_rings(int sig)
     if (!pthread_equal(pthread_self(), alarm_thread)) {
         pthread_kill(alarm_thread, sig);
     } else {
-        void (*fn)(void) = alarm_call;
+        void (*fn)(void *) = alarm_call;
         alarm_call = 0;
         if (fn)
-            fn();
+            fn(alarm_context);
     }
     errno = saved;
 }
 
-DEFAULT bool plat_alarm(int ms, void (*fn)(void))
+DEFAULT bool plat_alarm(int ms, void (*fn)(void *context), void *context)
 {
     struct itimerval when = { 0 };
     if (ms <= 0) {
@@ -248,16 +263,18 @@ DEFAULT bool plat_alarm(int ms, void (*fn)(void))
     alarm_thread = pthread_self();
     if (sigaction(SIGALRM, &act, 0) != 0)
         return false;
+    alarm_context = context;
     alarm_call = fn;
     when.it_value.tv_sec = ms / 1000;
     when.it_value.tv_usec = ms % 1000 * 1000;
     return setitimer(ITIMER_REAL, &when, 0) == 0;
 }
 #else
-DEFAULT bool plat_alarm(int ms, void (*fn)(void))
+DEFAULT bool plat_alarm(int ms, void (*fn)(void *context), void *context)
 {
     (void)ms;
     (void)fn;
+    (void)context;
     return false;
 }
 #endif
@@ -789,7 +806,8 @@ enum { CRASH_SIGNALS = sizeof crash_signals / sizeof *crash_signals };
 
 /* All that the handler needs is here before. */
 static struct {
-    void (*fn)(const char *what, void (*out)(const void *bytes, size_t n));
+    void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n));
+    void *context;
     char path[CRASH_PATH];
     size_t stem; /* bytes of path that are given */
     int file;
@@ -875,7 +893,7 @@ static void crashes(int sig)
     write_text(STDERR_FILENO, ": crashed (");
     write_text(STDERR_FILENO, what);
     if (crash_open()) {
-        crash.fn(what, crash_out);
+        crash.fn(crash.context, what, crash_out);
         close(crash.file);
         write_text(STDERR_FILENO, "); a report is in ");
         write_text(STDERR_FILENO, crash.path);
@@ -887,14 +905,28 @@ static void crashes(int sig)
     raise(sig); /* once this has returned */
 }
 
-DEFAULT bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)))
+/* Is it what is armed already? It is asked each frame. */
+static bool crash_is(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
+                     const void *context)
+{
+    char path[CRASH_PATH];
+    return crash.armed && fn == crash.fn && context == crash.context && plat_path(stem, path, sizeof path - 32) &&
+           strlen(path) == crash.stem && memcmp(path, crash.path, crash.stem) == 0;
+}
+
+DEFAULT bool plat_crash(const char *stem,
+                        void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
+                        void *context)
 {
     stack_t stack = { .ss_sp = crash.stack, .ss_size = sizeof crash.stack };
     struct sigaction act = { 0 };
+    if (fn && crash_is(stem, fn, context))
+        return true;
     crash_disarm();
     if (!fn || !plat_path(stem, crash.path, sizeof crash.path - 32) || sigaltstack(&stack, 0) != 0)
         return !fn;
     crash.fn = fn;
+    crash.context = context;
     crash.stem = strlen(crash.path);
     act.sa_handler = crashes;
     act.sa_flags = SA_ONSTACK;
@@ -904,9 +936,12 @@ DEFAULT bool plat_crash(const char *stem, void (*fn)(const char *what, void (*ou
     return true;
 }
 #else
-DEFAULT bool plat_crash(const char *stem, void (*fn)(const char *what, void (*out)(const void *bytes, size_t n)))
+DEFAULT bool plat_crash(const char *stem,
+                        void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
+                        void *context)
 {
     (void)stem;
+    (void)context;
     return !fn;
 }
 #endif

@@ -7,7 +7,7 @@
 # Exit 1: a part failed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-parts="analyze asan ubsan msan valgrind torture screens browser fuzz mutants"
+parts="analyze asan ubsan msan valgrind torture screens browser library ports fuzz mutants"
 out=build/nightly
 export FUZZ_SECONDS=${FUZZ_SECONDS:-600}
 
@@ -23,6 +23,7 @@ run() { # PART
     case $1 in
     msan) tests/machine/uninitialised.sh whole ;;
     screens) screens ;;
+    library) CURTAIN_LONG=1 tests/machine/library.sh ;;
     browser) CURTAIN_LONG=1 tests/house/onefile.sh ;;
     *) make --no-print-directory "$1" ARGS= ;;
     esac

@@ -32,7 +32,7 @@ lane() {
     1)
         clear_of easy heron
         clear_of normal petrel easy
-        clear_of hard tern normal || clear_of hard heron normal # that craft has to be found first
+        clear_of hard tern normal # that craft has to be found first
         clear_of abyss heron hard
         ;;
     esac

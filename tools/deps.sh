@@ -79,6 +79,8 @@ for what; do
     ports)
         have retroarch || need retroarch
         have python3 || need python3
+        have Xvfb || need xvfb
+        have identify || need imagemagick
         ;;
     fuzz)
         have clang || need clang
@@ -130,6 +132,8 @@ for what; do
         have xz || need xz-utils
         have node || need nodejs
         have chromium || need chromium
+        have firefox-esr || need firefox-esr
+        have identify || need imagemagick
         ;;
     *)
         echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, cross, web" >&2

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What can be survived, and how hard it is: `curtain survive` in every stage and every phase of Glass Tide at every
-# difficulty, and on every page of the cookbook. Writes docs/survive.md, docs/game.md with its curves, and the demo of
-# each phase in tests/demos/phases. JOBS at a time (4); ONLY='crab queen' looks at these alone and writes no page.
+# difficulty, and on every page of the cookbook; and bots that fly through all of Glass Tide, for its curves. Writes
+# docs/survive.md, docs/game.md, and the demo of each phase in tests/demos/phases. JOBS at a time (4);
+# ONLY='crab queen' looks at these alone and writes no page.
 #
 #     tools/survive.sh --pages FOLDER     the pages once more, of what an earlier run left there
 set -eu
@@ -20,6 +21,12 @@ look() {
     grep -F "\"section\":\"$section\"," "$at/$name.all" >"$at/$name.json" || true
 }
 export -f look
+
+# One line: FOLDER SECTION. Bots in all of it, at each difficulty: lines of JSON.
+fly() {
+    "$curtain" survive roms/glasstide --all --stage "$2" --bots 32 --json >"$1/bots-${2//[\/:]/-}.json" 2>/dev/null || true
+}
+export -f fly
 
 # The sections of a game at all its difficulties, each GAME SECTION DIFFICULTY: of each two frames are looked at.
 sections() { # GAME [OPTION...]
@@ -46,6 +53,8 @@ sort -t ' ' -k 1,1r -k 2,2 "$scratch/list" |
     awk '{ print ($2 ~ /\// ? 1 : 0) ($3 == "abyss" ? 0 : $3 == "hard" ? 1 : 2), $0 }' | sort -s -k 1,1 |
     cut -d ' ' -f 2- | xargs -P "${JOBS:-4}" -I{} bash -c "look $scratch {}"
 echo "$(wc -l <"$scratch/list") sections in $((SECONDS - started)) s"
+awk '/roms\/glasstide/ { print $2 }' "$scratch/list" | sort -u | xargs -P "${JOBS:-4}" -I{} bash -c "fly $scratch {}"
+echo "and bots, after $((SECONDS - started)) s"
 if [ -n "${ONLY:-}" ]; then
     cat "$scratch"/*.json | cut -c 1-160
     exit

@@ -47,6 +47,7 @@ enum {
     RETRO_SET_PIXEL_FORMAT = 10,    /* const int *: RETRO_PIXEL_FORMAT_XRGB8888 */
     RETRO_SET_INPUTS = 11,          /* const struct retro_input *, ended by one of zeroes */
     RETRO_GET_VARIABLE = 15,        /* struct retro_variable *: fills in the value */
+    RETRO_SET_SUPPORT_NO_GAME = 18, /* const bool *: it runs without content */
     RETRO_SET_VARIABLES = 16,       /* const struct retro_variable *, ended by one of NULLs */
     RETRO_GET_VARIABLE_UPDATE = 17, /* bool *: is a variable another since they were read? */
     RETRO_GET_LOG = 27,             /* struct retro_log * */

@@ -1,6 +1,6 @@
 /*
  * core.c - Curtain as a libretro core: a packed game (.rom) is the content; pads, options, save RAM and states are the
- * front end's.
+ * front end's. A core that was exported has its game inside, and takes no content.
  *
  * The game is powered up at the first frame and not when it is loaded, for the front end reads the save RAM in between.
  * States are libcurtain's portable ones, of one size: run-ahead, rewind and netplay go back to frames that the library
@@ -11,6 +11,7 @@
 #include <string.h>
 #include "../../src/lib/curtain.h"
 #include "abi.h"
+#include "inside.h"
 
 enum { TEXT = 256, CHOICES = 24, SAVED = 4 /* bytes before the image of save RAM: how many it has */ };
 
@@ -31,15 +32,9 @@ static struct {
     uint32_t *pixels;
     struct retro_variable variable[CHOICES + 1];
     char key[CHOICES][TEXT], value[CHOICES][4 * TEXT];
-    char path[1024], version[16];
+    char path[1024], version[16], title[128];
     unsigned loads; /* states loaded */
 } core;
-
-/* The game inside, of a core that was exported with one; weak, so that core.c links without. */
-extern const unsigned char game_rom[];
-extern const unsigned long game_rom_size;
-__attribute__((weak)) const unsigned char game_rom[1] = { 0 };
-__attribute__((weak)) const unsigned long game_rom_size = 0;
 
 static void say(enum retro_level level, const char *text)
 {
@@ -184,7 +179,11 @@ static bool ready(void)
 
 void retro_set_environment(retro_environment *f)
 {
+    const bool alone = true;
+
     core.environment = f;
+    if (inside_is())
+        f(RETRO_SET_SUPPORT_NO_GAME, (void *)&alone);
 }
 
 void retro_set_video_refresh(retro_video *f)
@@ -233,10 +232,33 @@ unsigned retro_api_version(void)
     return RETRO_API_VERSION;
 }
 
+/* The title of the game inside: by it front ends name save RAM, states and options. */
+static void read_title(void)
+{
+    struct curtain_config how = { 0 };
+    char err[TEXT];
+    void *rom;
+
+    snprintf(core.title, sizeof core.title, "Curtain");
+    if (!inside_is() || !inside_read(&rom, &how.rom_size, err, sizeof err))
+        return;
+    how.rom = rom;
+    const size_t size = curtain_memory(&how, err, sizeof err);
+    void *memory = size ? malloc(size) : NULL;
+    struct curtain *c = memory ? curtain_open(&how, memory, size, err, sizeof err) : NULL;
+    if (c)
+        snprintf(core.title, sizeof core.title, "%s", curtain_title(c));
+    curtain_close(c);
+    free(memory);
+    free(rom);
+}
+
 void retro_get_system_info(struct retro_system_info *info)
 {
+    if (!core.title[0])
+        read_title();
     snprintf(core.version, sizeof core.version, "core %d", curtain_core());
-    *info = (struct retro_system_info){ "Curtain", core.version, "rom", false, false };
+    *info = (struct retro_system_info){ core.title, core.version, inside_is() ? "" : "rom", false, false };
 }
 
 void retro_get_system_av_info(struct retro_av_info *info)
@@ -281,17 +303,49 @@ static void tell_buttons(void)
     core.environment(RETRO_SET_INPUTS, inputs);
 }
 
+/* The ROM in core.rom becomes the plain one, for it is opened at each reset. */
+static bool make_plain(char *err, size_t err_size)
+{
+    const size_t size = curtain_plain(core.rom, core.rom_size, NULL, 0, err, err_size);
+    void *plain = size > 0 ? malloc(size) : NULL;
+
+    if (size > 0 && !plain)
+        snprintf(err, err_size, "there is too little memory");
+    const bool good = plain && curtain_plain(core.rom, core.rom_size, plain, size, err, err_size) > 0;
+    free(good ? core.rom : plain);
+    core.rom = good ? plain : core.rom;
+    core.rom_size = good ? size : core.rom_size;
+    return good;
+}
+
+/* The game inside, or the content. */
+static bool take_rom(const struct retro_game *game)
+{
+    char err[TEXT] = "there is no game, or too little memory for it";
+
+    if (inside_is()) {
+        inside_read(&core.rom, &core.rom_size, err, sizeof err);
+    } else {
+        core.rom_size = game ? game->size : 0;
+        core.rom = game && game->data ? malloc(core.rom_size + 1) : NULL;
+        if (core.rom)
+            memcpy(core.rom, game->data, core.rom_size);
+    }
+    if (core.rom && make_plain(err, sizeof err))
+        return true;
+    show(err);
+    free(core.rom);
+    core.rom = NULL;
+    return false;
+}
+
 bool retro_load_game(const struct retro_game *game)
 {
     const int format = RETRO_PIXEL_FORMAT_XRGB8888;
-    const void *data = game_rom_size ? game_rom : game ? game->data : NULL;
 
-    core.rom_size = game_rom_size ? game_rom_size : game ? game->size : 0;
-    core.rom = data ? malloc(core.rom_size + 1) : NULL;
-    if (!core.rom || !core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format))
+    if (!take_rom(game))
         return false;
-    memcpy(core.rom, data, core.rom_size);
-    if (!power()) {
+    if (!core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format) || !power()) {
         free(core.rom);
         core.rom = NULL;
         return false;

@@ -93,7 +93,7 @@ async function drop(file) {
 }
 
 const steps = {
-  // The hash after so many frames; pictures of some into DIR-less files NAME.png.
+  // The hash after so many frames, and the canvas as FRAME.png.
   async frames() {
     await open(url)
     for (const at of args.map(Number)) {
@@ -215,6 +215,21 @@ const steps = {
       return ((performance.now() - from) / 600).toFixed(2) + ' ms a frame with its picture and sound, at most ' +
         most.toFixed(1) + ' ms, ' + (curtain.state.bytes >> 20) + ' MiB' })()`))
   },
+  // Nobody plays: the game asks for a demo, which is shown; a key ends it, and counts as none in the game.
+  async attract() {
+    await open(url)
+    const asked = await js(`(() => { for (let f = 0; f < 7200 && !curtain.state.attracts; f++) curtain.step(1);
+      return curtain.state.attracts && curtain.frames() })()`)
+    await js('curtain.step(600)')
+    console.log('shown', asked !== false && await js('curtain.state.attracts'), await js('curtain.frames()'))
+    await picture('attract.png')
+    await js('curtain.step(1, 16)')
+    console.log('ended', !(await js('curtain.state.attracts')))
+    await js('curtain.step(20, 16), curtain.step(5)')
+    const frames = await js('curtain.frames()')
+    writeFileSync('attract.demo', Buffer.from(await js('[...curtain.recording()]')))
+    console.log(frames, await js('curtain.hash()'))
+  },
   async look() {
     await open(url)
     await picture('desktop-begin.png')
@@ -223,6 +238,11 @@ const steps = {
     await picture('desktop.png')
     await js(`document.getElementById('more').click()`)
     await picture('desktop-more.png')
+    await open(url, [1366, 600, 1, false]) // what a browser leaves of a small laptop's screen
+    await key('Enter', 50)
+    await sleep(1500)
+    await picture('laptop.png')
+    console.log('laptop', await js(`parseFloat(document.getElementById('screen').style.height)`))
     await open(url, [844, 390, 3, true])
     await picture('phone-flat.png')
   },

@@ -6,7 +6,7 @@
 'use strict'
 
 const UP = 1, DOWN = 2, LEFT = 4, RIGHT = 8, FIRE = 16, BOMB = 32, FOCUS = 64, SPECIAL = 128, START = 256, SELECT = 512
-const QUIT = 1, ASK = 4, SAVED = 16, FAULT = 64, ENDED = 128 // events of a frame
+const QUIT = 1, ATTRACT = 2, ASK = 4, SAVED = 16, FAULT = 64, ENDED = 128 // events of a frame
 const KEYS = [ // as the program's own, by place on the keyboard
   { ArrowUp: UP, ArrowDown: DOWN, ArrowLeft: LEFT, ArrowRight: RIGHT, KeyZ: FIRE, KeyX: BOMB, ShiftLeft: FOCUS,
     KeyC: SPECIAL, Enter: START, Digit1: START, Tab: SELECT },
@@ -108,6 +108,7 @@ function openCore(rom, nvram, demo, how) {
     heap(to, 256).fill(0)
     heap(to, 256).set(bytes)
   })
+  attracts = false
   const saved = put(nvram), recording = put(demo || new Uint8Array())
   const good = core.web_open(rom.at, rom.size, BigInt.asUintN(64, BigInt(how.seed)), saved, nvram.length, recording,
     demo ? demo.length : 0)
@@ -121,10 +122,16 @@ function seedOf(words) {
   return String(crypto.getRandomValues(new Uint32Array(1))[0])
 }
 
+function takeRom(bytes) { // plain, in the core's memory
+  const at = core.web_rom(put(bytes), bytes.length)
+  if (!at) throw new Error(text(core.web_said()))
+  return { at, size: core.web_size() }
+}
+
 // Powers a game up; bytes null: the one that is in. When that fails the one before is powered up again.
 function power(bytes, demo) {
   const before = game, words = asked(), how = { seed: seedOf(words) }
-  const rom = bytes ? { at: put(bytes), size: bytes.length } : before && before.rom
+  const rom = bytes ? takeRom(bytes) : before && before.rom
   if (!rom) throw new Error('there is no game')
   for (const name of WORDS) how[name] = words.get(name)
   const again = (id) => {
@@ -171,12 +178,35 @@ function broken(e) { // the core itself; a fault of the game is an event
   cover('It has stopped', String(e && e.message || e))
 }
 
+// The demo that a game asks for while nobody plays has a board of its own, and the game's stands still. What ends it is
+// no button of the game's until it has been let go.
+let attracts = false
+const stale = [0, 0]
+function endAttract(one, two) {
+  if (!attracts) return
+  core.web_attract_end()
+  attracts = false
+  stale[0] = one
+  stale[1] = two
+}
+
 let listener // of what is heard, for tests and films
 function tick(one, two) {
-  const events = game.plays ? core.web_next() : core.web_frame(one, two)
+  if (attracts && one | two) endAttract(one, two)
+  const events = game.plays || attracts ? core.web_next() : core.web_frame(one & ~stale[0], two & ~stale[1])
   const from = core.web_sound(), n = core.web_size()
   hear(new Int16Array(core.memory.buffer, from, 2 * n))
+  if (attracts) {
+    if (events & (ENDED | FAULT)) endAttract(0, 0)
+    return events
+  }
+  stale[0] &= one
+  stale[1] &= two
   if (events & SAVED && !game.plays) store()
+  if (events & ATTRACT && !game.plays) {
+    attracts = core.web_attract() !== 0
+    if (!attracts) console.warn('attract: ' + text(core.web_said()))
+  }
   if (events & FAULT) {
     game.over = true
     cover('A mistake in the game', text(core.web_fault()).split('\n')[0])
@@ -389,6 +419,7 @@ const between = (lo, n, hi) => Math.max(lo, Math.min(hi, n))
 function fly() {
   finger.bits = 0
   if (finger.id === null || game.plays) return
+  if (attracts) return void (finger.bits = FIRE)
   const s = ship()
   if (!s) return void (finger.target = null)
   finger.flew = true
@@ -451,7 +482,10 @@ function thumb(id, bit) {
 
 // ---- the picture's place ----
 
-let smooth = recall('smooth') ? recall('smooth') === 'yes' : touching
+// Whole pixels where they fill most of the place that there is, unless somebody chose: else a picture of half the size
+// would stand in a window that is a little too low for the next one.
+const MOST_OF = 0.8
+let chosen = recall('smooth'), smooth = false
 
 function fit() {
   document.body.classList.toggle('touch', touching)
@@ -459,6 +493,7 @@ function fit() {
   const dots = window.devicePixelRatio || 1
   const most = Math.min(stage.clientWidth / game.w, (stage.clientHeight - 4) / game.h)
   const whole = Math.floor(most * dots) / dots
+  smooth = chosen ? chosen === 'yes' : touching || whole < MOST_OF * most
   scale = !smooth && whole > 0 ? whole : most
   const times = smooth ? Math.min(6, Math.max(1, Math.ceil(scale * dots))) : 1
   screen_.width = game.w * times
@@ -482,6 +517,7 @@ function panel(open) {
 // ---- recordings, files ----
 
 function recording() {
+  endAttract(0, 0)
   const from = core.web_demo()
   if (!from) throw new Error(text(core.web_said()))
   const bytes = heap(from, core.web_size()).slice()
@@ -544,7 +580,7 @@ function listen() {
   click('keep', download)
   click('link', copyLink)
   click('anew', () => { anew(); panel(false); go() })
-  click('smooth', () => { smooth = !smooth; keep('smooth', smooth ? 'yes' : 'no'); fit() })
+  click('smooth', () => { chosen = smooth ? 'no' : 'yes'; keep('smooth', chosen); fit() })
   click('open', () => at('file').click())
   click('close', () => { panel(false); if (game) go() })
   at('file').addEventListener('change', (e) => { if (e.target.files[0]) take(e.target.files[0]); e.target.value = '' })
@@ -604,6 +640,7 @@ window.curtain = {
   pixels: () => small.getContext('2d').getImageData(0, 0, game.w, game.h),
   listen(f) { listener = f },
   save() {
+    endAttract(0, 0)
     const from = core.web_save()
     if (!from) throw new Error(text(core.web_said()))
     const bytes = heap(from, core.web_size()).slice()
@@ -611,12 +648,13 @@ window.curtain = {
     return bytes
   },
   load(bytes) {
+    endAttract(0, 0)
     const from = put(bytes), good = core.web_load(from, bytes.length)
     core.web_give(from)
     if (!good) throw new Error(text(core.web_said()))
     show()
   },
   get state() {
-    return { running, title: game && game.title, heard: audio && audio.said, bytes: core.memory.buffer.byteLength }
+    return { running, attracts, title: game && game.title, heard: audio && audio.said, bytes: core.memory.buffer.byteLength }
   },
 }

@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
 # test.sh - the web port in Chromium, headless: hashes, the test card, sound, keys that are pressed, a finger that
-# drags, saves, links, files that are dropped; how large it is, and how long a frame takes.
+# drags, saves, links, files that are dropped; how large it is, and how long a frame takes. Then the same page in Firefox.
 #
-#     OUT=build/release ports/web/test.sh          make build/release/curtain-null build/web/player.html first
+#     OUT=build/release ports/web/test.sh [--short]     make build/release/curtain-null build/web/player.html first
+#
+# --short: what takes seconds, and waits for no clock. Otherwise pictures of the page are in build/looks/web.
 . "$(dirname "$0")/../../tests/tap.sh"
-here=$repo/ports/web web=$repo/build/web
-for tool in node "${CHROMIUM:-chromium}"; do
+here=$repo/ports/web web=$repo/build/web short=${1:-} looks=$repo/build/looks/web
+tools=(node "${CHROMIUM:-chromium}")
+[ "$short" = --short ] || tools+=("${FIREFOX:-firefox-esr}")
+for tool in "${tools[@]}"; do
     command -v "$tool" >/dev/null || { echo "Bail out! there is no $tool (tools/deps.sh web installs it)"; exit 2; }
 done
 [ -f "$web/player.html" ] || { echo "Bail out! $web/player.html is not built (make web)"; exit 2; }
@@ -24,8 +28,7 @@ echo 'task.go(function()
 end)' >kept/main.lua
 for game in "$repo/roms/testcard" "$repo/roms/glasstide" kept; do
     "$curtain" pack "$game" -o "$(basename "$game").rom" 2>.said || not_ok "$game is packed" "$(cat .said)"
-    check "$(basename "$game").html is made" env OUT="$OUT" "$here/build.sh" game "$scratch/$(basename "$game").rom" \
-        "$scratch/pages/player.html"
+    check "$(basename "$game").html is made" "$curtain" export "$game" --web -o "pages/$(basename "$game").html"
 done
 page() { echo "file://$scratch/pages/$1.html#seed=1${2:-}"; } # GAME [WORDS]
 drive() { node "$here/drive.mjs" "$@" 2>>errors; }              # STEP URL ARGUMENT...
@@ -52,6 +55,19 @@ for game in testcard glasstide; do
     "$curtain" render $game.rom --seed 1 --frames 60 -o want --wav want.wav >/dev/null
     check "the sound of $game is that of render, to the bit" sh -c 'tail -c +45 want.wav | cmp - heard'
 done
+
+same 'a state is come back to' '100 true' "$(drive state "$(page glasstide '&section=one')" | cut -d' ' -f1,2)"
+said=$(drive attract "$(page glasstide)")
+same 'the demo that a game asks for is shown, until a button is pressed' 'shown true 600
+ended true' "$(head -n 2 <<<"$said")"
+same 'and the game goes on where it stood' "$(tail -n 1 <<<"$said")" "$("$curtain" hash glasstide.rom \
+    --demo attract.demo | tail -n 1)"
+same 'to which that button was none' "$(native glasstide.rom "$(tail -n 1 <<<"$said" | cut -d' ' -f1)")" \
+    "$(tail -n 1 <<<"$said")"
+if [ "$short" = --short ]; then
+    same 'no error went unseen' '' "$(cat errors)"
+    finish
+fi
 
 # ---- switches ----
 
@@ -80,7 +96,6 @@ link true' "$(drive pad "$(page glasstide '&section=one')")"
 said=$(drive kept "$(page kept)")
 same 'a game without saves begins as natively' "$(native kept.rom 10 | cut -d' ' -f2)" "$(head -n 1 <<<"$said")"
 same 'what it saved is there after each reload' 3 "$(sort -u <<<"$said" | wc -l)"
-same 'a state is come back to' '100 true' "$(drive state "$(page glasstide '&section=one')" | cut -d' ' -f1,2)"
 head -c 400 testcard.rom >torn.rom
 echo nonsense >bad.demo
 echo a text >text.txt
@@ -101,6 +116,27 @@ same 'a player without a game takes one' 'testcard.rom:  | Test Card, Play' \
 for words in '' '&section=one' '&section=queen/held'; do
     echo "# glasstide${words:+ ${words#&}}: $(drive time "$(page glasstide "$words")")"
     echo "#   on a machine six times slower: $(drive time "$(page glasstide "$words")" 6)"
+done
+
+# ---- Firefox ----
+
+said=$(node "$here/firefox.mjs" "$(page glasstide)" firefox.demo firefox.png 120 900 2>>errors)
+grep -v '^[0-9]' <<<"$said" | sed 's/^[^#]/# &/'
+same 'Firefox comes to the same hashes' "$(native glasstide.rom 120)
+$(native glasstide.rom 900)" "$(grep '^[0-9]' <<<"$said")"
+check 'at 60 ticks a second' sh -c '[ "$1" -ge 57 ] && [ "$1" -le 63 ]' - "$(sed -n 's/^rate //p' <<<"$said")"
+check 'and with keys that are pressed in it the recording holds' "$curtain" verify glasstide.rom firefox.demo
+
+# ---- looked at ----
+
+same 'on a low window the picture fills most of the height' 'laptop yes' \
+    "$(drive look "$(page glasstide '&section=one')" | awk '{ print $1, ($2 > 400 ? "yes" : $2) }')"
+mkdir -p "$looks"
+for shot in desktop-begin desktop desktop-more laptop phone-begin phone phone-menu phone-game phone-flat link attract \
+    firefox; do
+    colours=$(identify -format %k $shot.png 2>/dev/null)
+    check "a picture with something in it: $shot.png" [ "${colours:-0}" -gt 50 ]
+    cp $shot.png "$looks/" 2>/dev/null
 done
 same 'no error went unseen' '' "$(cat errors)"
 finish

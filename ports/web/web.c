@@ -13,14 +13,16 @@ enum { WORDS = 4, WORD = 256, SOUND = 800, SAID = 512 };
 enum { DIFFICULTY, LANGUAGE, SWITCHES, SECTION };
 
 static struct {
-    struct curtain *c;
-    void *memory;
+    struct curtain *c, *stands; /* stands: the game itself, while c plays the demo that it asked for */
+    void *memory, *stands_memory;
     char word[WORDS][WORD]; /* of the next opening; empty: none */
     char said[SAID];
     uint32_t rgba[1024 * 1024]; /* the largest picture there is */
     int16_t sound[2 * SOUND];
     struct curtain_ship ship;
     size_t size; /* of what the last call gave */
+    const void *rom;
+    size_t rom_size;
 } web;
 
 /* ---- memory for what the page hands in ---- */
@@ -46,14 +48,85 @@ static const char *word(int which)
     return web.word[which][0] ? web.word[which] : NULL;
 }
 
+/* Takes a packed game of web_take, and gives it back plain in its place, for it is opened more than once: web_size bytes.
+ * NULL: web_said. */
+void *EXPORT(web_rom)(void *packed, size_t size)
+{
+    web.size = curtain_plain(packed, size, NULL, 0, web.said, SAID);
+    void *plain = web.size ? malloc(web.size) : NULL;
+
+    if (web.size && !plain)
+        snprintf(web.said, SAID, "there is too little memory for this game");
+    if (plain && !curtain_plain(packed, size, plain, web.size, web.said, SAID)) {
+        free(plain);
+        plain = NULL;
+    }
+    free(packed);
+    return plain;
+}
+
 /* ---- a run ---- */
 
-void EXPORT(web_close)(void)
+static void close_board(void)
 {
     curtain_close(web.c);
     free(web.memory);
     web.c = NULL;
     web.memory = NULL;
+}
+
+static int open_board(const struct curtain_config *how)
+{
+    size_t size = curtain_memory(how, web.said, SAID);
+
+    if (size == 0)
+        return 0;
+    web.memory = malloc(size);
+    if (!web.memory)
+        snprintf(web.said, SAID, "there is too little memory for this game");
+    else
+        web.c = curtain_open(how, web.memory, size, web.said, SAID);
+    if (!web.c)
+        close_board();
+    return web.c != NULL;
+}
+
+/* The demo that the game asks for is over, or nobody wants it: the game goes on. */
+void EXPORT(web_attract_end)(void)
+{
+    if (!web.stands)
+        return;
+    close_board();
+    web.c = web.stands;
+    web.memory = web.stands_memory;
+    web.stands = NULL;
+}
+
+/* Plays the demo that the last frame asked for, on a board of its own. False: web_said has a sentence. */
+int EXPORT(web_attract)(void)
+{
+    struct curtain_config how = { .rom = web.rom, .rom_size = web.rom_size, .snapshots = 1 };
+
+    web_attract_end();
+    how.demo = curtain_attract_demo(web.c, &how.demo_size);
+    if (!how.demo) {
+        snprintf(web.said, SAID, "there is no demo \"%s\"", curtain_attract(web.c));
+        return 0;
+    }
+    web.stands = web.c;
+    web.stands_memory = web.memory;
+    web.c = NULL;
+    web.memory = NULL;
+    if (open_board(&how))
+        return 1;
+    web_attract_end();
+    return 0;
+}
+
+void EXPORT(web_close)(void)
+{
+    web_attract_end();
+    close_board();
 }
 
 /* The ROM stays where it is until web_close. False: web_said has a sentence. */
@@ -74,17 +147,9 @@ int EXPORT(web_open)(const void *rom, size_t rom_size, uint64_t seed, const void
                                   .snapshots = 4 };
 
     web_close();
-    size_t size = curtain_memory(&how, web.said, SAID);
-    if (size == 0)
-        return 0;
-    web.memory = malloc(size);
-    if (!web.memory)
-        snprintf(web.said, SAID, "there is too little memory for this game");
-    else
-        web.c = curtain_open(&how, web.memory, size, web.said, SAID);
-    if (!web.c)
-        web_close();
-    return web.c != NULL;
+    web.rom = rom;
+    web.rom_size = rom_size;
+    return open_board(&how);
 }
 
 const char *EXPORT(web_said)(void)

@@ -19,7 +19,7 @@ local front = require "fx/front"
 local grades = require "fx/grades"
 local score_page = require "fx/score_page"
 
-hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 13, 1
+hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 9, 1
 hud.low = 3 -- the bombs stand below
 hud.shy = 6
 hud.graze = "GRAZE"
@@ -78,4 +78,4 @@ boot.run { modes = {
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
             { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",
-              "that is held out to them,", "and bring up shards threefold:", "look down once more." } } }
+              "that is held out to them,", "and come with shards at x3:", "look down once more." } } }

@@ -13,16 +13,16 @@ dive("first_light", "First Light", "Chain 20 before the wreck.",
 dive("clear_water", "Clear Water", "Reach the wreck without a bomb.",
   { stage = "one", to = "wreck", clear = true, bombs = 0, by = "score",
     medals = { 15000, 24000 } })
-dive("salvage", "Salvage", "Break 20 in the wreck.",
-  { stage = "one", mark = "wreck", to = "nautilus", goal = { kills = 20 },
-    medals = { 15 * S, 11 * S } })
-dive("rivets", "Rivets", "Chain 15 in the wreck.",
-  { stage = "one", mark = "wreck", to = "nautilus", goal = { chain = 15 },
-    medals = { 14 * S, 10 * S } })
+dive("salvage", "Salvage", "Break 12 in the wreck.",
+  { stage = "one", mark = "wreck", to = "nautilus", goal = { kills = 12 },
+    medals = { 10 * S, 9 * S } })
+dive("rivets", "Rivets", "Chain 14 in the wreck.",
+  { stage = "one", mark = "wreck", to = "nautilus", difficulty = "hard", goal = { chain = 14 },
+    medals = { 10 * S, 9 * S } })
 dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 50 seconds.",
   { boss = "nautilus", difficulty = "normal", clear = true, limit = 50 * S,
     medals = { 42 * S, 34 * S } })
-dive("snail", "Snail's Pace", "Last 20 seconds in the Chambered Lamp. No bomb.",
+dive("snail", "Snail's Pace", "Let the Chambered Lamp burn 20 seconds. No bomb.",
   { boss = "nautilus", phase = "chambers", difficulty = "hard", goal = { frames = 20 * S },
     bombs = 0, by = "grazes", medals = { 30, 60 } })
 dive("nets", "Cut the Nets", "Win 30,000 points above the crab.",
@@ -31,21 +31,21 @@ dive("nets", "Cut the Nets", "Win 30,000 points above the crab.",
 dive("hooks", "By Hook", "Break 40 above the crab with hooks.",
   { stage = "one", mark = "deep", to = "crab", ship = "tern_hooks", goal = { kills = 40 },
     medals = { 26 * S, 22 * S } })
-dive("pinch", "A Pinch of Salt", "Graze 60 in Pincers without a bomb.",
-  { boss = "crab", phase = "pincers", difficulty = "normal", goal = { grazes = 60 }, bombs = 0,
-    limit = 30 * S, medals = { 24 * S, 18 * S } })
+dive("pinch", "A Pinch of Salt", "Graze 100 in Pincers without a bomb.",
+  { boss = "crab", phase = "pincers", difficulty = "normal", goal = { grazes = 100 }, bombs = 0,
+    limit = 30 * S, medals = { 20 * S, 15 * S } })
 dive("echo", "No Echo", "Break the Grotto of Rings with the lens.",
   { boss = "crab", phase = "grotto", ship = "heron_lens", difficulty = "normal", clear = true,
     limit = 35 * S, medals = { 31 * S, 26 * S } })
-dive("waltz", "Last Waltz", "Last 25 seconds in the Waltz of Lamps. No bomb.",
+dive("waltz", "Last Waltz", "Let the Waltz of Lamps go on 25 seconds. No bomb.",
   { boss = "crab", phase = "lamplight", difficulty = "hard", goal = { frames = 25 * S },
     bombs = 0, by = "grazes", medals = { 30, 60 } })
-dive("glazier", "The Glazier", "Collect 40 shards under the Falling Chandelier.",
-  { boss = "crab", phase = "chandelier", goal = { prisms = 40 }, bombs = 0,
+dive("glazier", "The Glazier", "Collect 70 shards under the Falling Chandelier.",
+  { boss = "crab", phase = "chandelier", goal = { prisms = 70 }, bombs = 0,
     registers = { gauge = 500 }, medals = { 30 * S, 20 * S } })
 dive("harbour", "Harbour Dues", "Break Lights of the Harbour without a bomb.",
   { boss = "crab", phase = "harbour", difficulty = "normal", clear = true, bombs = 0,
-    medals = { 38 * S, 32 * S } })
+    medals = { 32 * S, 26 * S } })
 dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
   { boss = "crab", difficulty = "normal", clear = true, by = "score",
     medals = { 120000, 200000 } })
@@ -53,7 +53,7 @@ dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
   { stage = "one", difficulty = "normal", clear = true, by = "score",
     medals = { 180000, 300000 } })
 dive("prism", "Prism", "Bring the multiplier to x3.00 in the shallows.",
-  { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 160 * S, 120 * S } })
+  { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 205 * S, 185 * S } })
 
 -- ---- the works ----
 
@@ -65,7 +65,7 @@ dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathe.",
     limit = 20 * S, medals = { 16 * S, 13 * S } })
 dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
   { boss = "bellows", phase = "wheels", difficulty = "hard", clear = true, bombs = 0,
-    medals = { 22 * S, 17 * S } })
+    medals = { 18 * S, 14 * S } })
 dive("shift", "Night Shift", "Break 40 in the halls.",
   { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 40 },
     medals = { 27 * S, 23 * S } })
@@ -78,12 +78,12 @@ dive("press", "Stop Press", "Break The Press with fangs.",
 
 -- ---- the abyss ----
 
-dive("trench", "Trench Coat", "Chain 14 in the trench.",
-  { stage = "three", mark = "trench", to = "angler", lives = 3, goal = { chain = 14 },
-    medals = { 13 * S, 9 * S } })
-dive("bait", "Bait", "Graze 35 round the Anglerlamp's bait.",
-  { boss = "angler", phase = "bait", difficulty = "normal", goal = { grazes = 35 },
-    limit = 26 * S, medals = { 21 * S, 16 * S } })
+dive("trench", "Trench Coat", "Break 18 in the trench.",
+  { stage = "three", mark = "trench", to = "angler", lives = 3, goal = { kills = 18 },
+    medals = { 14 * S, 13 * S } })
+dive("bait", "Bait", "Graze 50 round the Anglerlamp's bait.",
+  { boss = "angler", phase = "bait", difficulty = "normal", goal = { grazes = 50 },
+    limit = 26 * S, medals = { 22 * S, 17 * S } })
 dive("match", "Struck Match", "Break Struck Match in 20 seconds.",
   { boss = "angler", phase = "match", difficulty = "normal", clear = true, limit = 20 * S,
     medals = { 16 * S, 12 * S } })
@@ -95,7 +95,7 @@ dive("hoard", "Hoard", "Collect 60 shards above the Queen.",
     medals = { 28 * S, 24 * S } })
 dive("wheels", "Full Measure", "Fill the gauge among the Queen's wheels. No bomb.",
   { boss = "queen", phase = "wheels", difficulty = "normal", goal = { gauge = 1000 }, bombs = 0,
-    registers = { gauge = 400 }, limit = 45 * S, medals = { 32 * S, 22 * S } })
+    registers = { gauge = 400 }, limit = 45 * S, medals = { 26 * S, 19 * S } })
 dive("breath", "Hold It", "Beat Held Breath in 30 seconds.",
   { boss = "queen", phase = "held", difficulty = "normal", clear = true, limit = 30 * S,
     medals = { 25 * S, 20 * S } })
@@ -105,21 +105,21 @@ dive("ebb", "Slack Water", "Break Ebb and Flow with lances. No bomb.",
 dive("window", "Stained Glass", "Break the Rose Window on hard.",
   { boss = "queen", phase = "window", difficulty = "hard", clear = true, by = "grazes",
     medals = { 50, 100 } })
-dive("flower", "Fathomless", "Last 30 seconds in the abyss of the flower.",
+dive("flower", "Fathomless", "Let the abyss flower for 30 seconds.",
   { boss = "queen", phase = "flower", difficulty = "abyss", goal = { frames = 30 * S },
     by = "grazes", medals = { 80, 160 } })
 dive("throne", "Audience", "Beat the Queen with two lives.",
   { boss = "queen", difficulty = "normal", lives = 2, clear = true, by = "score",
-    medals = { 180000, 320000 } })
+    medals = { 350000, 600000 } })
 dive("undertow", "The Tide Returns", "Send her back without a bomb.",
   { boss = "undertow", difficulty = "normal", clear = true, bombs = 0, by = "score",
-    medals = { 20000, 40000 } })
+    medals = { 120000, 180000 } })
 
 -- ---- below it ----
 
 dive("tithe", "Tithe", "Graze 120 under the waxing moon.",
   { boss = "moon", phase = "gibbous", difficulty = "normal", goal = { grazes = 120 }, bombs = 0,
-    limit = 45 * S, medals = { 34 * S, 26 * S }, needs = "rush" })
+    limit = 45 * S, medals = { 27 * S, 20 * S }, needs = "rush" })
 dive("eclipse", "Eclipse", "Outlive the sea that falls in.",
   { boss = "moon", phase = "eclipse", difficulty = "normal", lives = 2, clear = true,
     by = "grazes", medals = { 60, 120 }, needs = "rush" })

@@ -321,7 +321,7 @@ return {
     hit      = { file = "sfx/hit.mml", priority = 7, limit = 1 },
     -- each craft fires, and a creature is hurt
     dart     = { mml = "t300 @pulse E0,16,0,6 o6 V100 {c<g}32", priority = 0, limit = 1 },
-    fang     = { mml = "t300 @triangle E0,22,0,8 o5 V76 {a<d}16", priority = 0, limit = 1 },
+    fang     = { mml = "t300 @triangle E0,22,0,8 o5 V98 {a<d}16", priority = 0, limit = 1 },
     chip     = { mml = "t300 @fm E0,11,0,6 o6 V92 b64", priority = 0, limit = 1 },
     -- what breaks, by size
     crash    = { file = "sfx/crash.mml", priority = 4, limit = 1 },
@@ -342,7 +342,7 @@ return {
     claw     = { file = "sfx/claw.mml", priority = 6, limit = 1 },
     hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
     bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
-    snap     = { mml = "t300 @pulse E0,20,0,10 o4 V112 {g>c}32", priority = 4, limit = 1 },
+    snap     = { mml = "t300 @pulse E0,20,0,10 o4 V127 {g>c}32", priority = 4, limit = 1 },
 
     -- stage two: the works, and the voices of the two eels
     pour     = { file = "sfx/pour.mml", priority = 4, limit = 1 },
@@ -351,7 +351,7 @@ return {
     reflect  = { file = "sfx/reflect.mml", priority = 2, limit = 2 },
     cinder_cry = { file = "sfx/cinder_cry.mml", priority = 6, limit = 1 },
     quench_cry = { file = "sfx/quench_cry.mml", priority = 6, limit = 1 },
-    cinder   = { mml = "t300 @saw E1,24,0,12 o4 V72 {d<b}32", priority = 5, limit = 1 },
+    cinder   = { mml = "t300 @saw E1,24,0,12 o4 V120 {d<b}32", priority = 5, limit = 1 },
     quench   = { mml = "t300 @sine E2,30,0,16 o6 V80 {d<a}32", priority = 5, limit = 1 },
 
     -- stage three: a lamp in the dark, the queen's five glasses
@@ -363,7 +363,7 @@ return {
     the_moon = { mml = "t300 @fm E4,60,0,40 o3 V92 a16", priority = 5, limit = 1 },
 
     -- crafts: what the tern fires, shots that are gathered, bombs; gauge, chain, tasks
-    peal     = { mml = "t300 @fm E0,30,0,12 o5 V72 {d>d}32", priority = 0, limit = 1 },
+    peal     = { mml = "t300 @fm E0,30,0,12 o5 V104 {d>d}32", priority = 0, limit = 1 },
     ray      = { file = "sfx/ray.mml", priority = 3, limit = 1 },
     bell_bomb = { file = "sfx/bell_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
     lamp_bomb = { file = "sfx/lamp_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
@@ -378,12 +378,12 @@ return {
     failed   = { file = "sfx/failed.mml", priority = 6, limit = 1 },
     ono      = { mml = "t300 @fm E1,22,0,12 o5 V88 {g>c}32", priority = 5, limit = 1 },
     lens     = { mml = "t300 @sine E0,20,60,10 o6 V54 a8", priority = 0, limit = 1 },
-    mote     = { mml = "t300 @sine E0,14,0,6 o6 V74 {e>c}32", priority = 0, limit = 1 },
-    hook     = { mml = "t300 @pulse E0,20,0,10 o5 V70 {a>e}16", priority = 0, limit = 1 },
+    mote     = { mml = "t300 @sine E0,14,0,6 o6 V96 {e>c}32", priority = 0, limit = 1 },
+    hook     = { mml = "t300 @pulse E0,20,0,10 o5 V112 {a>e}16", priority = 0, limit = 1 },
 
     -- a boss comes in; a clock's last seconds; what is unlocked
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
-    tick     = { mml = "t300 @pulse E0,14,0,8 o6 V84 g32", priority = 5, limit = 1 },
+    tick     = { mml = "t300 @pulse E0,14,0,8 o6 V118 g32", priority = 5, limit = 1 },
     unlock   = { file = "sfx/unlock.mml", priority = 6, limit = 1 },
     -- menus, and the way round
     select   = { file = "sfx/select.mml", priority = 5, limit = 1 },
@@ -395,7 +395,7 @@ return {
     -- voices of those who talk, a letter each
     iri       = { mml = "t300 @pulse E1,22,0,10 o5 V116 a32", priority = 5, limit = 1 },
     sen       = { mml = "t300 @triangle E1,24,0,10 o5 V84 d32", priority = 5, limit = 1 },
-    the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V118 c64r64c64", priority = 5, limit = 1 },
+    the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V80 c64r64c64", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
   music = { -- each file says its key, chords and form; docs/music.md

@@ -60,7 +60,8 @@ local function tallies(n, last)
       row_of[word], row[p + 1] = row, line.points
     end
   end
-  rows[#rows + 1] = { "SCORE", hud.score(1), n > 1 and hud.score(2) or nil }
+  local function points(p) return function() return hud.score(p) end end -- what still comes in counts, too
+  rows[#rows + 1] = { "SCORE", points(1), n > 1 and points(2) or nil }
   return rows
 end
 

@@ -171,9 +171,9 @@ end
 local function scroll(l, chosen)
   l.first = math.max(chosen - l.seen + 1, math.min(l.first, chosen))
   if l.seen == #l.items then return end
-  local col = l.col + l.width + 3
-  hud.put(col, l.row, l.first > 1 and UP or " ", hud.banks.faint)
-  hud.put(col, l.row + (l.seen - 1) * l.gap, l.first + l.seen <= #l.items and DOWN or " ", hud.banks.faint)
+  local up, down = l.first > 1 and UP or " ", l.first + l.seen <= #l.items and DOWN or " "
+  hud.put(l.more.col, l.more.up, up, hud.banks.faint)
+  hud.put(l.more.col, l.more.down, down, hud.banks.faint)
 end
 
 local function draw(l, a, chosen, age)
@@ -204,6 +204,9 @@ local function lay_out(a)
     items = a.items, row = a.row, gap = gap, width = widest, col = (a.col or page.col) + (cols - widest) // 2,
     first = 1, seen = seen, below = a.row + seen * gap + (page.low and 0 or 1), lines = sys.on("text.line") and {},
   }
+  -- Where it says that there is more: beside it, in the empty rows above and below if there are such.
+  local off, last = gap > 1 and 1 or 0, a.row + (seen - 1) * gap
+  l.more = { col = l.col + widest + (gap > 1 and 1 or 3), up = a.row - off, down = last + off }
   local beyond = math.max(0, math.min(3, l.col - page.col - 1)) -- columns of the bar beside the widest item
   l.bar = sprite.plate {
     x = (l.col - beyond) * 8, y = l.row * 8, w = (widest + 2 * beyond) * 8, h = gap > 1 and 16 or 10, stay = true,
@@ -254,7 +257,11 @@ function page.list(a)
   end
   l.bar:remove()
   for _, line in pairs(l.lines or {}) do line:remove() end
-  page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + (l.seen < #l.items and 6 or 4))
+  page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + 4)
+  if l.seen < #l.items then
+    page.clear(l.more.up, 1, l.more.col, 1)
+    page.clear(l.more.down, 1, l.more.col, 1)
+  end
   if a.note then page.clear(l.below, a.notes) end
   return answer
 end

@@ -5,9 +5,9 @@ local page = sys.read("menu/page")
 
 local STAR = hud.glyph(138, "*")
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
-local NOTES <const> = page.low and 6 or 11 -- rows below the list
-local COLS <const> = math.min(page.cols - 4, 34)
-local COL <const> = page.col + (page.cols - COLS) // 2
+local NOTES <const> = page.low and 8 or 11 -- rows below the list: two of which page it is, and of words
+local COLS <const> = math.min(page.cols - 5, 34)
+local COL <const> = page.col + (page.cols - COLS + 1) // 2 -- an arrow stands two before it
 
 -- Each mission as { m, title, stars, value, ship, closed }.
 local function entries()
@@ -27,10 +27,10 @@ local function measure(by, value)
 end
 
 local function draw_row(e, i, row, chosen, age)
-  local bank = page.bank(1, age, hud.banks[chosen and "bright" or e.stars > 0 and "plain" or "faint"])
+  local bank = page.bank(1, age, hud.banks[chosen and "bright" or e.closed and "faint" or "plain"])
   page.clear(row, 1)
   local words = ("%2d %s"):format(i, hud.wrap(e.title, COLS - 7)[1])
-  if chosen then hud.put(COL - 1, row, RIGHT, hud.banks.bright) end
+  if chosen then hud.put(COL - 2, row, RIGHT, hud.banks.bright) end
   hud.put(COL, row, words, bank)
   if e.stars > 0 then hud.put(COL + COLS - 3, row, STAR:rep(e.stars), hud.banks.bright) end
 end
@@ -38,8 +38,8 @@ end
 -- What stands below the list: what is asked, of whom, the best so far.
 local function draw_note(e, row)
   local m, apart = e.m, page.low and 1 or 2
-  page.clear(row, NOTES)
-  row = page.text(row, e.closed or m.text or "", hud.banks.plain, COL - 1, COLS + 2)
+  page.clear(row, NOTES - 2)
+  row = page.text(row, e.closed or m.text or "", hud.banks.plain, page.col, page.cols)
   if e.closed then return end
   local words = {}
   if m.ship then words[1] = menu.label(m.ship) end
@@ -68,12 +68,12 @@ local function draw_list(list, at, top, rows, gap, age)
   end
 end
 
-local function draw_head(list, age)
+local function draw_head(age)
   local got, all = sys.missions.total()
   local top = page.head("MISSIONS", age)
   page.centre(top - 1, ("%s %d/%d"):format(STAR, got, all), hud.banks.faint)
   page.foot("FIRE: OK  BOMB: BACK", age)
-  return top + 1, #list
+  return top + (page.low and 1 or 2)
 end
 
 -- Where the buttons lead from there.
@@ -89,13 +89,14 @@ return function(last)
   local list = entries()
   local at = last and sys.missions.place(last) or 1
   page.begin()
-  local top = draw_head(list, 0)
+  local top = draw_head(0)
   local room = page.row + page.rows - (page.low and 3 or 6) - top - NOTES
   local gap = page.low and 1 or 2
+  if not page.low then page.frame(top, room + NOTES - 1) end
   local rows, age, idle, answer = math.max(1, math.min(#list, room // gap)), 0, 0, nil
   while idle < page.IDLE do
     if page.opening(age, 0) then
-      draw_head(list, idle)
+      draw_head(idle)
       draw_list(list, at, top, rows, gap, age)
       draw_note(list[at], top + rows * gap + 2)
     end

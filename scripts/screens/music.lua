@@ -20,9 +20,9 @@ return function(list)
     items[i] = hint and "- - -" or title_of(m)
   end
   local function note(i, row)
-    if playing then row = page.centre(row, NOTE .. " " .. title_of(list[playing]), hud.banks.bright) end
+    if playing then row = page.text(row, NOTE .. " " .. title_of(list[playing]), hud.banks.bright) end
     local line = closed[i] or list[i].text
-    if line then page.centre(row, line, hud.banks.plain) end
+    if line then page.text(row, line) end
   end
   local function stop(fade) if on then sys.music_back(list[playing].name, fade) end end
   local back <close> = setmetatable({}, { __close = function() stop(30) end })

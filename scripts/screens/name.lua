@@ -48,7 +48,7 @@ end
 
 local function put_plate(e, row)
   return sprite.plate {
-    x = e.col * 8 + 4, y = row * 8 - 12, w = e.cols * 8 - 8, h = (3 * GAP + 8) * 8 + 16, bank = hud.banks.plain,
+    x = e.col * 8 + 4, y = row * 8 - 12, w = e.cols * 8 - 8, h = (3 * GAP + 9) * 8 + 16, bank = hud.banks.plain,
   }
 end
 

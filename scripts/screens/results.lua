@@ -8,7 +8,8 @@ local RUN, NEXT = 36, 10           -- frames that a value runs, and from one to 
 local STAMP = 8                   -- frames that a grade takes to come, and is bright
 local GRADE = 5                   -- rows of it
 
--- What stands there when nobody gives rows: { word, value of the first, value of the second } each.
+-- What stands there when nobody gives rows: { word, value of the first, value of the second } each; a value may be a
+-- function that returns it.
 local function usual(players)
   local rows = { { "SCORE" }, { "GRAZE" }, { "LIVES" } }
   for p = 1, players do
@@ -19,6 +20,7 @@ local function usual(players)
 end
 
 local function value(n, age)
+  if type(n) == "function" then n = n() end
   if math.type(n) ~= "integer" then return tostring(n or "") end
   return tostring(n * math.min(age, RUN) // RUN)
 end

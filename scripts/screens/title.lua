@@ -9,6 +9,8 @@ local WORDS = {
 local UNDER = page.low and 5 or 9 -- rows from the middle of the logo to the first of the list, at least
 local SHINES <const>, AGAIN <const> = 24, 200 -- frames that a light runs over the logo, and from one to the next
 local DROP = 24 -- px from above that the logo comes
+local LEAST <const> = 4 -- items that are seen with an empty row between them; where there is no room for so many, none is
+local LIFT <const> = 8  -- frames in which the logo makes room for a long list
 
 -- The name of a game without a logo, its letters apart where there is room.
 local function draw_name(row, age)
@@ -88,13 +90,27 @@ local function index_of(list, what)
   end
 end
 
--- The number of what is chosen from the list; 0: back, nil: nobody answers.
-local function choose(items, row, chosen, least)
-  if #items == 1 then return 1 end
+-- Where a list of n items lies below a logo in row `third`: its first row, rows from one to the next, how many of them
+-- are seen, and how many rows higher the logo stands then.
+local function lay_out(n, row, third, logo)
   local top, last = row - (page.low and 2 or 0), page.row + page.rows - 3 -- the cabinet says the keys below
-  local gap = math.min(top, least) + 2 * (#items - 1) <= last and 2 or 1
-  top = math.min(top, last - gap * (#items - 1))
-  return page.list { items = items, row = top, chosen = chosen, back = 0, gap = gap, keys = true }
+  local free = logo and math.max(0, third - page.row - UNDER) or 0        -- rows between the best score and the logo
+  top = math.max(math.min(top, third + UNDER, last - 2 * (n - 1)), third + UNDER - free)
+  local lift, seen = math.max(0, third + UNDER - top), math.min(n, (last - top) // 2 + 1)
+  if seen >= math.min(n, LEAST) then return top, 2, seen, lift end
+  return math.min(top, last - n + 1), 1, n, lift
+end
+
+-- The number of what is chosen from the list; 0: back, nil: nobody answers.
+local function choose(items, row, chosen, third, logo)
+  if #items == 1 then return 1 end
+  local top, gap, seen, lift = lay_out(#items, row, third, logo)
+  local function draw(age)
+    if logo then logo.y = (third - lift * math.min(age, LIFT) / LIFT) * 8 end
+  end
+  return page.list {
+    items = items, row = top, chosen = chosen, back = 0, gap = gap, most = seen, draw = draw, keys = true,
+  }
 end
 
 -- words: where one can go, "start" first; last: where one comes from, or nil. Returns where to, and how many play; nil
@@ -109,11 +125,11 @@ return function(limit, words, last)
   draw_best()
   if back then
     if logo then logo.y = third * 8 else draw_name(third, page.cols) end
-    here = choose(items, row, back, third + UNDER)
+    here = choose(items, row, back, third, logo)
   end
   while here == 0 do
     local came = wait_for_start(row, third, logo, light, limit)
-    here = came and choose(items, row, 1, third + UNDER)
+    here = came and choose(items, row, 1, third, logo)
   end
   text.clear()
   if logo then logo:remove() end

@@ -1,8 +1,11 @@
 /*
- * cli.c - see cli.h. What the words mean is in line/; what is done is in each command's room, and in the files here.
+ * cli.c - see cli.h, and platform.h for the program by calls. What the words mean is in line/; what is done is in each
+ * command's room, and in the files here.
  */
 #include "cli.h"
 
+#include <stdlib.h>
+#include "../../platform/platform.h"
 #include "../base/host.h"
 #include "../base/ieee.h"
 #include "art/art_run.h"
@@ -49,62 +52,68 @@ static bool apart(const struct args *a, char *err, size_t err_size)
     return apart_check(games ? a->words[0] : NULL, a->demo, out, sizeof out / sizeof *out, err, err_size);
 }
 
-static enum result run(int argc, char **argv)
+struct program {
+    struct args args;
+    struct running running;
+    enum result result; /* of what is not running */
+};
+
+static enum result run(struct program *p, int argc, char **argv)
 {
-    struct args a;
+    struct args *a = &p->args;
     char err[1536];
 
     enum result own = own_open(err, sizeof err);
     if (own != RESULT_DONE)
         return report_line(own, "%s", err);
-    if (!args_parse(&a, argc, argv, err, sizeof err) || !allowed(&a, err, sizeof err) || !apart(&a, err, sizeof err))
+    if (!args_parse(a, argc, argv, err, sizeof err) || !allowed(a, err, sizeof err) || !apart(a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
-    if (wrong && a.command != COMMAND_HELP && a.command != COMMAND_VERSION)
+    if (wrong && a->command != COMMAND_HELP && a->command != COMMAND_VERSION)
         return report_line(RESULT_HOST, "%s", wrong);
-    switch (a.command) {
+    switch (a->command) {
     case COMMAND_RENDER:
-        return headless_render(&a);
+        return headless_render(a);
     case COMMAND_CAPTURE:
-        return capture_run(&a);
+        return capture_run(a);
     case COMMAND_HASH:
-        return headless_hash(&a);
+        return headless_hash(a);
     case COMMAND_VERIFY:
-        return verify_run(&a);
+        return verify_run(a);
     case COMMAND_TEST:
-        return testing_command(&a);
+        return testing_command(a);
     case COMMAND_PACK:
-        return command_pack(&a);
+        return command_pack(a);
     case COMMAND_LIST:
-        return command_list(&a);
+        return command_list(a);
     case COMMAND_UNPACK:
-        return command_unpack(&a);
+        return command_unpack(a);
     case COMMAND_NEW:
-        return start_new(a.words[0], a.from);
+        return start_new(a->words[0], a->from);
     case COMMAND_EXPORT:
-        return command_export(&a);
+        return command_export(a);
     case COMMAND_LICENCES:
-        return licences_run(a.full);
+        return licences_run(a->full);
     case COMMAND_CHECK:
-        return check_game(a.words[0], a.nearest);
+        return check_game(a->words[0], a->nearest);
     case COMMAND_BENCH:
-        return bench_command(&a);
+        return bench_command(a);
     case COMMAND_SURVIVE:
-        return survive_command(&a);
+        return survive_command(a);
     case COMMAND_SOUND:
-        return listen_run(&a);
+        return listen_run(a, &p->running);
     case COMMAND_ART:
-        return art_run(a.words[0], a.nearest, a.atlas);
+        return art_run(a->words[0], a->nearest, a->atlas);
     case COMMAND_PALETTE:
-        return art_run_palette(a.words[0], a.bank, a.out);
+        return art_run_palette(a->words[0], a->bank, a->out);
     case COMMAND_BULLETML:
-        return bulletml_command(a.words, a.n_words, a.lua);
+        return bulletml_command(a->words, a->n_words, a->lua);
     case COMMAND_HELP:
-        return command_help(&a);
+        return command_help(a);
     case COMMAND_VERSION:
         return command_version();
     default:
-        return command_play(&a, a.words != argv);
+        return command_play(a, a->words != argv, &p->running);
     }
 }
 
@@ -121,12 +130,53 @@ static int exit_code(enum result result)
     return codes[result];
 }
 
-int cli_main(int argc, char **argv)
+/* What it prints is the same everywhere, too: so each of the calls is in the board's settings of the thread. */
+
+struct program *program_open(int argc, char **argv)
+{
+    struct program *p = calloc(1, sizeof *p);
+    struct host host;
+
+    if (!p)
+        return NULL;
+    host_enter(&host);
+    p->result = run(p, argc, argv);
+    host_leave(&host);
+    return p;
+}
+
+bool program_frame(struct program *p)
 {
     struct host host;
 
-    host_enter(&host); /* what it prints is the same everywhere, too */
-    enum result result = run(argc, argv);
+    if (!p->running.frame)
+        return false;
+    host_enter(&host);
+    const bool goes_on = p->running.frame(p->running.of);
     host_leave(&host);
+    return goes_on;
+}
+
+int program_close(struct program *p)
+{
+    struct host host;
+
+    host_enter(&host);
+    const enum result result = p->running.frame ? p->running.close(p->running.of) : p->result;
+    host_leave(&host);
+    free(p);
     return exit_code(result);
+}
+
+int cli_main(int argc, char **argv)
+{
+    struct program *p = program_open(argc, argv);
+
+    if (!p) {
+        plat_log("curtain: out of memory");
+        return EXIT_HOST;
+    }
+    while (program_frame(p))
+        ;
+    return program_close(p);
 }

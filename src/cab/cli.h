@@ -12,7 +12,7 @@ enum {
     EXIT_HOST = 3     /* the host failed or stopped it: the same */
 };
 
-/* Does what argv says; argv may be rearranged. Returns the exit code. */
+/* Does what argv says, with a loop of its own; argv may be rearranged. Returns the exit code. */
 int cli_main(int argc, char **argv);
 
 #endif

@@ -48,8 +48,13 @@ static bool is_games_folder(const char *path)
 
 struct play {
     const struct args *a;
+    struct args next; /* what holds of a for a game that was dropped */
+    char dropped[FILES_PATH];
     const char *path;
     struct game game;
+    struct cab *cab; /* NULL: there is none, and result is what became of the game */
+    enum result result;
+    char wrong[1024];
 };
 
 static enum cab_opened open_game(void *user, struct cab_options *o, char *err, size_t err_size)
@@ -67,10 +72,10 @@ static enum cab_opened open_game(void *user, struct cab_options *o, char *err, s
     return CAB_OPENED;
 }
 
-static enum result play_it(struct play *p)
+/* Opens a cabinet for the game. False: there is none, and p->result says why. */
+static bool play_it(struct play *p)
 {
     const struct args *a = p->a;
-    char err[1024];
     struct cab_options o = { .path = p->path, .seeded = a->seeded, .record = a->record, .scale = a->scale };
 
     o.fullscreen = a->fullscreen;
@@ -83,34 +88,60 @@ static enum result play_it(struct play *p)
     o.sealed = own_sealed();
     o.user = p;
     o.open = is_games_folder(p->path) ? open_game : NULL;
-    enum cab_opened opened = open_game(p, &o, err, sizeof err);
-    if (opened == CAB_REFUSED || (opened == CAB_WRONG && !o.open))
-        return report_error(err);
-    o.wrong = err;
-    return cab_play(&o);
+    enum cab_opened opened = open_game(p, &o, p->wrong, sizeof p->wrong);
+    if (opened == CAB_REFUSED || (opened == CAB_WRONG && !o.open)) {
+        p->result = report_error(p->wrong);
+        return false;
+    }
+    o.wrong = p->wrong;
+    p->cab = cab_open(&o);
+    if (!p->cab)
+        p->result = report_line(RESULT_HOST, "out of memory");
+    return p->cab != NULL;
 }
 
-/* A game that was dropped on the window: with what was said of the window, and nothing of the run. */
-static enum result play_next(struct play *p, const char *path)
+/* A game that was dropped on the window: with what was said of the window, and nothing of the run. False: none was, or
+ * it cannot be played. */
+static bool play_next(struct play *p)
 {
     const struct args *was = p->a;
     struct args a = { .command = COMMAND_PLAY, .every = 1, .scale = was->scale, .fullscreen = was->fullscreen };
+    const bool is = cab_next(p->cab, p->dropped, sizeof p->dropped);
 
     a.mute = was->mute;
     a.nearest = was->nearest;
     a.verbose = was->verbose;
+    p->result = cab_close(p->cab);
+    p->cab = NULL;
+    if (!is)
+        return false;
     game_close(&p->game);
-    p->a = &a;
-    p->path = path;
-    enum result result = play_it(p);
-    p->a = was;
+    p->next = a;
+    p->a = &p->next;
+    p->path = p->dropped;
+    return play_it(p);
+}
+
+static bool frame(void *of)
+{
+    struct play *p = of;
+
+    return p->cab && (cab_frame(p->cab) || play_next(p));
+}
+
+static enum result close(void *of)
+{
+    struct play *p = of;
+    const enum result result = p->cab ? cab_close(p->cab) : p->result;
+
+    game_close(&p->game);
+    free(p);
     return result;
 }
 
-enum result command_play(const struct args *a, bool named)
+enum result command_play(const struct args *a, bool named, struct running *running)
 {
     const char *path = a->n_words ? a->words[0] : NULL;
-    char next[FILES_PATH];
 
     if (path && is_nothing(path))
         return no_such_word(path, named);
@@ -119,10 +150,7 @@ enum result command_play(const struct args *a, bool named)
         return report_line(RESULT_HOST, "out of memory");
     p->a = a;
     p->path = path;
-    enum result result = play_it(p);
-    while (cab_next(next, sizeof next))
-        result = play_next(p, next);
-    game_close(&p->game);
-    free(p);
-    return result;
+    play_it(p);
+    *running = (struct running){ frame, close, p };
+    return RESULT_DONE;
 }

@@ -4,11 +4,14 @@
 #include "command.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include "../../platform/platform.h"
+#include "../base/err.h"
 #include "host/files.h"
 #include "host/progress.h"
 #include "host/report.h"
 #include "line/game.h"
+#include "pack/compress.h"
 #include "pack/pack.h"
 #include "share/export.h"
 #include "store/replays_print.h"
@@ -18,6 +21,19 @@ static void warn(void *context, const char *sentence)
 {
     (void)context;
     report_line(RESULT_DONE, "%s", sentence);
+}
+
+/* Compressed, where that is smaller and may be. */
+static bool save_packed(const struct rom_image *image, const char *out, bool plain, char *err, size_t err_size)
+{
+    uint8_t *small = NULL;
+    size_t size = 0;
+
+    if (!plain && !compress_rom(image->bytes, image->size, &small, &size))
+        return err_set(err, err_size, "out of memory");
+    const bool good = files_save(out, small ? small : image->bytes, small ? size : image->size, err, err_size);
+    free(small);
+    return good;
 }
 
 enum result command_pack(const struct args *a)
@@ -41,7 +57,7 @@ enum result command_pack(const struct args *a)
         snprintf(name, sizeof name, "%s.rom", cart.m.id);
         out = name;
     }
-    if (result == RESULT_DONE && !files_save(out, image.bytes, image.size, err, sizeof err))
+    if (result == RESULT_DONE && !save_packed(&image, out, a->plain, err, sizeof err))
         result = report_line(RESULT_HOST, "%s", err);
     rom_image_free(&image);
     return result;
@@ -104,6 +120,9 @@ enum result command_export(const struct args *a)
                                       .nearest = a->nearest,
                                       .keys = a->keys,
                                       .desktop = a->desktop,
+                                      .kind = a->web        ? EXPORT_PAGE
+                                              : a->libretro ? EXPORT_CORE
+                                                            : EXPORT_PROGRAM,
                                       .builtin = builtin_rom,
                                       .builtin_size = builtin_rom_size };
 

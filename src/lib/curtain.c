@@ -2,9 +2,11 @@
  * curtain.c - see curtain.h: opening, frames, what is seen and heard.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../base/err.h"
 #include "../board/hits/danger.h"
+#include "../board/rom/compressed.h"
 #include "lib.h"
 
 static uint8_t *aligned(uint8_t *p)
@@ -62,19 +64,49 @@ static void lay_out(struct curtain *c, struct pieces *p, const struct curtain_co
         fb_init(&c->fb, pixels, m->screen_w, m->screen_h);
 }
 
-/* Opens the ROM, and tells how much memory all takes; c->rom and c->cart are good then. */
-static bool look_at(struct curtain *c, const struct curtain_config *config, size_t *board, size_t *all, char *err,
-                    size_t err_size)
+/* Bytes of the plain ROM, and of the room that it needs here: none, if it is plain. 0: it cannot be read. */
+static size_t plain_size(const struct curtain_config *config, size_t *room, char *err, size_t err_size)
 {
-    if (!config->rom)
-        return err_set(err, err_size, "there is no ROM");
+    *room = 0;
+    if (!config->rom) {
+        err_set(err, err_size, "there is no ROM");
+        return 0;
+    }
+    if (!compressed_is(config->rom, config->rom_size))
+        return config->rom_size;
+    return *room = compressed_size(config->rom, config->rom_size, err, err_size);
+}
+
+size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, char *err, size_t err_size)
+{
+    const struct curtain_config config = { .rom = rom, .rom_size = rom_size };
+    size_t packed, size = plain_size(&config, &packed, err, err_size);
+
+    if (size == 0 || !out)
+        return size;
+    if (room < size) {
+        err_set(err, err_size, "%zu bytes for the plain ROM, expected %zu", room, size);
+        return 0;
+    }
+    if (packed == 0)
+        memcpy(out, rom, size);
+    else if (!compressed_read(rom, rom_size, out, err, err_size))
+        return 0;
+    return size;
+}
+
+/* Opens the plain ROM, and tells how much memory all takes, `room` bytes for that ROM among it; c->rom and c->cart are
+ * good then. */
+static bool look_at(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size, size_t room,
+                    size_t *board, size_t *all, char *err, size_t err_size)
+{
     if (config->snapshots > LIB_MOST_SNAPSHOTS)
         return err_set(err, err_size, "snapshots: %lu, expected at most %d", (unsigned long)config->snapshots,
                        LIB_MOST_SNAPSHOTS);
     if (config->state_room > SIZE_MAX / 4)
         return err_set(err, err_size, "state_room: more than there can be");
-    if (!rom_open(&c->rom, config->rom, config->rom_size, err, err_size) ||
-        !cart_open(&c->cart, &c->rom, err, err_size) || !board_size(&c->rom, board, err, err_size))
+    if (!rom_open(&c->rom, rom, size, err, err_size) || !cart_open(&c->cart, &c->rom, err, err_size) ||
+        !board_size(&c->rom, board, err, err_size))
         return false;
     struct curtain as_if = *c;
     struct pieces p = { NULL, 0 };
@@ -82,6 +114,7 @@ static bool look_at(struct curtain *c, const struct curtain_config *config, size
     if (slots > SIZE_MAX / 2)
         return err_set(err, err_size, "snapshots: more than there is memory for");
     piece(&p, sizeof *c);
+    piece(&p, room);
     lay_out(&as_if, &p, config, *board);
     *all = p.n + LIB_ALIGN; /* the block may begin anywhere */
     return true;
@@ -90,10 +123,17 @@ static bool look_at(struct curtain *c, const struct curtain_config *config, size
 size_t curtain_memory(const struct curtain_config *config, char *err, size_t err_size)
 {
     struct curtain c;
-    size_t board, all;
+    size_t board, all = 0, room, size = plain_size(config, &room, err, err_size);
+    void *plain = room > 0 ? malloc(room) : NULL;
 
     memset(&c, 0, sizeof c);
-    return look_at(&c, config, &board, &all, err, err_size) ? all : 0;
+    if (room > 0 && !plain)
+        err_set(err, err_size, "there is no memory for the %zu bytes of the plain ROM", room);
+    else if (size > 0 && (!plain || compressed_read(config->rom, config->rom_size, plain, err, err_size)) &&
+             !look_at(&c, config, plain ? plain : config->rom, size, room, &board, &all, err, err_size))
+        all = 0;
+    free(plain);
+    return all;
 }
 
 bool lib_power(struct curtain *c, char *err, size_t err_size)
@@ -104,29 +144,42 @@ bool lib_power(struct curtain *c, char *err, size_t err_size)
         return false;
     if (!board_last(c->board)->fault)
         board_count(c->board, c->counts);
-    board_nvram(c->board, &(size_t){ 0 }, &c->writes);
     return true;
+}
+
+static struct curtain *too_little(const struct curtain_config *config, const void *memory, size_t size, char *err,
+                                  size_t err_size)
+{
+    const size_t need = curtain_memory(config, err, err_size);
+
+    if (need > 0)
+        err_set(err, err_size, "%zu bytes of memory, expected %zu", memory ? size : 0, need);
+    return NULL;
 }
 
 struct curtain *curtain_open(const struct curtain_config *config, void *memory, size_t size, char *err, size_t err_size)
 {
     struct curtain *c = (struct curtain *)aligned(memory);
-    size_t board, need;
-    struct curtain found;
+    struct pieces p = { (uint8_t *)c, 0 };
+    size_t board, need = SIZE_MAX, room, rom_size = plain_size(config, &room, err, err_size);
+    const void *rom = config->rom;
 
-    memset(&found, 0, sizeof found);
-    if (!look_at(&found, config, &board, &need, err, err_size))
+    if (rom_size == 0)
         return NULL;
-    if (!memory || size < need) {
-        err_set(err, err_size, "%zu bytes of memory, expected %zu", memory ? size : 0, need);
-        return NULL;
+    piece(&p, sizeof *c);
+    void *plain = piece(&p, room);
+    if (!memory || size < p.n + LIB_ALIGN)
+        return too_little(config, memory, size, err, err_size);
+    if (room > 0) {
+        if (!compressed_read(rom, config->rom_size, plain, err, err_size))
+            return NULL;
+        rom = plain;
     }
     memset(c, 0, sizeof *c);
-    if (!rom_open(&c->rom, config->rom, config->rom_size, err, err_size) ||
-        !cart_open(&c->cart, &c->rom, err, err_size))
+    if (!look_at(c, config, rom, rom_size, room, &board, &need, err, err_size))
         return NULL;
-    struct pieces p = { (uint8_t *)c, 0 };
-    piece(&p, sizeof *c);
+    if (size < need)
+        return too_little(config, memory, size, err, err_size);
     c->game_hash = rom_game_hash(&c->rom);
     lay_out(c, &p, config, board);
     c->counts = !config->alarm;
@@ -138,6 +191,7 @@ struct curtain *curtain_open(const struct curtain_config *config, void *memory, 
         demo_free(&c->demo);
         return NULL;
     }
+    board_nvram(c->board, &(size_t){ 0 }, &c->writes);
     pads_log_begin(&c->log, c->begin.hash);
     if (c->tables)
         board_sound_open(c->tables);
@@ -179,9 +233,10 @@ static unsigned events_of(struct curtain *c)
     unsigned events = out->fault ? CURTAIN_FAULT : 0;
 
     board_nvram(c->board, &size, &writes);
-    if (writes != c->writes)
+    if (writes != c->writes || c->saved)
         events |= CURTAIN_SAVED;
     c->writes = writes;
+    c->saved = false;
     events |= out->log_size > 0 ? CURTAIN_LOG : 0;
     events |= out->menu ? CURTAIN_MENU : 0;
     events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;
@@ -222,6 +277,20 @@ const char *curtain_attract(const struct curtain *c)
     const struct board_out *out = board_last(c->board);
 
     return out->request == REQUEST_ATTRACT ? out->attract : "";
+}
+
+const void *curtain_attract_demo(const struct curtain *c, size_t *size)
+{
+    char name[128];
+    struct lump lump = { .size = 0 };
+    int i = -1;
+
+    if (snprintf(name, sizeof name, "demo/%s", curtain_attract(c)) < (int)sizeof name)
+        i = rom_find(&c->rom, name);
+    if (i >= 0)
+        rom_lump(&c->rom, i, &lump);
+    *size = lump.size;
+    return lump.data;
 }
 
 const char *curtain_asked(const struct curtain *c)

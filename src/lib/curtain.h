@@ -12,9 +12,9 @@
  *     curtain_close(c);
  *
  * Any number of them at once, of one game or of several, each used by one thread at a time. The library takes no memory
- * but what it is given (and malloc's for demos), opens no file, reads no clock, prints nothing, and has no variable of
- * its own. The same ROM,
- * configuration and pads give the same run on every machine; curtain_hash tells whether they did.
+ * but what it is given (and malloc's for demos, and while curtain_memory looks into a compressed ROM), opens no file,
+ * reads no clock, prints nothing, and has no variable of its own. The same ROM, configuration and pads give the same
+ * run on every machine; curtain_hash tells whether they did.
  *
  * Functions that can fail return false, NULL or 0 and put one sentence into err, of err_size bytes with its NUL.
  */
@@ -57,7 +57,8 @@ enum { CURTAIN_PADS = 2 };
 
 /* What a run begins with, and what the host wants. All zero but the ROM is fine. Texts are copied. */
 struct curtain_config {
-    const void *rom; /* a packed game, `curtain pack`; it must stay where it is until curtain_close */
+    const void *rom; /* a packed game, `curtain pack`, compressed or plain; it must stay where it is until
+                        curtain_close */
     size_t rom_size;
     uint64_t seed;
     const char *difficulty; /* one of the game's; NULL: its own choice */
@@ -81,6 +82,10 @@ struct curtain;
 /* The version of what runs depend on. A demo or a state holds on the same one. */
 CURTAIN_API int curtain_core(void);
 
+/* Where a ROM is to be opened more than once: the plain one of a compressed or plain ROM, which opens sooner. Writes it
+ * into out and returns its bytes; out NULL: only returns them; 0: it cannot be read, or room is too small. */
+CURTAIN_API size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, char *err, size_t err_size);
+
 /* Bytes of memory that curtain_open wants for it; 0: this is no game that can run. */
 CURTAIN_API size_t curtain_memory(const struct curtain_config *config, char *err, size_t err_size);
 
@@ -100,7 +105,7 @@ enum {
     CURTAIN_ATTRACT = 1 << 1, /* it asks for a demo to be shown: curtain_attract */
     CURTAIN_ASK = 1 << 2,     /* it asks for a screen of the host's: curtain_asked */
     CURTAIN_LOG = 1 << 3,     /* scripts printed, or a pool was full: curtain_log */
-    CURTAIN_SAVED = 1 << 4,   /* nvram is another: curtain_nvram */
+    CURTAIN_SAVED = 1 << 4,   /* nvram is another, by this frame or by a state: curtain_nvram */
     CURTAIN_MENU = 1 << 5,    /* a menu stands before a game: who has just come wants to know the keys */
     CURTAIN_ENDED = 1 << 7,   /* the demo has come to its end */
     CURTAIN_FAULT = 1 << 6    /* the run is over by an error: curtain_fault. Further frames do nothing. */
@@ -118,6 +123,10 @@ CURTAIN_API const char *curtain_attract(const struct curtain *c); /* name of a d
 CURTAIN_API const char *curtain_asked(const struct curtain *c);   /* "settings" "replays" "practice" "keys" */
 CURTAIN_API const char *curtain_log(const struct curtain *c);     /* lines that end in \n */
 CURTAIN_API const char *curtain_fault(const struct curtain *c);   /* "stages/one.lua:42: what" and the traceback */
+
+/* The demo that the last frame asks for, for the .demo of another board, while this one stands still; NULL: it asks for
+ * none, or the ROM has no such one. */
+CURTAIN_API const void *curtain_attract_demo(const struct curtain *c, size_t *size);
 
 /* ---- what is seen and heard ---- */
 

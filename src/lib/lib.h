@@ -51,6 +51,7 @@ struct curtain {
     size_t taken;  /* of lr, frames */
     int16_t lr[2 * BOARD_SOUND];
     uint32_t writes;               /* to nvram, as last told */
+    bool saved;                    /* nvram is another since then: a state has brought its own */
     struct demo demo;              /* that plays: frames 0: none */
     struct pads_log log, other;    /* of this run; room for that of a state that is being loaded */
     struct lib_snapshot *snapshot; /* n of them: the first keys are taken on the way, the others with states */

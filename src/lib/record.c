@@ -31,7 +31,6 @@ void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size)
     }
     board_save(c->board, c->before);
     board_output_save(c->board, c->before_out);
-    const uint32_t writes = c->writes;
     struct board *was = c->board;
     if (w && lib_power(c, why, sizeof why)) {
         board_count(c->board, true);
@@ -39,7 +38,6 @@ void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size)
             bytes = demo_bytes(&w->demo, size);
     }
     c->board = was;
-    c->writes = writes;
     board_restore(c->board, c->before);
     board_output_restore(c->board, c->before_out);
     lib_set_counting(c);

@@ -245,6 +245,15 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
     return length <= c->log.room ? true : err_set(err, err_size, "a state of a longer run than there is room for");
 }
 
+/* Of nvram, and how often it was written. What was saved on the way to a state is told like what a frame saves. */
+static uint64_t hash_of_saves(const struct curtain *c, uint32_t *writes)
+{
+    size_t size;
+    const void *nvram = board_nvram(c->board, &size, writes);
+
+    return hash_bytes(HASH_START, nvram, size);
+}
+
 static void swap_starts(struct curtain *c)
 {
     struct lib_start start = c->begin;
@@ -270,12 +279,15 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
         return false;
     board_save(c->board, c->before);
     board_output_save(c->board, c->before_out);
+    const uint64_t saves = hash_of_saves(c, &c->writes);
     const struct from from = search(c, pads, c->spare.hash, board_last(c->board)->fault ? NULL : &c->log);
     swap_starts(c);
     swap_logs(c);
     if (go(c, pads, &from, err, err_size) && (board_hash(c->board) == bytes_get64(in + 40) ||
-                                              err_set(err, err_size, "a state whose run ends in another hash")))
+                                              err_set(err, err_size, "a state whose run ends in another hash"))) {
+        c->saved = hash_of_saves(c, &c->writes) != saves || c->saved;
         return true;
+    }
     swap_logs(c);
     swap_starts(c);
     board_restore(c->board, c->before);

@@ -36,7 +36,7 @@ fault() { # NAME LINE: main.lua is standard input
 idle() { echo 'task.go(function() while true do wait(1) end end)'; }
 
 idle | game g
-"$curtain" pack g -o g.rom || not_ok 'the game is packed'
+"$curtain" pack g --plain -o g.rom || not_ok 'the game is packed'
 
 # ---- ROMs ----
 
@@ -101,7 +101,7 @@ bad 'unpack where a file is, and a folder would be' \
 # A game that names nothing of the standard library is a small ROM.
 game small <<<''
 sed -i '/sheets =\|sprites =/d' small/rom.lua
-"$curtain" pack small -o small.rom || not_ok 'the small game is packed'
+"$curtain" pack small --plain -o small.rom || not_ok 'the small game is packed'
 size=$(stat -c %s small.rom)
 cp small.rom cut.rom
 wrong=

@@ -31,8 +31,7 @@ for t in told:
     ended += "won" in kinds or "lost" in kinds
     assert "phase" in kinds, t["file"] + ": the phase does not begin"
     assert read(open(t["file"], "rb").read())["invincible"] == 0, t["file"] + ": invincible"
-# Some end with the very tick in which the bar is down, before it is told.
-assert ended >= 0.9 * len(told), "only %d of them come to their end" % ended
+assert ended == len(told), "only %d of them come to their end" % ended
 END
 }
 check 'all hold, come to the end, and nobody is hit' unhurt "$scratch/told"

@@ -111,6 +111,44 @@ check "the demos of all go into a folder" eval \
     '"$curtain" survive planted --all --stage can_gap -o all >/dev/null && unhurt all/can_gap-hard.demo'
 check "one of the difficulties alone" says "can_gap                  hard" --all --stage can_gap --difficulty hard
 
+# ---- bots that fly on ----
+
+check "bots alone: an easier difficulty that is harder" says "hits a minute, and" --all --stage upside_down --bots 8
+same "bots alone: and is exit code 1" 1 \
+    "$("$curtain" survive planted --all --stage upside_down --bots 8 >/dev/null 2>&1; echo $?)"
+cat >>planted/main.lua <<'LUA'
+stage.def("parts", function()
+  wait(120)
+  stage.mark("rain")
+  for i = 1, 120 do
+    bullet.fire { kind = "orb", x = 4 + i * 53 % 232, y = -8, speed = 4 }
+    wait(2)
+  end
+  wait(90)
+  stage.mark("rest")
+  wait(120)
+  stage.clear()
+end)
+table.insert(names, "parts")
+LUA
+python3 - <<'PY'
+text = open("planted/main.lua").read()
+at = text.index("boot.run")
+end = text.index("\n", at) + 1
+open("planted/main.lua", "w").write(text[:at] + text[end:] + text[at:end])
+PY
+"$curtain" survive planted --all --stage parts --difficulty hard --bots 16 >said 2>&1
+same "a stage is flown in parts" "parts parts:rain parts:rest" "$(awk 'NR > 1 { print $1 }' said | xargs)"
+same "before its first mark nobody is hit" 0 "$(awk '$1 == "parts" { print $5 }' said)"
+check "in the rain all are, who fly on and are hit again" [ "$(awk '$1 == "parts:rain" { print $5 }' said)" -gt 16 ]
+same "after it nobody" 0 "$(awk '$1 == "parts:rest" { print $5 }' said)"
+check "one section alone" says "hits a minute:" --stage parts:rain --bots 16
+"$curtain" survive planted --stage parts:rain --bots 16 --json >said
+same "JSON: the kinds" "4 6 6" "$(grep -o '"of":[0-9]*' said | cut -d: -f2 | xargs)"
+check "JSON: their hits" grep -q '"wander":{"lived":[0-9]*,"of":6,"hits":[1-9][0-9]*,"flown":[1-9]' said
+same "bots alone: the same each time" "$(sha256sum <said)" \
+    "$("$curtain" survive planted --stage parts:rain --bots 16 --json | sha256sum)"
+
 # ---- what it refuses ----
 
 bad() { # NAME WORDS ARGUMENT...
@@ -123,6 +161,9 @@ bad "no such folder" "nowhere: no such file or folder" nowhere
 bad "no such stage" "nowhere" planted --stage nowhere
 bad "no such difficulty" 'unknown difficulty "mild"' planted --difficulty mild
 bad "an effort that is none" "--effort: expected a whole number from 1 to 1000" planted --effort 0
+bad "bots that are none" "--bots: expected a whole number from 1 to 1000" planted --bots 0
+bad "bots and a demo" "--bots does not go with -o: no way is looked for" planted --bots 8 -o a.demo
+bad "bots and effort" "--bots does not go with --effort" planted --bots 8 --effort 2
 bad "several lengths" "--frames: survive takes one number" planted --frames 60,90
 bad "a length of nothing" "--frames: survive takes one number" planted --frames 0
 bad "all of it and a map" "--all does not go with --map" planted --all --map a.png

@@ -1,12 +1,16 @@
 /*
- * fuzz_rom.c - libFuzzer: any bytes as a ROM. Odd inputs go in as they are; for even ones the checksums are made good
- * first, so that the fuzzer gets past them. A ROM that opens must be readable to its last byte.
+ * fuzz_rom.c - libFuzzer: any bytes as a ROM, plain or compressed. Odd inputs go in as they are; for even ones the
+ * checksums are made good first, so that the fuzzer gets past them. A ROM that opens must be readable to its last byte.
+ * What is compressed here comes back byte by byte.
  */
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/board/rom/cart.h"
+#include "../../src/board/rom/compressed.h"
+#include "../../src/board/rom/lzma.h"
+#include "../../src/cab/pack/compress.h"
 #include "../repair.h"
 
 /* Never the answer of a hash: uses it, so that no compiler drops the reading. */
@@ -42,6 +46,42 @@ static void read_rom(const struct rom *rom)
     }
 }
 
+/* A compressed ROM becomes the plain one. A stream whose result has another checksum is read as well, for that is all
+ * the reader of streams sees. False: it was refused. */
+static bool plain(uint8_t **bytes, size_t *size, bool repair, char *err, size_t err_size)
+{
+    enum { MOST = 1 << 20 };
+
+    if (repair)
+        repair_compressed(*bytes, *size);
+    const size_t n = compressed_size(*bytes, *size, err, err_size);
+    uint8_t *out = n > 0 ? malloc(n) : NULL;
+    bool good = out && (n <= MOST || !repair) && compressed_read(*bytes, *size, out, err, err_size);
+    if (out && !good && repair && n <= MOST)
+        good = lzma_read(*bytes + COMPRESSED_HEADER, *size - COMPRESSED_HEADER, out, n);
+    free(good ? *bytes : out);
+    if (!good)
+        return false;
+    *bytes = out;
+    *size = n;
+    return true;
+}
+
+static void there_and_back(const uint8_t *bytes, size_t size)
+{
+    char err[256] = "";
+    uint8_t *small, *back = malloc(size + 1);
+    size_t n;
+
+    if (back && compress_rom(bytes, size, &small, &n) && small) {
+        if (n >= size || compressed_size(small, n, err, sizeof err) != size ||
+            !compressed_read(small, n, back, err, sizeof err) || memcmp(back, bytes, size) != 0)
+            abort();
+        free(small);
+    }
+    free(back);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -56,6 +96,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     if (n > 0)
         memcpy(copy, data + 1, n);
+    there_and_back(copy, n);
+    if (compressed_is(copy, n) && !plain(&copy, &n, data[0] % 2 == 0, err, sizeof err)) {
+        free(copy);
+        return 0;
+    }
     if (n >= ROM_HEADER && data[0] % 2 == 0)
         repair_rom(copy, n);
     if (rom_open(&rom, copy, n, err, sizeof err)) {

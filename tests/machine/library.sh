@@ -5,7 +5,7 @@
 sandbox
 cc=${CC:-cc}
 lua="$(pkg-config --libs lua5.4) -pthread"
-for name in states spoil boards slow ship; do
+for name in states spoil boards slow ship host; do
     "$cc" -std=c11 -O1 -g -D_DEFAULT_SOURCE -Wall -Wextra -I"$repo/src/lib" "$repo/tests/machine/library/$name.c" \
         "$OUT/libcurtain.a" $lua -lm -o $name || not_ok "$name.c is built"
 done
@@ -58,6 +58,28 @@ many=10000
 check "$many spoilt states are refused, or are a run" ./spoil tiny.rom $many
 cp .said said && sed 's/^/# /' said
 check 'some of them are a run' sh -c '! grep -q " 0 runs" said'
+mkdir -p given/lang
+sed 's/"tiny",/"given", players = 2, difficulties = { "easy", "hard" }, dip = { coins = { "free", "one" } },/' \
+    tiny/rom.lua >given/rom.lua
+echo 'hello = salut' >given/lang/xy.txt
+cat >given/main.lua <<'LUA'
+task.go(function()
+  wait(2)
+  board.note(rng.int(1, 1000000) + save.get("n", 0))
+  board.note(board.difficulty() == "hard" and 1 or 0)
+  board.note(board.dip("coins") == "one" and 1 or 0)
+  while true do
+    if pad.pressed("fire") then save.set("n", save.get("n", 0) + 1) end
+    wait(1)
+  end
+end)
+LUA
+"$curtain" pack given -o given.rom || not_ok 'given is packed'
+at_60() { "$curtain" hash given.rom --frames 60 --every 60 "$@" | sed -n 's/^60 //p'; }
+tap ./host given.rom given "$(at_60 --seed 5)" "$(at_60 --seed 6)" \
+    "$(at_60 --seed 5 --difficulty hard --dip coins=one --lang xy)"
+tap ./host given.rom saves
+tap ./host glasstide.rom attract "$repo/roms/glasstide/demos/attract.demo"
 command -v valgrind >/dev/null || not_ok 'valgrind is there'
 check 'no memory is lost or wrong when a board is opened 100 times' valgrind -q --error-exitcode=1 --leak-check=full \
     ./boards tiny.rom testcard.rom often

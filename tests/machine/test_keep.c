@@ -179,8 +179,9 @@ static void test_now(void **state)
 }
 
 static uint32_t ticks;
-static void count(const struct session *s)
+static void count(void *of, const struct session *s)
 {
+    assert_ptr_equal(of, s);
     ticks += board_frame(session_board(s)) > 0;
 }
 
@@ -200,6 +201,7 @@ static void test_go_on(void **state)
     assert_true(session_open(&s, &game.cart, &d.start, &d, NULL));
     assert_false(session_go_on(&s, DEMO_RESUMED)); /* not there yet */
     s.ticked = count;
+    s.of = &s;
     ticks = 0;
     session_goto(&s, d.frames);
     while (s.state != SESSION_PLAYING)

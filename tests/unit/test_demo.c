@@ -1443,8 +1443,9 @@ static void test_dump_of_a_fault(void **state)
 static char text[MOST];
 static size_t text_size;
 
-static void to_text(const void *bytes, size_t n)
+static void to_text(void *to, const void *bytes, size_t n)
 {
+    assert_ptr_equal(to, text);
     assert_true(text_size + n < sizeof text);
     memcpy(text + text_size, bytes, n);
     text_size += n;
@@ -1461,8 +1462,8 @@ static void test_text(void **state)
     for (size_t n = 0; n < sizeof bytes; n++) {
         struct demo_text t;
         text_size = 0;
-        to_text("a report\n-----BEGIN SOMETHING-----\n", 35);
-        demo_text_begin(&t, to_text);
+        to_text(text, "a report\n-----BEGIN SOMETHING-----\n", 35);
+        demo_text_begin(&t, to_text, text);
         for (size_t i = 0; i < n; i++)
             bytes[i] = (uint8_t)rng_below(&r, 256);
         for (size_t i = 0, k; i < n; i += k) {
@@ -1471,7 +1472,7 @@ static void test_text(void **state)
             demo_text_add(&t, bytes + i, k);
         }
         demo_text_end(&t);
-        to_text("more\n", 5);
+        to_text(text, "more\n", 5);
         text[text_size] = 0;
         for (const char *s = text; *s; s += strcspn(s, "\n") + 1)
             assert_true(strcspn(s, "\n") <= DEMO_TEXT_LINE);
@@ -1519,8 +1520,8 @@ static void test_load_text(void **state)
     record(&w, &start, 130);
     n = file_bytes();
     text_size = 0;
-    to_text("what happened\n", 14);
-    demo_text_begin(&t, to_text);
+    to_text(text, "what happened\n", 14);
+    demo_text_begin(&t, to_text, text);
     demo_text_add(&t, file, n);
     demo_text_end(&t);
     assert_true(plat_save(path, text, text_size));

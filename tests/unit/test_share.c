@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../platform/platform.h"
+#include "../../src/board/board.h"
 #include "../../src/cab/share/image.h"
 #include "../../src/cab/share/mark.h"
 
@@ -28,11 +29,11 @@ static void one_mark_is_found(void **state)
 {
     size_t size, at, again;
     uint8_t *file = itself(&size);
-    const struct mark put = { MARK_KEYS, 0x12345678, 1ull << 33, 99 };
+    const struct mark put = { MARK_KEYS, 0x12345678, 1ull << 33, 99, 0 };
     struct mark got = mark_own();
 
     (void)state;
-    assert_true(got.size == 0 && got.at == 0 && got.flags == 0);
+    assert_true(got.size == 0 && got.at == 0 && got.flags == 0 && got.core == CORE_VERSION);
     assert_true(mark_find(file, size, &at));
     assert_true(mark_find(file, at + MARK_BYTES, &again) && again == at);
     assert_false(mark_find(file, at + MARK_BYTES - 1, &again));
@@ -40,6 +41,7 @@ static void one_mark_is_found(void **state)
     mark_put(file + at, &put);
     mark_read(file + at, &got);
     assert_true(got.flags == put.flags && got.crc == put.crc && got.at == put.at && got.size == put.size);
+    assert_int_equal(got.core, CORE_VERSION);
     assert_true(mark_find(file, size, &again) && again == at); /* one that was written over is one still */
     file[at + 32]++;                                           /* of another version */
     assert_false(mark_find(file, size, &again));

@@ -315,16 +315,15 @@ static void about(void **state)
     assert_true(strlen(text) > 5);
 }
 
-static const char *told;
-
-static void tell(const char *what, void (*out)(const void *bytes, size_t n))
+static void tell(void *context, const char *what, void (*out)(const void *bytes, size_t n))
 {
-    out(told, strlen(told));
+    out(context, strlen(context));
     out(what, strlen(what));
 }
 
-static void tell_and_fall(const char *what, void (*out)(const void *bytes, size_t n))
+static void tell_and_fall(void *context, const char *what, void (*out)(const void *bytes, size_t n))
 {
+    (void)context;
     out(what, strlen(what));
     abort();
 }
@@ -339,15 +338,16 @@ static void on_its_own(void)
 }
 
 /* What a child that dies of a signal leaves in `file`. */
-static void dies(int sig, void (*fn)(const char *, void (*)(const void *, size_t)), const char *file, const char *want)
+static void dies(int sig, void (*fn)(void *, const char *, void (*)(const void *, size_t)), const char *file,
+                 const char *want)
 {
     char text[64] = "";
     int status;
     pid_t child = fork();
     if (child == 0) {
         on_its_own();
-        told = "died of ";
-        if (!plat_crash("user:reports/game", fn))
+        char context[] = "died of ";
+        if (!plat_crash("user:reports/game", fn, context))
             _exit(9);
         raise(sig);
         _exit(7);
@@ -384,14 +384,35 @@ static void a_crash_is_told(void **state)
     pid_t child = fork(); /* a full stack */
     if (child == 0) {
         on_its_own();
-        told = "full: ";
-        plat_crash("user:full", tell);
+        char context[] = "full: ";
+        plat_crash("user:full", tell, context);
         _exit(deep(0) & 1);
     }
     waitpid(child, &status, 0);
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
     assert_true(plat_size("user:full-1.txt") == (long)strlen("full: SIGSEGV"));
-    assert_true(plat_crash("user:none", tell) && plat_crash("user:none", NULL));
+    assert_true(plat_crash("user:none", tell, NULL) && plat_crash("user:none", NULL, NULL));
+}
+
+/* From the program's own folder, upwards too; further than the root there is nothing. */
+static void what_is_beside(void **state)
+{
+    char program[512], path[512], up[600], tight[8];
+    (void)state;
+    const ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
+    assert_true(n > 0);
+    program[n] = 0;
+    char *const file = strrchr(program, '/') + 1;
+    assert_true(plat_beside(file, path, sizeof path));
+    assert_string_equal(path, program);
+    file[-1] = 0;
+    *strrchr(program, '/') = 0;
+    snprintf(up, sizeof up, "%s/share/curtain/a.html", program);
+    assert_true(plat_beside("../share/curtain/a.html", path, sizeof path));
+    assert_string_equal(path, up);
+    assert_false(plat_beside("a file", tight, sizeof tight));
+    assert_false(
+        plat_beside("../../../../../../../../../../../../../../../../../../../../../../../a", path, sizeof path));
 }
 
 static void count(void *user, const struct plat_file *file)
@@ -430,9 +451,9 @@ static void a_failed_save_leaves_all(void **state)
 static volatile sig_atomic_t rang, wrong_thread;
 static pthread_t main_thread;
 
-static void ring(void)
+static void ring(void *count)
 {
-    rang = rang + 1;
+    ++*(volatile sig_atomic_t *)count;
     if (!pthread_equal(pthread_self(), main_thread))
         wrong_thread = 1;
 }
@@ -452,23 +473,23 @@ static void the_alarm_rings_where_it_was_armed(void **state)
     (void)state;
     main_thread = pthread_self();
     assert_int_equal(pthread_create(&other, 0, idle, &stop), 0);
-    assert_true(plat_alarm(1000000, ring));
+    assert_true(plat_alarm(1000000, ring, (void *)&rang));
     pthread_kill(other, SIGALRM);
     while (!rang)
         sched_yield();
     assert_int_equal(wrong_thread, 0);
     raise(SIGALRM); /* only once */
     assert_int_equal(rang, 1);
-    assert_true(plat_alarm(1000000, ring));
+    assert_true(plat_alarm(1000000, ring, (void *)&rang));
     raise(SIGALRM);
     assert_int_equal(rang, 2);
-    assert_true(plat_alarm(1000000, ring));
-    assert_true(plat_alarm(0, 0));
+    assert_true(plat_alarm(1000000, ring, (void *)&rang));
+    assert_true(plat_alarm(0, NULL, NULL));
     raise(SIGALRM);
     assert_int_equal(rang, 2);
     stop = 1;
     pthread_join(other, 0);
-    assert_true(plat_alarm(1, ring));
+    assert_true(plat_alarm(1, ring, (void *)&rang));
     while (rang < 3)
         sched_yield();
 }
@@ -517,6 +538,7 @@ int main(void)
         cmocka_unit_test(the_users_pictures),
         cmocka_unit_test(about),
         cmocka_unit_test(a_crash_is_told),
+        cmocka_unit_test(what_is_beside),
         cmocka_unit_test(listing),
         cmocka_unit_test(another_name),
         cmocka_unit_test(programs),

@@ -2,8 +2,11 @@
  * menus.c - see bot.h.
  *
  * A search in breadth. From each screen all moves are tried: some steps to the right, some down, then fire, for each
- * player; a move is MOVE frames, so that all places of one depth are of the same frame. What shows what another place
- * showed is that one. So it knows nothing of any menu, but that these are its keys.
+ * player; a move is MOVE frames, and fire is pressed in the same one of them in all, so that what moves by itself makes
+ * no two places of one. Two ways to a place are one when on each screen the same was chosen: a choice is known by what
+ * stood there when fire was pressed, for the next screen may not show it. A way never comes back to a screen, which is
+ * told by its text; and where nothing leads on, it waits. So it knows nothing of any menu, but that these are its keys
+ * and that what it leads to is written there.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,12 +16,16 @@
 #include "bot.h"
 
 enum {
-    MOVE = 84,    /* frames: a screen comes, and can be read */
+    MOVE = 96,    /* frames: a screen comes, and can be read */
     STEP = 6,     /* from one press to the next */
     HELD = 2,     /* frames of it */
+    RIGHT = 3,    /* a move has fewer steps to the right, */
+    DOWN = 4,     /* and down */
+    STEPS = 5,    /* so many at most; then fire */
     DEPTH = 24,   /* moves */
     PLACES = 512, /* of one depth */
-    SHOWN = 1 << 14
+    KNOWN = 1 << 14,
+    OTHER = 8 /* cells that are others on another screen: where an arrow stands, or a number, makes none */
 };
 
 const char *api_names_at(const struct board *b, enum api_names what, int index);
@@ -27,10 +34,16 @@ struct move {
     uint8_t right, down, fire;
 };
 
+/* The text on a screen, a code point a cell; the board's lines are written into it where they stand. */
+struct page {
+    uint32_t *cell;
+};
+
 struct place {
     struct trial_mark mark;
-    uint64_t shown;
+    uint64_t chosen; /* what was, on the way there */
     struct move way[DEPTH][PADS];
+    uint32_t page[DEPTH + 1]; /* of the way's screens: numbers */
 };
 
 struct menus {
@@ -38,37 +51,97 @@ struct menus {
     const struct menus_wish *wish;
     struct place *from, *to;
     int n_from, n_to, depth;
-    uint64_t known[SHOWN]; /* what was shown, by its low bits */
-    char stage[32];        /* the game that a move began: its first stage; "": it has none, or is a piece of one */
+    uint64_t known[KNOWN]; /* what was chosen, by its low bits */
+    uint64_t asked;        /* what stood there when fire was pressed */
+    struct page *page;     /* of all places there were */
+    uint32_t pages, room;
+    uint32_t *now;  /* the text of now */
+    char stage[32]; /* the game that a move began: its first stage; "": it has none, or is a piece of one */
     bool began;
 };
 
 static uint16_t pressed(const struct move *m, int frame)
 {
-    const int n = frame / STEP;
+    const int n = frame / STEP, first = STEPS - m->right - m->down; /* fire is never earlier */
 
-    if (frame % STEP >= HELD || frame >= MOVE)
+    if (frame % STEP >= HELD || n < first)
         return 0;
-    if (n < m->right)
+    if (n < first + m->right)
         return PAD_RIGHT;
-    if (n < m->right + m->down)
+    if (n < STEPS)
         return PAD_DOWN;
-    return n == m->right + m->down && m->fire ? PAD_FIRE : 0;
+    return n == STEPS && m->fire ? PAD_FIRE : 0;
 }
 
 /* What is on the screen, as hashes. */
 static uint64_t shown(const struct board *b)
 {
+    static const char *const parts[] = { "fix", "lines", "sprites", "player" };
     uint64_t hashes[MAX_PARTS], sum = 0;
 
     board_hashes(b, hashes);
-    for (int i = 0; i < board_parts(b); i++) {
-        const char *name = board_part(b, i);
-        if (!strcmp(name, "fix") || !strcmp(name, "sprites") || !strcmp(name, "player"))
-            sum = (sum ^ hashes[i]) * 0x9e3779b97f4a7c15u;
-    }
+    for (int i = 0; i < board_parts(b); i++)
+        for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+            if (!strcmp(board_part(b, i), parts[k]))
+                sum = (sum ^ hashes[i]) * 0x9e3779b97f4a7c15u;
     return sum;
 }
+
+/* ---- what is written on a screen ---- */
+
+static uint32_t cells(const struct board *b)
+{
+    return b->fix.cols * b->fix.rows;
+}
+
+static void read_page(const struct board *b, uint32_t *cell)
+{
+    for (uint32_t i = 0; i < cells(b); i++)
+        cell[i] = fix_code(&b->fix, i);
+    EACH_LIVE (i, &b->lines.s) {
+        const int64_t col = (b->lines.x[i] + b->lines.dx[i]) / (8 * FX_ONE);
+        const int64_t row = (b->lines.y[i] + b->lines.dy[i]) / (8 * FX_ONE);
+        for (int64_t n = 0; n < b->lines.length[i]; n++)
+            if (row >= 0 && row < b->fix.rows && col + n >= 0 && col + n < b->fix.cols)
+                cell[row * b->fix.cols + col + n] = b->lines.code[i * LINE_TEXT + n];
+    }
+}
+
+/* Is what is written now what stood on a screen of the way? */
+static bool was_there(struct menus *m, const struct place *at)
+{
+    const struct board *b = m->r->t.b;
+
+    read_page(b, m->now);
+    for (int d = 0; d <= m->depth; d++) {
+        const uint32_t *then = m->page[at->page[d]].cell;
+        int others = 0;
+        for (uint32_t i = 0; i < cells(b) && others < OTHER; i++)
+            others += then[i] != m->now[i];
+        if (others < OTHER)
+            return true;
+    }
+    return false;
+}
+
+/* Keeps the text of now; its number. */
+static uint32_t keep_page(struct menus *m)
+{
+    const size_t n = cells(m->r->t.b);
+
+    if (m->pages == m->room) {
+        m->room = m->room ? 2 * m->room : 256;
+        m->page = realloc(m->page, m->room * sizeof *m->page);
+    }
+    uint32_t *cell = m->page ? malloc(n * sizeof *cell) : NULL;
+    if (!cell)
+        bot_fail("out of memory");
+    read_page(m->r->t.b, cell);
+    m->page[m->pages].cell = cell;
+    return m->pages++;
+}
+
+/* ---- moves ---- */
 
 static bool is_ship(const struct board *b, int p, const char *name)
 {
@@ -89,10 +162,10 @@ static bool is_wished(const struct menus *m)
 
 static bool is_known(struct menus *m, uint64_t now)
 {
-    uint32_t i = (uint32_t)now % SHOWN;
+    uint32_t i = (uint32_t)now % KNOWN;
 
     while (m->known[i] && m->known[i] != now)
-        i = (i + 1) % SHOWN;
+        i = (i + 1) % KNOWN;
     const bool known = m->known[i] == now;
     m->known[i] = now;
     return known;
@@ -120,8 +193,11 @@ static bool make(struct menus *m, const struct move way[PADS], bool noted)
     struct run *r = m->r;
 
     m->began = false;
+    m->asked = 0;
     for (int f = 0; f < MOVE || (m->began && !m->stage[0] && f < 3 * MOVE); f++) {
         const uint16_t pads[PADS] = { pressed(&way[0], f), pressed(&way[1], f) };
+        if (f == STEPS * STEP && !noted)
+            m->asked = shown(r->t.b);
         const enum trial_end end = noted ? run_tick(r, pads) : trial_tick(&r->t, pads);
         if (end == TRIAL_FAULT)
             bot_fail(board_last(r->t.b)->fault->message);
@@ -130,38 +206,52 @@ static bool make(struct menus *m, const struct move way[PADS], bool noted)
     return m->began;
 }
 
-/* Tries a move from a place; true: it is what was wished. */
-static bool try_move(struct menus *m, const struct place *at, const struct move way[PADS])
+/* What became of a move. */
+enum led { NOWHERE, ELSEWHERE, THERE };
+
+/* Tries a move from a place: to another one, to a game that was not wished (which is ELSEWHERE, too), or to that. */
+static enum led try_move(struct menus *m, const struct place *at, const struct move way[PADS], bool waits)
 {
     trial_restore(&m->r->t, &at->mark);
     const bool began = make(m, way, false), found = began && is_wished(m);
-    const uint64_t now = began ? 0 : shown(m->r->t.b);
+    const uint64_t chosen = ((at->chosen ^ m->asked) * 0x9e3779b97f4a7c15u ^ shown(m->r->t.b)) * 0x2545f4914f6cdd1du;
 
-    if ((began && !found) || (!found && is_known(m, now)) || m->n_to == PLACES)
-        return false;
+    if (began && !found)
+        return ELSEWHERE;
+    if (!found && !waits && was_there(m, at))
+        return NOWHERE;
+    if (m->n_to == PLACES || (!found && is_known(m, chosen)))
+        return ELSEWHERE;
     struct place *to = &m->to[m->n_to++];
-    to->shown = now;
+    to->chosen = chosen;
     memcpy(to->way, at->way, sizeof to->way);
     memcpy(to->way[m->depth], way, sizeof to->way[0]);
-    if (!found && !trial_save(&m->r->t, &to->mark))
+    memcpy(to->page, at->page, sizeof to->page);
+    if (found)
+        return THERE;
+    to->page[m->depth + 1] = keep_page(m);
+    if (!trial_save(&m->r->t, &to->mark))
         bot_fail("out of memory");
-    return found;
+    return ELSEWHERE;
 }
 
 static bool try_moves(struct menus *m, const struct place *at)
 {
-    const int others = m->wish->players > 1 ? 4 : 1;
+    const int others = m->wish->players > 1 ? RIGHT + 1 : 1;
+    bool on = false;
 
-    for (int i = 0; i < 13; i++)
+    for (int i = 0; i < RIGHT * DOWN; i++)
         for (int k = 0; k < others; k++) {
-            struct move way[PADS] = { { (uint8_t)(i / 4), (uint8_t)(i % 4), i < 12 }, { 0 } };
-            if (i == 12)
-                way[0].right = 0;
+            struct move way[PADS] = { { (uint8_t)(i / DOWN), (uint8_t)(i % DOWN), 1 }, { 0 } };
             if (k)
                 way[1] = (struct move){ (uint8_t)(k - 1), 0, 1 };
-            if (try_move(m, at, way))
+            const enum led led = try_move(m, at, way, false);
+            if (led == THERE)
                 return true;
+            on = on || led == ELSEWHERE;
         }
+    if (!on)
+        try_move(m, at, (const struct move[PADS]){ { 0 } }, true);
     return false;
 }
 
@@ -213,12 +303,20 @@ bool menus_enter(struct run *r, const struct menus_wish *wish)
     if (!m.from || !m.to || !trial_save(&r->t, &start) || !trial_save(&r->t, &m.from[0].mark))
         bot_fail("out of memory");
     m.n_from = 1;
+    m.now = calloc(cells(r->t.b), sizeof *m.now);
+    if (!m.now)
+        bot_fail("out of memory");
+    m.from[0].page[0] = keep_page(&m);
     const bool found = search(&m);
     trial_restore(&r->t, &start);
     for (int i = 0; found && i <= m.depth; i++)
         make(&m, m.to[m.n_to - 1].way[i], true);
     forget(m.from, m.n_from);
     forget(m.to, m.n_to);
+    for (uint32_t i = 0; i < m.pages; i++)
+        free(m.page[i].cell);
+    free(m.page);
+    free(m.now);
     free(m.from);
     free(m.to);
     trial_mark_free(&start);

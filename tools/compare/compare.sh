@@ -60,7 +60,8 @@ weigher() {
         objects=$(find $below -name '*.c' | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
         $CC $FLAGS tools/compare/weigh.c $objects $LIBS -o "$OUT/weigh"
     ) || fail "weigh.c or rows.c does not build with $1: what it uses of the board is named otherwise there"
-    [ -n "$TABLE" ] || "$1/$OUT/curtain-bare" pack "$tree/$game" -o "$1/$OUT/weigh.rom" >/dev/null
+    plain=$("$1/$OUT/curtain-bare" help pack | grep -o -m 1 -e --plain) || true # older ones never compress
+    [ -n "$TABLE" ] || "$1/$OUT/curtain-bare" pack "$tree/$game" $plain -o "$1/$OUT/weigh.rom" >/dev/null
 }
 here=$PWD/tools/compare
 weigher "$tree"

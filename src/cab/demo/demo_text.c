@@ -14,7 +14,7 @@ static void end_line(struct demo_text *t)
     if (t->at == 0)
         return;
     t->line[t->at++] = '\n';
-    t->out(t->line, (size_t)t->at);
+    t->out(t->to, t->line, (size_t)t->at);
     t->at = 0;
 }
 
@@ -31,12 +31,12 @@ static void write_held(struct demo_text *t)
         end_line(t);
 }
 
-void demo_text_begin(struct demo_text *t, void (*out)(const void *bytes, size_t n))
+void demo_text_begin(struct demo_text *t, void (*out)(void *to, const void *bytes, size_t n), void *to)
 {
     static const char first[] = DEMO_TEXT_BEGIN "\n";
 
-    *t = (struct demo_text){ .out = out };
-    out(first, sizeof first - 1);
+    *t = (struct demo_text){ .out = out, .to = to };
+    out(to, first, sizeof first - 1);
 }
 
 void demo_text_add(struct demo_text *t, const void *bytes, size_t n)
@@ -57,7 +57,7 @@ void demo_text_end(struct demo_text *t)
     if (t->n > 0)
         write_held(t);
     end_line(t);
-    t->out(last, sizeof last - 1);
+    t->out(t->to, last, sizeof last - 1);
 }
 
 /* ---- reading ---- */

@@ -19,14 +19,15 @@ enum { DEMO_TEXT_LINE = 72 };
 
 /* Writing, in pieces; it takes no memory, so that a handler of a crash may. */
 struct demo_text {
-    void (*out)(const void *bytes, size_t n);
+    void (*out)(void *to, const void *bytes, size_t n);
+    void *to;
     uint8_t held[3];
     int n;                         /* bytes in held */
     char line[DEMO_TEXT_LINE + 1]; /* and a \n */
     int at;                        /* characters in line */
 };
 
-void demo_text_begin(struct demo_text *t, void (*out)(const void *bytes, size_t n));
+void demo_text_begin(struct demo_text *t, void (*out)(void *to, const void *bytes, size_t n), void *to);
 void demo_text_add(struct demo_text *t, const void *bytes, size_t n);
 void demo_text_end(struct demo_text *t);
 

@@ -51,7 +51,8 @@ enum {
     ARGS_MAX_SPEED = 16,
     ARGS_MAX_SLOWER = 1000,
     ARGS_MAX_JOBS = 64,
-    ARGS_MAX_EFFORT = 1000
+    ARGS_MAX_EFFORT = 1000,
+    ARGS_MAX_BOTS = 1000
 };
 
 /* Frames first, first + step ... up to and with last. */
@@ -81,9 +82,10 @@ struct args {
     const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
     int n_traces;
     uint64_t seed;
-    bool seeded, invincible, fullscreen, mute, nearest, parts, verbose, bisect, restamp, rerecord, null, notes, play;
+    bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
+        play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
-    bool update, tap, keys, desktop, full, lua;
+    bool update, tap, keys, desktop, web, libretro, full, lua;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */
@@ -93,6 +95,7 @@ struct args {
     int prints;                /* as enum demo_prints; 0: not given */
     uint32_t every;            /* 1: not given */
     uint32_t effort;           /* 0: not given */
+    int bots;                  /* the same */
     struct span spans[ARGS_MAX_SPANS];
     int n_spans; /* 0: --frames not given */
     struct press presses[ARGS_MAX_PRESSES];

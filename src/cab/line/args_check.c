@@ -45,6 +45,11 @@ static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t e
             return err_set(err, err_size, "--resume does not go with %s", args_options[others[i]].name);
     if (a->command == COMMAND_SURVIVE && a->all && a->map)
         return err_set(err, err_size, "--all does not go with --map, which is of one section");
+    if (a->bots && (a->map || a->out || a->effort))
+        return err_set(err, err_size, "--bots does not go with %s: no way is looked for",
+                       a->map   ? "--map"
+                       : a->out ? "-o"
+                                : "--effort");
     if (a->command == COMMAND_LIST && a->json && !a->replays)
         return err_set(err, err_size, "list: --json needs --replays");
     return true;
@@ -65,6 +70,20 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
         return err_set(err, err_size, "--play does not go with %s", first);
     if (a->notes && (a->out || a->wav || a->play))
         return err_set(err, err_size, "--notes does not go with %s", first);
+    return true;
+}
+
+/* A page and a core are no programs. */
+static bool check_export(const struct args *a, char *err, size_t err_size)
+{
+    const char *is = a->web ? "--web" : "--libretro";
+
+    if (!a->web && !a->libretro)
+        return true;
+    if (a->web && a->libretro)
+        return err_set(err, err_size, "--libretro does not go with --web: export twice");
+    if (a->keys || a->desktop)
+        return err_set(err, err_size, "%s does not go with %s", a->keys ? "--keys" : "--desktop", is);
     return true;
 }
 
@@ -140,5 +159,5 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
 bool args_check(const struct args *a, uint64_t seen, char *err, size_t err_size)
 {
     return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size) &&
-           check_help(a, err, err_size);
+           check_export(a, err, err_size) && check_help(a, err, err_size);
 }

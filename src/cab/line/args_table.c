@@ -147,7 +147,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, NUMBER(bank, 0, 15), "the bank, 0 to 15" },
     [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE, TEXT(out),
                      "where to write: render: folder (else the current one); capture: the film, - is standard output; "
-                     "pack: ROM file; export: the program; survive: demo, or with .png in place of its ending the "
+                     "pack: ROM file; export: the file; survive: demo, or with .png in place of its ending the "
                      "picture, with --all "
                      "their folder; sound: WAV file; palette: a palette (.png), or a bank of one (.gpl, .hex)" },
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship could be, frame by frame" },
@@ -156,12 +156,17 @@ const struct option_row args_options[OPTIONS] = {
                      "it should be easier; with --stage or --difficulty, those of it" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
                         "plans to be made at most, in hundreds, 1 to 1000 (4)" },
+    [OPTION_BOTS] = { "--bots", "N", FOR_SURVIVE, NUMBER(bots, 1, ARGS_MAX_BOTS),
+                      "look for no way: let so many simple bots fly on when they are hit, and tell hits a minute; with "
+                      "--all, stages from mark to mark" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, SWITCH(resume),
                         "go on with the run that was left, without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY, SWITCH(no_resume),
                            "begin at the title without asking; a run that was left is kept until another begins" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES, SWITCH(nearest),
                          "packing a folder: take the nearest colour of the bank for one that is not in it" },
+    [OPTION_PLAIN] = { "--plain", NULL, FOR_PACK, SWITCH(plain),
+                       "pack: do not compress, for machines that read the ROM where it is; it is the same game" },
     [OPTION_FROM] = { "--from", "NAME", FOR_NEW, TEXT(from),
                       "which game: shooter (ship, stage, boss, music; without --from), first (30 lines), pattern (a "
                       "place to try patterns), bulletml (a gallery of documents)" },
@@ -203,6 +208,11 @@ const struct option_row args_options[OPTIONS] = {
                       "panels; verify, render" },
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
                          "also write FILE.desktop and FILE.png, an entry for the desktop's menu" },
+    [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, SWITCH(web),
+                     "not a program: one HTML file that plays the game in browsers, ID.html" },
+    [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, SWITCH(libretro),
+                          "not a program: a core for RetroArch and its like with the game in it, ID_libretro.so, and "
+                          "beside it ID_libretro.info" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full), "also the texts of the licences, to be given along" },
     [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),
                      "print the script that does the same with motion programs and tasks" },

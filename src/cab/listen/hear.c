@@ -1,5 +1,5 @@
 /*
- * hear.c - see hear.h. The host's own timer may call frame(), so all state is in one struct.
+ * hear.c - see hear.h.
  */
 #include "hear.h"
 
@@ -15,7 +15,7 @@
 
 enum { W = 216, H = 224, SECOND = 1000000, MOST_LATE = 4, KEY_ESCAPE = 41, TITLE = 64 };
 
-static struct {
+struct hear {
     struct board *b;
     struct speaker speaker;
     struct overlay overlay;
@@ -23,32 +23,33 @@ static struct {
     void *pix;
     uint64_t base, frames;
     bool over;
-} heard;
+    char title[TITLE];
+};
 
-static void show(void)
+static void show(struct hear *h)
 {
     uint32_t rgb[256] = { 0 };
     struct canvas canvas;
 
-    memset(heard.fb.pix, 0, (size_t)heard.fb.pitch * H);
-    canvas_open(&canvas, &heard.fb, rgb);
+    memset(h->fb.pix, 0, (size_t)h->fb.pitch * H);
+    canvas_open(&canvas, &h->fb, rgb);
     const struct overlay_place at = { &canvas, NULL, 0, H };
-    overlay_draw(&heard.overlay, &at, heard.b, -1, -1);
-    plat_show(heard.fb.pix, heard.fb.pitch, W, H, rgb);
+    overlay_draw(&h->overlay, &at, h->b, -1, -1);
+    plat_show(h->fb.pix, h->fb.pitch, W, H, rgb);
 }
 
-static void tick(int frames)
+static void tick(struct hear *h, int frames)
 {
-    for (int i = 0; i < frames && !heard.over; i++) {
-        heard.over = !board_box_tick(heard.b);
-        speaker_hear(&heard.speaker, heard.b, SPEAKER_ON, 1);
+    for (int i = 0; i < frames && !h->over; i++) {
+        h->over = !board_box_tick(h->b);
+        speaker_hear(&h->speaker, h->b, SPEAKER_ON, 1);
     }
 }
 
-static bool frame(void)
+bool hear_frame(struct hear *h)
 {
     struct plat_input in;
-    const uint64_t due = heard.base + heard.frames * SECOND / 60;
+    const uint64_t due = h->base + h->frames * SECOND / 60;
 
     plat_wait(due);
     const uint64_t now = plat_usec();
@@ -57,49 +58,60 @@ static bool frame(void)
     int n = (int)((now - due) * 60 / SECOND) + 1;
     struct speaker_time time = { .sixtieths = n < MOST_LATE ? n : MOST_LATE, .slow = 1 };
     time.lost = (uint64_t)(n - time.sixtieths) * SECOND / 60;
-    heard.frames += (uint64_t)n;
+    h->frames += (uint64_t)n;
     plat_poll(&in);
-    tick(time.sixtieths);
+    tick(h, time.sixtieths);
     time.late = plat_usec() - due;
-    speaker_frame(&heard.speaker, &time);
-    overlay_listen(&heard.overlay, heard.b, &heard.speaker);
-    show();
-    return !heard.over && !in.quit && !plat_key(&in, KEY_ESCAPE);
+    speaker_frame(&h->speaker, &time);
+    overlay_listen(&h->overlay, h->b, &h->speaker);
+    show(h);
+    return !h->over && !in.quit && !plat_key(&in, KEY_ESCAPE);
 }
 
-static enum result open_window(const char *name)
+static enum result open_window(struct hear *h, const char *name)
 {
-    static char title[TITLE];
     struct config config;
     char err[512];
 
     if (!config_load(&config, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    speaker_open(&heard.speaker, config.volume, false, false);
-    snprintf(title, sizeof title, "curtain: %s", name);
-    heard.pix = calloc(1, fb_size(W, H));
-    if (!heard.pix)
+    speaker_open(&h->speaker, config.volume, false, false);
+    snprintf(h->title, sizeof h->title, "curtain: %s", name);
+    h->pix = calloc(1, fb_size(W, H));
+    if (!h->pix)
         return report_line(RESULT_HOST, "out of memory");
-    fb_init(&heard.fb, heard.pix, W, H);
-    if (!plat_open(&(struct plat_want){ .w = W, .h = H, .scale = config.scale, .title = title, .rate = SPEAKER_RATE }))
+    fb_init(&h->fb, h->pix, W, H);
+    if (!plat_open(
+            &(struct plat_want){ .w = W, .h = H, .scale = config.scale, .title = h->title, .rate = SPEAKER_RATE }))
         return report_line(RESULT_HOST, "sound: there is no window to play in");
     return RESULT_DONE;
 }
 
-enum result hear(struct board *b, const char *name)
+enum result hear_open(struct hear **out, struct board *b, const char *name)
 {
-    memset(&heard, 0, sizeof heard);
-    heard.b = b;
-    heard.overlay.on[OVERLAY_MIXER] = true;
-    heard.speaker.meter = true;
-    const enum result result = open_window(name);
-    if (result == RESULT_DONE) {
-        board_box_play(b, name);
-        heard.base = plat_usec();
-        plat_loop(frame);
-        speaker_close(&heard.speaker);
+    struct hear *h = calloc(1, sizeof *h);
+
+    *out = NULL;
+    if (!h)
+        return report_line(RESULT_HOST, "out of memory");
+    h->b = b;
+    h->overlay.on[OVERLAY_MIXER] = true;
+    h->speaker.meter = true;
+    const enum result result = open_window(h, name);
+    if (result != RESULT_DONE) {
+        hear_close(h);
+        return result;
     }
+    board_box_play(b, name);
+    h->base = plat_usec();
+    *out = h;
+    return RESULT_DONE;
+}
+
+void hear_close(struct hear *h)
+{
+    speaker_close(&h->speaker);
     plat_close();
-    free(heard.pix);
-    return result;
+    free(h->pix);
+    free(h);
 }

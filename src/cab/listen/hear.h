@@ -5,10 +5,19 @@
 #ifndef CAB_HEAR_H
 #define CAB_HEAR_H
 
+#include <stdbool.h>
 #include "../host/result.h"
 
-/* b: a box (board.h). RESULT_HOST after a line that says why: there is no window. */
 struct board;
-enum result hear(struct board *b, const char *name);
+struct hear;
+
+/* b: a box (board.h), which must last until hear_close. RESULT_DONE, and *out; or RESULT_HOST or RESULT_REFUSED after a
+ * line that says why, and *out is NULL. */
+enum result hear_open(struct hear **out, struct board *b, const char *name);
+
+/* Does what is due. False: it is over. */
+bool hear_frame(struct hear *h);
+
+void hear_close(struct hear *h);
 
 #endif

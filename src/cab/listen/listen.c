@@ -157,36 +157,65 @@ static bool has(const struct board *b, const char *name)
     return false;
 }
 
-static enum result one(struct board *b, const struct args *a)
+static enum result one(struct board *b, const struct args *a, struct hear **h)
 {
     if (!has(b, a->words[1]))
         return unknown(b, a->words[1]);
-    return a->play ? hear(b, a->words[1]) : measure(b, a);
+    return a->play ? hear_open(h, b, a->words[1]) : measure(b, a);
 }
 
-enum result listen_run(const struct args *a)
-{
-    struct rom_image image = { 0 };
-    char err[1024];
-    void *block = malloc(board_box_size() + 64);
-    enum result result = RESULT_DONE;
+/* What is read while a game's sounds are listened to. */
+struct listening {
+    struct rom_image image;
+    void *block; /* malloc; the box is the 64-byte aligned part of it */
+    struct hear *hear;
+};
 
-    if (!block)
+static bool frame(void *of)
+{
+    return hear_frame(((struct listening *)of)->hear);
+}
+
+static enum result close(void *of)
+{
+    struct listening *l = of;
+
+    if (l->hear)
+        hear_close(l->hear);
+    rom_image_free(&l->image);
+    free(l->block);
+    free(l);
+    return RESULT_DONE;
+}
+
+static enum result listen(struct listening *l, const struct args *a)
+{
+    char err[1024];
+
+    if (!l->block)
         return report_line(RESULT_HOST, "out of memory");
-    if (!rom_image_load(a->words[0], a->nearest, &image, err, sizeof err)) {
-        free(block);
+    if (!rom_image_load(a->words[0], a->nearest, &l->image, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    }
-    struct board *b = board_box_open((void *)(((uintptr_t)block + 63) / 64 * 64), &image.rom, err, sizeof err);
+    struct board *b = board_box_open((void *)(((uintptr_t)l->block + 63) / 64 * 64), &l->image.rom, err, sizeof err);
     if (!b)
-        result = report_line(RESULT_REFUSED, "%s", err);
-    else if (a->n_words < 2)
-        result = list(b, &image.rom);
-    else if (a->notes)
-        result = print_notes(b, &image.rom, a->words[1]);
-    else
-        result = one(b, a);
-    rom_image_free(&image);
-    free(block);
+        return report_line(RESULT_REFUSED, "%s", err);
+    if (a->n_words < 2)
+        return list(b, &l->image.rom);
+    return a->notes ? print_notes(b, &l->image.rom, a->words[1]) : one(b, a, &l->hear);
+}
+
+enum result listen_run(const struct args *a, struct running *running)
+{
+    struct listening *l = calloc(1, sizeof *l);
+
+    if (!l)
+        return report_line(RESULT_HOST, "out of memory");
+    l->block = malloc(board_box_size() + 64);
+    const enum result result = listen(l, a);
+    if (l->hear) {
+        *running = (struct running){ frame, close, l };
+        return RESULT_DONE;
+    }
+    close(l);
     return result == RESULT_DONE ? report_stdout(result) : result;
 }

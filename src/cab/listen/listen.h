@@ -8,6 +8,7 @@
 #include "../line/args.h"
 #include "../host/result.h"
 
-enum result listen_run(const struct args *a);
+/* *running is to be called where a sound is heard. */
+enum result listen_run(const struct args *a, struct running *running);
 
 #endif

@@ -17,6 +17,7 @@
 #include "../../base/heap.h"
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
+#include "../../board/rom/compressed.h"
 #include "../../board/script.h"
 #include "../../board/std.h"
 #include "../../snd/tune.h"
@@ -1040,13 +1041,34 @@ bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context,
 
 /* ---- ROMs ---- */
 
+bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
+{
+    if (!compressed_is(*bytes, *size))
+        return true;
+    const size_t plain_size = compressed_size(*bytes, *size, err, err_size);
+    if (plain_size == 0)
+        return false;
+    uint8_t *plain = malloc(plain_size);
+    if (!plain)
+        return err_set(err, err_size, "out of memory");
+    if (!compressed_read(*bytes, *size, plain, err, err_size)) {
+        free(plain);
+        return false;
+    }
+    free(*bytes);
+    *bytes = plain;
+    *size = plain_size;
+    return true;
+}
+
 static bool load_file(const char *path, struct rom_image *out, char *err, size_t err_size)
 {
     char why[256];
 
     if (!files_read(path, path, TREE_FILE, &out->bytes, &out->size, err, err_size))
         return false;
-    if (check_image(out->bytes, out->size, &out->rom, why, sizeof why))
+    if (rom_image_plain(&out->bytes, &out->size, why, sizeof why) &&
+        check_image(out->bytes, out->size, &out->rom, why, sizeof why))
         return true;
     rom_image_free(out);
     return err_set(err, err_size, "%s: %s", path, why);

@@ -56,6 +56,10 @@ bool rom_image_load_told(const char *path, bool nearest, void (*warn)(void *cont
                          void *context, struct rom_image *out, char *err, size_t err_size);
 void rom_image_free(struct rom_image *image);
 
+/* Where *bytes (malloc) are a compressed ROM, puts the plain one in their place. False and one sentence: they are a
+ * damaged one, and stay. */
+bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size);
+
 /* Calls each with one line a lump, in order: "script/main.lua 1234 0a1b2c3d" (name, bytes, CRC32). */
 void pack_list(const struct rom *rom, void (*each)(void *user, const char *line), void *user);
 

@@ -1,9 +1,9 @@
 /*
  * cab.c - see cab.h: power, the frame, and its clock.
  *
- * plat_loop calls frame() and may be the host's own timer, so all state is in one struct and frame() itself cleans up
- * at the end. When a frame is due, and how many ticks it has, pace.h says. The switches are read just before the tick,
- * so nothing of them is older than what the tick and the picture take.
+ * Whoever has the loop calls cab_frame, so all state is in one struct. When a frame is due, and how many ticks it has,
+ * pace.h says. The switches are read just before the tick, so nothing of them is older than what the tick and the
+ * picture take.
  */
 #include "cab.h"
 
@@ -24,126 +24,124 @@ enum {
     MAX_NVRAM_KEPT = 2 * NVRAM_MOST /* bytes that are kept of a damaged score file */
 };
 
-struct cab cab;
-
 /* ---- time ---- */
 
 /* Where the speaker's clock leads, a frame is due when it has used one up; or after a second, for it may be stuck. */
-static bool speaker_says(uint64_t now)
+static bool speaker_says(struct cab *cab, uint64_t now)
 {
-    if (!speaker_due(&cab.speaker) && now < pace_due(&cab.pace) + SECOND) {
+    if (!speaker_due(&cab->speaker) && now < pace_due(&cab->pace) + SECOND) {
         plat_wait(now + LOOK_USEC);
         return false;
     }
-    pace_follow(&cab.pace, now);
+    pace_follow(&cab->pace, now);
     return true;
 }
 
 /* Waits for the next frame. False: it has not come. */
-static bool frame_comes(void)
+static bool frame_comes(struct cab *cab)
 {
-    if (speaker_leads(&cab.speaker))
-        return speaker_says(plat_usec());
-    pace_refresh(&cab.pace, cab.window.refresh, plat_usec());
-    plat_wait(pace_due(&cab.pace));
-    return pace_comes(&cab.pace, plat_usec());
+    if (speaker_leads(&cab->speaker))
+        return speaker_says(cab, plat_usec());
+    pace_refresh(&cab->pace, cab->window.refresh, plat_usec());
+    plat_wait(pace_due(&cab->pace));
+    return pace_comes(&cab->pace, plat_usec());
 }
 
 /* Frames that are due by now, at least one. */
-static struct speaker_time frames_due(uint64_t now)
+static struct speaker_time frames_due(struct cab *cab, uint64_t now)
 {
-    const struct pace_frame f = pace_take(&cab.pace, now);
+    const struct pace_frame f = pace_take(&cab->pace, now);
 
-    cab.frames += (uint64_t)f.ticks;
+    cab->frames += (uint64_t)f.ticks;
     return (struct speaker_time){ .sixtieths = f.ticks, .late = f.due, .lost = f.lost };
 }
 
 /* What was ticked is heard. */
-static void frame_sounds(struct speaker_time *time)
+static void frame_sounds(struct cab *cab, struct speaker_time *time)
 {
-    time->slow = cab.slow;
+    time->slow = cab->slow;
     time->late = plat_usec() - time->late;
-    speaker_frame(&cab.speaker, time);
-    cab.speaker.meter = cab.overlay.on[OVERLAY_MIXER];
-    overlay_listen(&cab.overlay, cab.attracting ? cab.attract_guard.board : cab_live(), &cab.speaker);
+    speaker_frame(&cab->speaker, time);
+    cab->speaker.meter = cab->overlay.on[OVERLAY_MIXER];
+    overlay_listen(&cab->overlay, cab->attracting ? cab->attract_guard.board : cab_live(cab), &cab->speaker);
 }
 
-static void turbo(uint64_t now)
+static void turbo(struct cab *cab, uint64_t now)
 {
-    const bool attracting = cab.attracting;
-    const uint32_t before = board_frame(cab_live());
+    const bool attracting = cab->attracting;
+    const uint32_t before = board_frame(cab_live(cab));
 
     for (int i = 0; i < MAX_TURBO && plat_usec() - now < TURBO_USEC; i++)
-        cab_tick();
-    if (attracting ? cab.attracting : board_frame(cab_live()) != before)
-        cab_hear_once(SPEAKER_FAST);
+        cab_tick(cab);
+    if (attracting ? cab->attracting : board_frame(cab_live(cab)) != before)
+        cab_hear_once(cab, SPEAKER_FAST);
 }
 
 /* Frame by frame, as each of them is heard. */
-static void rewind_by(int frames)
+static void rewind_by(struct cab *cab, int frames)
 {
     for (int i = 0; i < frames; i++) {
-        const uint32_t before = board_frame(cab_live());
-        cab_rewind(1);
-        if (cab.session.state == SESSION_PLAYING && board_frame(cab_live()) < before)
-            cab_hear_once(SPEAKER_BACK);
+        const uint32_t before = board_frame(cab_live(cab));
+        cab_rewind(cab, 1);
+        if (cab->session.state == SESSION_PLAYING && board_frame(cab_live(cab)) < before)
+            cab_hear_once(cab, SPEAKER_BACK);
     }
 }
 
 /* In slow motion: is this one of the frames that tick? */
-static bool slow_tick_due(void)
+static bool slow_tick_due(struct cab *cab)
 {
-    cab.slow_frames = (cab.slow_frames + 1) % cab.slow;
-    return cab.slow_frames == 0;
+    cab->slow_frames = (cab->slow_frames + 1) % cab->slow;
+    return cab->slow_frames == 0;
 }
 
 /* Presses are collected in cab.pads until a tick has seen them; those of a pause are lost. */
-static void run(int frames, const struct keys_read *k, uint64_t now)
+static void run(struct cab *cab, int frames, const struct keys_read *k, uint64_t now)
 {
-    bool fast = k->held & 1 << CAB_TURBO, ticked = cab.paused;
-    cab.rewinding = k->held & 1 << CAB_REWIND && !cab.attracting;
-    cab.quiet = cab.paused || fast;
-    if (cab.prompt.open)
+    bool fast = k->held & 1 << CAB_TURBO, ticked = cab->paused;
+    cab->rewinding = k->held & 1 << CAB_REWIND && !cab->attracting;
+    cab->quiet = cab->paused || fast;
+    if (cab->prompt.open)
         return;
-    if (cab.rewinding) {
-        rewind_by(frames);
-        cab.step = false;
-        memset(cab.pads, 0, sizeof cab.pads);
+    if (cab->rewinding) {
+        rewind_by(cab, frames);
+        cab->step = false;
+        memset(cab->pads, 0, sizeof cab->pads);
         return;
     }
-    if (cab.paused && cab.step)
-        cab_step();
-    else if (fast && !cab.paused)
-        turbo(now);
-    for (int i = 0; i < frames && !cab.paused && !fast; i++)
-        if (slow_tick_due()) {
-            cab_tick();
+    if (cab->paused && cab->step)
+        cab_step(cab);
+    else if (fast && !cab->paused)
+        turbo(cab, now);
+    for (int i = 0; i < frames && !cab->paused && !fast; i++)
+        if (slow_tick_due(cab)) {
+            cab_tick(cab);
             ticked = true;
         }
-    cab.step = false;
+    cab->step = false;
     if (ticked || fast)
-        memset(cab.pads, 0, sizeof cab.pads);
+        memset(cab->pads, 0, sizeof cab->pads);
 }
 
 /* ---- nvram ---- */
 
-static void nvram_name(char name[CAB_NAME])
+static void nvram_name(struct cab *cab, char name[CAB_NAME])
 {
-    snprintf(name, CAB_NAME, "user:%s.nv", cab_cart()->m.id);
+    snprintf(name, CAB_NAME, "user:%s.nv", cab_cart(cab)->m.id);
 }
 
-static bool keeps_nvram(void)
+static bool keeps_nvram(struct cab *cab)
 {
-    const struct session *s = &cab.session;
+    const struct session *s = &cab->session;
     unsigned flags = s->now ? s->now->writer.demo.flags : 0;
 
-    return !cab.no_scores && !s->rewound && !cab.options.demo && !cab.start.practice.section[0] &&
-           !cab.options.start.nvram && !s->demo && (!cab.guest.demo || cab.guest.same) &&
+    return !cab->no_scores && !s->rewound && !cab->options.demo && !cab->start.practice.section[0] &&
+           !cab->options.start.nvram && !s->demo && (!cab->guest.demo || cab->guest.same) &&
            !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
 }
 
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
-static void keep_damaged(const char *name, const uint8_t *image, size_t size)
+static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image, size_t size)
 {
     char beside[CAB_NAME + 32], shown[FILES_PATH], shown_beside[FILES_PATH];
 
@@ -151,294 +149,286 @@ static void keep_damaged(const char *name, const uint8_t *image, size_t size)
     for (int i = 2; plat_size(beside) >= 0; i++)
         snprintf(beside, sizeof beside, "%s.damaged-%d", name, i);
     bool kept = plat_save(beside, image, size);
-    cab.no_scores = !kept; /* then the file is not written either */
-    cab_say(kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
+    cab->no_scores = !kept; /* then the file is not written either */
+    cab_say(cab,
+            kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
                  : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
             files_shown(name, shown), files_shown(beside, shown_beside));
 }
 
-uint8_t *cab_load_nvram(struct board_start *start)
+uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
 {
     char name[CAB_NAME], shown[FILES_PATH];
-    nvram_name(name);
+    nvram_name(cab, name);
     long size = plat_size(name);
-    if (start->nvram || start->practice.section[0] || cab.options.demo || size < 0)
+    if (start->nvram || start->practice.section[0] || cab->options.demo || size < 0)
         return NULL;
     size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
     uint8_t *image = malloc((size_t)size + 1);
     if (!image || plat_load(name, image, (size_t)size) != size) {
-        cab_say("curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
-        cab.no_scores = true;
+        cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
+        cab->no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
         start->nvram_size = (size_t)size;
         return image;
     } else
-        keep_damaged(name, image, (size_t)size);
+        keep_damaged(cab, name, image, (size_t)size);
     free(image);
     return NULL;
 }
 
-void cab_save_nvram(void)
+void cab_save_nvram(struct cab *cab)
 {
     char name[CAB_NAME], err[FILES_ERR];
     uint32_t changed;
     size_t size;
-    const uint8_t *image = board_nvram(cab_live(), &size, &changed);
-    if (changed == cab.nvram_saved || !keeps_nvram())
+    const uint8_t *image = board_nvram(cab_live(cab), &size, &changed);
+    if (changed == cab->nvram_saved || !keeps_nvram(cab))
         return;
-    cab.nvram_saved = changed;
-    nvram_name(name);
+    cab->nvram_saved = changed;
+    nvram_name(cab, name);
     if (!files_save(name, image, size, err, sizeof err))
-        cab_say("curtain: %s", err);
+        cab_say(cab, "curtain: %s", err);
 }
 
 /* ---- power ---- */
 
-void cab_powered(const struct board_start *start)
+void cab_powered(struct cab *cab, const struct board_start *start)
 {
-    cab.start = *start;
-    cab.nvram_saved = 0;
-    cab.fault_reported = cab.paused = cab.scrubbed = cab.awaits = cab.taken = false;
-    cab.timebar_left = cab.slow_frames = 0;
-    memset(cab.pads, 0, sizeof cab.pads);
-    cab_pads_power();
-    if (cab.slow > 1 && !cab.session.demo)
-        cab_mark_assisted();
+    cab->start = *start;
+    cab->nvram_saved = 0;
+    cab->fault_reported = cab->paused = cab->scrubbed = cab->awaits = cab->taken = false;
+    cab->timebar_left = cab->slow_frames = 0;
+    memset(cab->pads, 0, sizeof cab->pads);
+    cab_pads_power(cab);
+    if (cab->slow > 1 && !cab->session.demo)
+        cab_mark_assisted(cab);
 }
 
-static void report_sound(void)
+static void report_sound(struct cab *cab)
 {
     char line[256];
 
-    speaker_report(&cab.speaker, line, sizeof line);
-    cab_say("curtain: %s", line);
+    speaker_report(&cab->speaker, line, sizeof line);
+    cab_say(cab, "curtain: %s", line);
 }
 
-static void finish(void)
+/* Ends a run. */
+static void finish(struct cab *cab)
 {
-    screens_close_all(&cab.screens);
-    cab_keep_leave();
-    cab_save_nvram();
-    cab_report_close();
-    practice_close(&cab.practice);
-    if (cab_fault())
-        cab.result = RESULT_REFUSED;
-    if (cab.options.verbose)
-        report_sound();
-    speaker_close(&cab.speaker);
-    bool good = session_close(&cab.session);
-    cab.result = good || cab.result != RESULT_DONE ? cab.result : RESULT_HOST;
-    if (!good)
-        cab_say("curtain: %s", cab.session.err);
-    if (cab.attracting)
-        cab_attract_end();
-    cab_guest_close();
-    cab_picture_close(&cab.picture);
-    console_close(&cab.console);
-    cab_window_close();
-    ahead_close(&cab.ahead);
-    free(cab.nvram);
-    plat_close();
-}
-
-/* What there is when no run is on. */
-static void leave(void)
-{
-    cab_report_close();
-    speaker_close(&cab.speaker);
-    cab_picture_close(&cab.picture);
-    plat_close();
+    screens_close_all(&cab->screens);
+    cab_keep_leave(cab);
+    cab_save_nvram(cab);
+    if (cab_fault(cab))
+        cab->result = RESULT_REFUSED;
+    if (cab->options.verbose)
+        report_sound(cab);
+    if (cab->attracting)
+        cab_attract_end(cab);
 }
 
 /* A frame while a folder is waited for. */
-static bool wait_frame(uint64_t now)
+static bool wait_frame(struct cab *cab, uint64_t now)
 {
-    frames_due(now);
-    cab_wait_frame();
-    if (cab.quit)
-        leave();
-    return !cab.quit;
+    frames_due(cab, now);
+    cab_wait_frame(cab);
+    return !cab->quit;
 }
 
-static bool frame(void)
+bool cab_frame(struct cab *cab)
 {
     struct keys_read k;
-    if (!frame_comes())
+    if (cab->quit)
+        return false;
+    if (!frame_comes(cab))
         return true;
-    cab_film(&cab.picture);
+    cab_report_arm(cab);
+    cab_film(cab, &cab->picture);
     uint64_t now = plat_usec();
-    if (cab.waiting.on)
-        return wait_frame(now);
-    cab_poll(&k);
-    cab_check_folder();
-    struct speaker_time time = frames_due(now);
-    cab.ticked = false;
-    overlay_begin(&cab.overlay, cab.attracting ? &cab.attract_guard : &cab.session.now->guard);
-    if (cab.session.state != SESSION_PLAYING)
-        cab_seek_or_reload(now);
-    else if (cab.console.open || cab.stands || screens_are_open(&cab.screens))
-        memset(cab.pads, 0, sizeof cab.pads);
+    if (cab->waiting.on)
+        return wait_frame(cab, now);
+    cab_poll(cab, &k);
+    cab_check_folder(cab);
+    struct speaker_time time = frames_due(cab, now);
+    cab->ticked = false;
+    overlay_begin(&cab->overlay, cab->attracting ? &cab->attract_guard : &cab->session.now->guard);
+    if (cab->session.state != SESSION_PLAYING)
+        cab_seek_or_reload(cab, now);
+    else if (cab->console.open || cab->stands || screens_are_open(&cab->screens))
+        memset(cab->pads, 0, sizeof cab->pads);
     else
-        run(time.sixtieths, &k, now);
-    frame_sounds(&time);
-    cab.timebar_left -= cab.timebar_left > 0;
-    cab.notice_left -= cab.notice_left > 0;
-    if (++cab.since_save >= SAVE_EVERY) {
-        cab.since_save = 0;
-        cab_save_nvram();
-        records_save(&cab.practice.records);
+        run(cab, time.sixtieths, &k, now);
+    frame_sounds(cab, &time);
+    cab->timebar_left -= cab->timebar_left > 0;
+    cab->notice_left -= cab->notice_left > 0;
+    if (++cab->since_save >= SAVE_EVERY) {
+        cab->since_save = 0;
+        cab_save_nvram(cab);
+        records_save(&cab->practice.records);
     }
-    overlay_lap(&cab.overlay, SPLIT_CABINET);
-    cab_look_ahead();
-    cab_picture_draw(&cab.picture);
-    overlay_lap(&cab.overlay, SPLIT_DRAW);
-    cab_picture_show(&cab.picture);
-    cab_look_back();
-    pace_worked(&cab.pace, cab.window.handed - now);
-    overlay_lap(&cab.overlay, SPLIT_SHOW);
-    overlay_end(&cab.overlay);
-    if (cab.quit)
-        finish();
-    return !cab.quit;
+    overlay_lap(&cab->overlay, SPLIT_CABINET);
+    cab_look_ahead(cab);
+    cab_picture_draw(cab, &cab->picture);
+    overlay_lap(&cab->overlay, SPLIT_DRAW);
+    cab_picture_show(cab, &cab->picture);
+    cab_look_back(cab);
+    pace_worked(&cab->pace, cab->window.handed - now);
+    overlay_lap(&cab->overlay, SPLIT_SHOW);
+    overlay_end(&cab->overlay);
+    return !cab->quit;
 }
 
 /* All that belongs to a run; harmless where there is none. */
-static void close_run(void)
+static void close_run(struct cab *cab)
 {
-    cab_report_close();
-    practice_close(&cab.practice);
-    session_close(&cab.session);
-    cab_picture_close(&cab.picture);
-    cab_window_close();
-    free(cab.nvram);
-    cab.nvram = NULL;
+    cab_report_close(cab);
+    practice_close(&cab->practice);
+    if (!session_close(&cab->session)) {
+        cab_say(cab, "curtain: %s", cab->session.err);
+        cab->result = cab->result == RESULT_DONE ? RESULT_HOST : cab->result;
+    }
+    cab_picture_close(&cab->picture);
+    cab_window_close(cab);
+    free(cab->nvram);
+    cab->nvram = NULL;
 }
 
 /* The run cannot be: a folder's is waited for, if its own files are why. */
-static bool refuse(enum result result, const char *what)
+static bool refuse(struct cab *cab, enum result result, const char *what)
 {
-    char why[FILES_ERR + sizeof cab.session.err];
+    char why[FILES_ERR + sizeof cab->session.err];
 
-    snprintf(why, sizeof why, "%s: %s", cab_game(), what);
-    close_run();
-    cab.result = result;
-    if (result == RESULT_REFUSED && cab.options.open && cab_wait(why, ""))
+    snprintf(why, sizeof why, "%s: %s", cab_game(cab), what);
+    close_run(cab);
+    cab->result = result;
+    if (result == RESULT_REFUSED && cab->options.open && cab_wait(cab, why, ""))
         return false;
-    if (result != RESULT_REFUSED || !cab.options.open)
-        cab_say("curtain: %s", why);
-    cab.quit = true;
+    if (result != RESULT_REFUSED || !cab->options.open)
+        cab_say(cab, "curtain: %s", why);
+    cab->quit = true;
     return false;
 }
 
 /* A folder's scripts that fault at power-on are as one that cannot be loaded: nothing has been played yet. */
-static bool wait_for_fault(void)
+static bool wait_for_fault(struct cab *cab)
 {
-    struct board_fault fault = *cab_fault();
+    struct board_fault fault = *cab_fault(cab);
     char why[FILES_PATH + sizeof fault.message + 4];
 
-    cab_log_lines(board_last(cab_live()));
-    snprintf(why, sizeof why, "%s: %s", cab_game(), fault.message);
-    close_run();
-    if (!cab_wait(why, fault.trace))
-        cab.quit = true;
+    cab_log_lines(cab, board_last(cab_live(cab)));
+    snprintf(why, sizeof why, "%s: %s", cab_game(cab), fault.message);
+    close_run(cab);
+    if (!cab_wait(cab, why, fault.trace))
+        cab->quit = true;
     return false;
 }
 
 /* What was typed comes before what is in the file. */
-static void take_options(void)
+static void take_options(struct cab *cab)
 {
-    const struct cab_options *o = &cab.options;
+    const struct cab_options *o = &cab->options;
 
-    cab.config.scale = o->scale ? o->scale : cab.config.scale;
-    cab.config.fullscreen = o->fullscreen || cab.config.fullscreen;
+    cab->config.scale = o->scale ? o->scale : cab->config.scale;
+    cab->config.fullscreen = o->fullscreen || cab->config.fullscreen;
 }
 
-void cab_take_lang(struct board_start *start)
+void cab_take_lang(struct cab *cab, struct board_start *start)
 {
     struct words words;
 
-    if (cart_lang(cab.options.cart, cab.config.lang, &words))
-        snprintf(start->lang, sizeof start->lang, "%s", cab.config.lang);
+    if (cart_lang(cab->options.cart, cab->config.lang, &words))
+        snprintf(start->lang, sizeof start->lang, "%s", cab->config.lang);
 }
 
-bool cab_power(void)
+bool cab_power(struct cab *cab)
 {
-    const struct cab_options *o = &cab.options;
+    const struct cab_options *o = &cab->options;
 
-    cab.result = RESULT_DONE; /* what was waited for is there */
-    cab.start = o->start;
-    if (!cab.start.lang[0] && !o->demo)
-        cab_take_lang(&cab.start);
+    cab->result = RESULT_DONE; /* what was waited for is there */
+    cab->start = o->start;
+    if (!cab->start.lang[0] && !o->demo)
+        cab_take_lang(cab, &cab->start);
     if (!o->seeded && !o->demo)
-        cab.start.seed = cab_seed_from_clock();
-    cab.nvram = cab_load_nvram(&cab.start);
-    if (!session_open(&cab.session, o->cart, &cab.start, o->demo, o->record))
-        return refuse(RESULT_REFUSED, cab.session.err);
-    if (cab_fault() && o->open && !o->demo)
-        return wait_for_fault();
-    if (!cab_open_window())
-        return refuse(RESULT_HOST, "there is no window to play in");
-    cab_picture_close(&cab.picture);
-    if (!cab_picture_open(&cab.picture, cab_live()))
-        return refuse(RESULT_HOST, "not enough memory for the picture");
-    practice_init(&cab.practice, o->cart, &cab.start);
+        cab->start.seed = cab_seed_from_clock();
+    cab->nvram = cab_load_nvram(cab, &cab->start);
+    if (!session_open(&cab->session, o->cart, &cab->start, o->demo, o->record))
+        return refuse(cab, RESULT_REFUSED, cab->session.err);
+    if (cab_fault(cab) && o->open && !o->demo)
+        return wait_for_fault(cab);
+    if (!cab_open_window(cab))
+        return refuse(cab, RESULT_HOST, "there is no window to play in");
+    cab_picture_close(&cab->picture);
+    if (!cab_picture_open(&cab->picture, cab_live(cab)))
+        return refuse(cab, RESULT_HOST, "not enough memory for the picture");
+    practice_init(&cab->practice, o->cart, &cab->start);
     if (!o->demo)
-        practice_began(&cab.practice, &cab.start);
-    cab_report_last_crash();
-    cab_report_ready();
-    cab_check_recording(!cab.session.err[0]);
-    if (cab.slow > 1 && !o->demo)
-        cab_mark_assisted();
-    cab_log_lines(board_last(cab_live()));
-    if (cab_fault())
-        cab_report_fault();
-    folder_open(&cab.folder, o->path);
-    cab_open_resume();
-    cab_pads_power();
-    pace_open(&cab.pace, plat_usec());
+        practice_began(&cab->practice, &cab->start);
+    cab_report_last_crash(cab);
+    cab_report_ready(cab);
+    cab_check_recording(cab, !cab->session.err[0]);
+    if (cab->slow > 1 && !o->demo)
+        cab_mark_assisted(cab);
+    cab_log_lines(cab, board_last(cab_live(cab)));
+    if (cab_fault(cab))
+        cab_report_fault(cab);
+    folder_open(&cab->folder, o->path);
+    cab_open_resume(cab);
+    cab_pads_power(cab);
+    pace_open(&cab->pace, plat_usec());
     return true;
 }
 
-bool cab_next(char *path, size_t size)
+void cab_begin(struct cab *cab)
 {
-    const bool is = cab.dropped[0] && snprintf(path, size, "%s", cab.dropped) < (int)size;
+    const struct cab_options *o = &cab->options;
 
-    cab.dropped[0] = '\0';
-    return is;
-}
-
-void cab_begin(void)
-{
-    const struct cab_options *o = &cab.options;
-
-    cab.kept = cab.config;
-    speaker_open(&cab.speaker, cab.config.volume, o->mute || cab.config.mute, !cab.config.resample);
-    speaker_levels(&cab.speaker, cab.config.music, cab.config.sounds);
-    cab.slow = 1 << cab.config.speed;
-    take_options();
-    cab_pads_open();
-    pace_open(&cab.pace, plat_usec());
+    cab->kept = cab->config;
+    speaker_open(&cab->speaker, cab->config.volume, o->mute || cab->config.mute, !cab->config.resample);
+    speaker_levels(&cab->speaker, cab->config.music, cab->config.sounds);
+    cab->slow = 1 << cab->config.speed;
+    take_options(cab);
+    cab_pads_open(cab);
+    pace_open(&cab->pace, plat_usec());
     if (o->cart)
-        cab_power();
+        cab_power(cab);
     else
-        cab.quit = !cab_wait(o->wrong, "");
+        cab->quit = !cab_wait(cab, o->wrong, "");
 }
 
-enum result cab_play(const struct cab_options *options)
+struct cab *cab_open(const struct cab_options *options)
 {
     char err[FILES_ERR + CONFIG_LINE];
-    memset(&cab, 0, sizeof cab);
-    cab.options = *options;
-    if (config_load(&cab.config, err, sizeof err)) {
-        cab_begin();
+    struct cab *cab = calloc(1, sizeof *cab);
+
+    if (!cab)
+        return NULL;
+    cab->options = *options;
+    if (config_load(&cab->config, err, sizeof err)) {
+        cab_begin(cab);
     } else {
-        cab_pads_open();
-        cab.quit = !cab_wait_settings(err);
+        cab_pads_open(cab);
+        cab->quit = !cab_wait_settings(cab, err);
     }
-    if (!cab.quit)
-        plat_loop(frame);
-    else
-        leave();
-    return cab.result;
+    return cab;
+}
+
+bool cab_next(const struct cab *cab, char *path, size_t size)
+{
+    return cab->dropped[0] && snprintf(path, size, "%s", cab->dropped) < (int)size;
+}
+
+enum result cab_close(struct cab *cab)
+{
+    if (cab->session.now)
+        finish(cab);
+    close_run(cab);
+    cab_guest_close(cab);
+    speaker_close(&cab->speaker);
+    console_close(&cab->console);
+    ahead_close(&cab->ahead);
+    plat_close();
+    const enum result result = cab->result;
+    free(cab);
+    return result;
 }

@@ -41,13 +41,23 @@ struct cab_options {
     const char *wrong; /* a sentence, without cart */
 };
 
-/* Plays until quit. RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file;
- * RESULT_HOST: the host failed. With these a line that says why has gone to plat_log; after a script fault its
- * traceback too. */
-enum result cab_play(const struct cab_options *options);
+/* A cabinet. There may be several at once, each with what it knows to itself, all called from one thread. What they ask
+ * of the port they ask in these calls, so a port with several windows knows whose it is meant to be. */
+struct cab;
 
-/* After cab_play: hands out, once, the folder or ROM that was dropped on the window and is to be played now. False:
- * there is none. */
-bool cab_next(char *path, size_t size);
+/* Opens a cabinet and its window. The options' pointers must last until it is closed. NULL: there is no memory. */
+struct cab *cab_open(const struct cab_options *options);
+
+/* Does what is due: waits for the next sixtieth by plat_wait, and returns at once where that does. False: it is over,
+ * by whatever was pressed or went wrong, and stays so; close it. */
+bool cab_frame(struct cab *cab);
+
+/* Hands out the folder or ROM that was dropped on the window and is to be played next. False: there is none. */
+bool cab_next(const struct cab *cab, char *path, size_t size);
+
+/* Ends what is on as quitting does, and gives everything back: nothing is kept. At any time between two frames.
+ * RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file; RESULT_HOST: the host
+ * failed. With these a line that says why has gone to plat_log; after a script fault its traceback too. */
+enum result cab_close(struct cab *cab);
 
 #endif

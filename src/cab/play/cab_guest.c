@@ -11,92 +11,92 @@
 #include "../store/roms.h"
 #include "cab_parts.h"
 
-static bool refuse(const char *what, const char *why)
+static bool refuse(struct cab *cab, const char *what, const char *why)
 {
-    cab_notice(CAB_NOTICE_FRAMES, "%s: %s", what, why);
-    screens_say(&cab.screens, "%s", cab.notice);
-    cab_say("curtain: %s", cab.notice);
+    cab_notice(cab, CAB_NOTICE_FRAMES, "%s: %s", what, why);
+    screens_say(&cab->screens, "%s", cab->notice);
+    cab_say(cab, "curtain: %s", cab->notice);
     return false;
 }
 
-void cab_guest_forget(void)
+void cab_guest_forget(struct cab *cab)
 {
-    if (cab.guest.demo)
-        demo_free(cab.guest.demo);
-    free(cab.guest.demo);
-    free(cab.guest.nvram);
-    cab.guest.demo = NULL;
-    cab.guest.nvram = NULL;
-    cab.guest.watching = cab.guest.resuming = cab.guest.same = false;
+    if (cab->guest.demo)
+        demo_free(cab->guest.demo);
+    free(cab->guest.demo);
+    free(cab->guest.nvram);
+    cab->guest.demo = NULL;
+    cab->guest.nvram = NULL;
+    cab->guest.watching = cab->guest.resuming = cab->guest.same = false;
 }
 
-void cab_guest_close(void)
+void cab_guest_close(struct cab *cab)
 {
-    cab_guest_forget();
-    session_rom_free(cab.guest.home_rom);
-    memset(&cab.guest, 0, sizeof cab.guest);
+    cab_guest_forget(cab);
+    session_rom_free(cab->guest.home_rom);
+    memset(&cab->guest, 0, sizeof cab->guest);
 }
 
 /* ---- another session ---- */
 
 /* Opens a session in place of the present one, which is left as by quitting. rom owns the cart, NULL where it is the
  * present one's or the home's; it is taken. */
-static bool change_session(const struct cart *cart, struct session_rom *rom, const struct board_start *start,
-                           struct demo *demo, const char *what)
+static bool change_session(struct cab *cab, const struct cart *cart, struct session_rom *rom,
+                           const struct board_start *start, struct demo *demo, const char *what)
 {
     struct session new;
     struct session_run *old;
 
-    if (cab.attracting)
-        cab_attract_end();
-    if (!session_open(&new, cart, start, demo, demo ? NULL : cab.options.record)) {
+    if (cab->attracting)
+        cab_attract_end(cab);
+    if (!session_open(&new, cart, start, demo, demo ? NULL : cab->options.record)) {
         session_rom_free(rom);
-        return refuse(what, new.err);
+        return refuse(cab, what, new.err);
     }
-    cab_keep_leave();
-    cab_save_nvram();
-    old = cab.session.now;
+    cab_keep_leave(cab);
+    cab_save_nvram(cab);
+    old = cab->session.now;
     if (cart == old->cart) { /* it goes on in the new session */
         new.now->rom = old->rom;
         old->rom = NULL;
-    } else if (cart == cab.guest.home) {
-        new.now->rom = cab.guest.home_rom;
-        cab.guest.home = NULL;
-        cab.guest.home_rom = NULL;
+    } else if (cart == cab->guest.home) {
+        new.now->rom = cab->guest.home_rom;
+        cab->guest.home = NULL;
+        cab->guest.home_rom = NULL;
     } else {
         new.now->rom = rom;
-        if (!cab.guest.home) {
-            cab.guest.home = old->cart;
-            cab.guest.home_rom = old->rom;
+        if (!cab->guest.home) {
+            cab->guest.home = old->cart;
+            cab->guest.home_rom = old->rom;
             old->rom = NULL;
         }
     }
-    if (!session_close(&cab.session))
-        cab_check_recording(false);
-    cab.session = new;
-    cab_guest_forget();
-    cab.guest.demo = demo;
-    cab.taken = cab.awaits = false;
-    cab.differs = 0;
-    cab_powered(start);
-    cab_fit_cart();
+    if (!session_close(&cab->session))
+        cab_check_recording(cab, false);
+    cab->session = new;
+    cab_guest_forget(cab);
+    cab->guest.demo = demo;
+    cab->taken = cab->awaits = false;
+    cab->differs = 0;
+    cab_powered(cab, start);
+    cab_fit_cart(cab);
     return true;
 }
 
 /* The ROM that a demo is played on: the game's own if it is the same game, else the kept one that it was recorded on.
  * NULL: *cart is one that is there already. */
-static bool find_cart(const struct demo *d, const struct cart **cart, struct session_rom **rom, char *err,
-                      size_t err_size)
+static bool find_cart(struct cab *cab, const struct demo *d, const struct cart **cart, struct session_rom **rom,
+                      char *err, size_t err_size)
 {
-    const struct cart *home = cab.guest.home ? cab.guest.home : cab_cart();
+    const struct cart *home = cab->guest.home ? cab->guest.home : cab_cart(cab);
     char path[ROMS_PATH];
 
     *rom = NULL;
     *cart = home;
     if (rom_hash(home->rom) == d->rom_hash || rom_game_hash(home->rom) == d->game_hash)
         return true;
-    if (rom_hash(cab_cart()->rom) == d->rom_hash) {
-        *cart = cab_cart();
+    if (rom_hash(cab_cart(cab)->rom) == d->rom_hash) {
+        *cart = cab_cart(cab);
         return true;
     }
     roms_path(path, d->id, d->rom_hash);
@@ -110,7 +110,7 @@ static bool find_cart(const struct demo *d, const struct cart **cart, struct ses
 }
 
 /* Reads a demo and opens a playback of it. */
-static bool open_demo(const char *path, const char *what, bool exact)
+static bool open_demo(struct cab *cab, const char *path, const char *what, bool exact)
 {
     struct demo *d = calloc(1, sizeof *d);
     const struct cart *cart = NULL;
@@ -118,9 +118,9 @@ static bool open_demo(const char *path, const char *what, bool exact)
     char err[DEMO_ERR] = "out of memory", why[256];
 
     bool good = d && demo_load(d, path, err, sizeof err);
-    if (good && !find_cart(d, &cart, &rom, err, sizeof err)) {
+    if (good && !find_cart(cab, d, &cart, &rom, err, sizeof err)) {
         good = !exact; /* as far as it goes on the game as it is */
-        cart = cab.guest.home ? cab.guest.home : cab_cart();
+        cart = cab->guest.home ? cab->guest.home : cab_cart(cab);
     }
     if (good && !demo_fits(d, cart, err, sizeof err))
         good = false;
@@ -129,8 +129,8 @@ static bool open_demo(const char *path, const char *what, bool exact)
         good = false;
     }
     if (!good)
-        refuse(what, err);
-    else if (change_session(cart, rom, &d->start, d, what))
+        refuse(cab, what, err);
+    else if (change_session(cab, cart, rom, &d->start, d, what))
         return true;
     else
         rom = NULL; /* it was taken */
@@ -143,64 +143,65 @@ static bool open_demo(const char *path, const char *what, bool exact)
 
 /* ---- to watch ---- */
 
-bool cab_watch(const char *path, uint32_t frame)
+bool cab_watch(struct cab *cab, const char *path, uint32_t frame)
 {
-    if (cab.options.record || cab.options.demo)
-        return refuse("no replay now", "what is on belongs to --record or --demo");
-    if (!open_demo(path, "this replay cannot be shown", false))
+    if (cab->options.record || cab->options.demo)
+        return refuse(cab, "no replay now", "what is on belongs to --record or --demo");
+    if (!open_demo(cab, path, "this replay cannot be shown", false))
         return false;
-    cab.guest.watching = true;
-    session_goto(&cab.session, frame);
+    cab->guest.watching = true;
+    session_goto(&cab->session, frame);
     return true;
 }
 
-void cab_home(void)
+void cab_home(struct cab *cab)
 {
     struct board_start start;
 
-    if (!cab.guest.home && !cab.guest.demo && !cab.session.demo) {
-        cab_begin_anew();
+    if (!cab->guest.home && !cab->guest.demo && !cab->session.demo) {
+        cab_begin_anew(cab);
         return;
     }
-    cab_home_start(&start);
-    uint8_t *nvram = cab_load_nvram(&start);
-    if (!change_session(cab.guest.home ? cab.guest.home : cab_cart(), NULL, &start, NULL, "the game")) {
+    cab_home_start(cab, &start);
+    uint8_t *nvram = cab_load_nvram(cab, &start);
+    if (!change_session(cab, cab->guest.home ? cab->guest.home : cab_cart(cab), NULL, &start, NULL, "the game")) {
         free(nvram);
         return;
     }
-    free(cab.nvram);
-    cab.nvram = nvram;
-    practice_began(&cab.practice, &start);
-    cab_log_lines(board_last(cab_live()));
-    if (cab_fault())
-        cab_report_fault();
-    cab_open_resume(); /* a run may have been left for this */
+    free(cab->nvram);
+    cab->nvram = nvram;
+    practice_began(&cab->practice, &start);
+    cab_log_lines(cab, board_last(cab_live(cab)));
+    if (cab_fault(cab))
+        cab_report_fault(cab);
+    cab_open_resume(cab); /* a run may have been left for this */
 }
 
 /* ---- to go on with ---- */
 
-bool cab_was_left(struct card *c)
+bool cab_was_left(struct cab *cab, struct card *c)
 {
     struct demo d;
     char path[CAB_NAME], err[DEMO_ERR];
 
-    cab_resume_path(path);
+    cab_resume_path(cab, path);
     if (plat_size(path) < 0)
         return false;
     if (!demo_load(&d, path, err, sizeof err)) {
-        cab_say("curtain: %s; the run that was left is gone", err);
-        cab_notice(CAB_NOTICE_FRAMES, "the run that was left is gone: its file is damaged");
+        cab_say(cab, "curtain: %s; the run that was left is gone", err);
+        cab_notice(cab, CAB_NOTICE_FRAMES, "the run that was left is gone: its file is damaged");
         return false;
     }
-    bool good = card_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart()->m.id) == 0;
+    bool good = card_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart(cab)->m.id) == 0;
     demo_free(&d);
     return good;
 }
 
 /* Has the run now just the saved image? Looked at whenever it has written to it. */
-static void watch_nvram(const struct session *s)
+static void watch_nvram(void *of, const struct session *s)
 {
-    struct cab_guest *g = &cab.guest;
+    struct cab *cab = of;
+    struct cab_guest *g = &cab->guest;
     size_t size;
     uint32_t changed;
     const uint8_t *image = board_nvram(session_board(s), &size, &changed);
@@ -212,60 +213,61 @@ static void watch_nvram(const struct session *s)
 }
 
 /* Keeps the saved image to compare, and compares it with that of the start. */
-static void begin_watch(void)
+static void begin_watch(struct cab *cab)
 {
-    struct cab_guest *g = &cab.guest;
+    struct cab_guest *g = &cab->guest;
     struct board_start saved = { 0 };
     const struct board_start *start = &g->demo->start;
 
-    g->nvram = cab_load_nvram(&saved);
+    g->nvram = cab_load_nvram(cab, &saved);
     g->nvram_size = g->nvram ? saved.nvram_size : 0;
     g->changed = 0;
     g->same = g->nvram_size == start->nvram_size &&
               (g->nvram_size == 0 || memcmp(g->nvram, start->nvram, g->nvram_size) == 0);
-    cab.session.ticked = g->nvram ? watch_nvram : NULL;
+    cab->session.ticked = g->nvram ? watch_nvram : NULL;
+    cab->session.of = cab;
 }
 
-bool cab_resume(void)
+bool cab_resume(struct cab *cab)
 {
     static const char what[] = "the run that was left cannot go on";
     char path[CAB_NAME];
 
-    cab_resume_path(path);
-    if (cab.options.record || cab.options.demo)
-        return refuse(what, "what is on belongs to --record or --demo");
-    if (!open_demo(path, what, true)) {
-        cab_keep_left();
+    cab_resume_path(cab, path);
+    if (cab->options.record || cab->options.demo)
+        return refuse(cab, what, "what is on belongs to --record or --demo");
+    if (!open_demo(cab, path, what, true)) {
+        cab_keep_left(cab);
         return false;
     }
-    begin_watch();
-    cab.guest.resuming = true;
-    session_goto(&cab.session, cab.guest.demo->frames);
-    if (cab.session.state == SESSION_PLAYING)
-        cab_resume_arrived();
+    begin_watch(cab);
+    cab->guest.resuming = true;
+    session_goto(&cab->session, cab->guest.demo->frames);
+    if (cab->session.state == SESSION_PLAYING)
+        cab_resume_arrived(cab);
     return true;
 }
 
-void cab_resume_arrived(void)
+void cab_resume_arrived(struct cab *cab)
 {
-    const struct demo *d = &cab.session.now->writer.demo;
+    const struct demo *d = &cab->session.now->writer.demo;
 
-    if (!cab.guest.resuming)
+    if (!cab->guest.resuming)
         return;
-    cab.guest.resuming = false;
-    cab.session.ticked = NULL;
-    if (!session_go_on(&cab.session, DEMO_RESUMED)) {
-        refuse("the run that was left cannot go on", cab.session.err);
-        cab_keep_left();
-        cab_home();
+    cab->guest.resuming = false;
+    cab->session.ticked = NULL;
+    if (!session_go_on(&cab->session, DEMO_RESUMED)) {
+        refuse(cab, "the run that was left cannot go on", cab->session.err);
+        cab_keep_left(cab);
+        cab_home(cab);
         return;
     }
-    cab.nvram_saved = 0; /* the run's image is written anew */
-    cab_keep_follow();
-    cab.paused = cab.awaits = true;
-    cab.timebar_left = 0;
-    cab_notice(CAB_NOTICE_STAYS, "your run goes on: press a button%s",
-               cab.guest.same ? "" : ". Scores were made since; this run's are not kept");
-    cab_say("curtain: %s: goes on at frame %u with the run that was left%s", cab_game(), (unsigned)d->frames,
-            cab.guest.same ? "" : "; scores were made since, and this run's are not kept");
+    cab->nvram_saved = 0; /* the run's image is written anew */
+    cab_keep_follow(cab);
+    cab->paused = cab->awaits = true;
+    cab->timebar_left = 0;
+    cab_notice(cab, CAB_NOTICE_STAYS, "your run goes on: press a button%s",
+               cab->guest.same ? "" : ". Scores were made since; this run's are not kept");
+    cab_say(cab, "curtain: %s: goes on at frame %u with the run that was left%s", cab_game(cab), (unsigned)d->frames,
+            cab->guest.same ? "" : "; scores were made since, and this run's are not kept");
 }

@@ -20,38 +20,38 @@
 
 enum { SHORTEST = 3 * 60 /* frames of a run that is kept; one that ends in a fault may be shorter */ };
 
-void cab_resume_path(char path[CAB_NAME])
+void cab_resume_path(struct cab *cab, char path[CAB_NAME])
 {
-    snprintf(path, CAB_NAME, "user:resume/%s.demo", cab_cart()->m.id);
+    snprintf(path, CAB_NAME, "user:resume/%s.demo", cab_cart(cab)->m.id);
 }
 
-static struct demo_writer *writer(void)
+static struct demo_writer *writer(struct cab *cab)
 {
-    return &cab.session.now->writer;
+    return &cab->session.now->writer;
 }
 
 /* Is this a session whose runs are kept? */
-static bool keeps(void)
+static bool keeps(struct cab *cab)
 {
-    return !cab.session.demo && !cab.options.demo && !cab.taken && !cab.start.practice.section[0] &&
-           !(writer()->demo.flags & DEMO_TOUCHED);
+    return !cab->session.demo && !cab->options.demo && !cab->taken && !cab->start.practice.section[0] &&
+           !(writer(cab)->demo.flags & DEMO_TOUCHED);
 }
 
 /* One sentence, in the log and over the picture; the run goes on. */
-static void complain(const char *err, const char *what)
+static void complain(struct cab *cab, const char *err, const char *what)
 {
-    cab_notice(CAB_NOTICE_FRAMES, "%s: %s", what, err);
-    cab_say("curtain: %s: %s", what, err);
+    cab_notice(cab, CAB_NOTICE_FRAMES, "%s: %s", what, err);
+    cab_say(cab, "curtain: %s: %s", what, err);
 }
 
 /* ---- score tables ---- */
 
 /* The rows of a table as they stand now. */
-static int rows_now(const char *table, const char *ship, struct nv_row rows[NV_ROWS])
+static int rows_now(struct cab *cab, const char *table, const char *ship, struct nv_row rows[NV_ROWS])
 {
     size_t size;
     uint32_t changed;
-    const uint8_t *image = board_nvram(cab_live(), &size, &changed);
+    const uint8_t *image = board_nvram(cab_live(cab), &size, &changed);
     const struct nvram nv = { .s.live = (uint32_t)size, .bytes = (uint8_t *)(uintptr_t)image }; /* is only read */
 
     return nvram_rows(&nv, table, ship, rows);
@@ -59,10 +59,10 @@ static int rows_now(const char *table, const char *ship, struct nv_row rows[NV_R
 
 static bool row_stands(void *of, const struct card_row *row)
 {
+    struct cab *cab = of;
     struct nv_row rows[NV_ROWS];
-    const int n = rows_now(row->table, row->row.ship, rows);
+    const int n = rows_now(cab, row->table, row->row.ship, rows);
 
-    (void)of;
     for (int i = 0; i < n; i++)
         if (rows[i].score == row->row.score && strcmp(rows[i].name, row->row.name) == 0)
             return true;
@@ -70,10 +70,10 @@ static bool row_stands(void *of, const struct card_row *row)
 }
 
 /* The row that a marker tells of. */
-static bool row_of(const struct board_marker *m, struct card_row *row)
+static bool row_of(struct cab *cab, const struct board_marker *m, struct card_row *row)
 {
     struct nv_row rows[NV_ROWS];
-    const int n = rows_now(m->name, m->of, rows);
+    const int n = rows_now(cab, m->name, m->of, rows);
 
     if (m->value < 1 || m->value > n)
         return false;
@@ -83,24 +83,24 @@ static bool row_of(const struct board_marker *m, struct card_row *row)
 }
 
 /* A row that is entered after the run's end, as after a name is asked for, goes to its replay. */
-static void take_row(const struct board_marker *m)
+static void take_row(struct cab *cab, const struct board_marker *m)
 {
-    struct cab_keep *k = &cab.keep;
+    struct cab_keep *k = &cab->keep;
     struct replays list;
     struct card_row row;
     char err[512];
 
-    if (!row_of(m, &row))
+    if (!row_of(cab, m, &row))
         return;
     if (k->on || !k->stem[0]) {
         if (k->rows < CARD_ROWS)
             k->row[k->rows++] = row;
         return;
     }
-    replays_open(&list, cab_cart()->m.id);
+    replays_open(&list, cab_cart(cab)->m.id);
     for (int i = 0; i < list.n; i++)
         if (strcmp(list.list[i].stem, k->stem) == 0 && !replays_add_row(&list, i, &row, err, sizeof err))
-            complain(err, "a row of the scores does not find its replay");
+            complain(cab, err, "a row of the scores does not find its replay");
     replays_close(&list);
 }
 
@@ -119,70 +119,71 @@ static void remove_left(struct replays *list, const struct card *whole)
     }
 }
 
-static bool add(const uint8_t *bytes, size_t size, const struct card *c, const struct thumb *t, char *err,
-                size_t err_size)
+static bool add(struct cab *cab, const uint8_t *bytes, size_t size, const struct card *c, const struct thumb *t,
+                char *err, size_t err_size)
 {
     struct replays list;
 
     replays_open(&list, c->id);
     bool good = replays_add(&list, bytes, size, c, t, err, err_size);
     if (good) {
-        snprintf(cab.keep.stem, sizeof cab.keep.stem, "%s", list.list[0].stem);
+        snprintf(cab->keep.stem, sizeof cab->keep.stem, "%s", list.list[0].stem);
         remove_left(&list, c);
-        replays_prune(&list, cab.config.replays, row_stands, NULL);
-        replays_collect_roms(&list, rom_hash(cab_cart()->rom));
+        replays_prune(&list, cab->config.replays, row_stands, cab);
+        replays_collect_roms(&list, rom_hash(cab_cart(cab)->rom));
     }
     replays_close(&list);
     return good;
 }
 
-static void describe(struct card *c, enum card_end end)
+static void describe(struct cab *cab, struct card *c, enum card_end end)
 {
-    const struct manifest *m = &cab_cart()->m;
-    const int difficulty = board_difficulty_now(cab_live());
+    const struct manifest *m = &cab_cart(cab)->m;
+    const int difficulty = board_difficulty_now(cab_live(cab));
 
-    card_of_demo(c, &writer()->demo);
+    card_of_demo(c, &writer(cab)->demo);
     c->end = end;
     c->date = (int64_t)time(NULL);
     snprintf(c->difficulty, sizeof c->difficulty, "%s",
              difficulty < m->n_difficulties ? m->difficulties[difficulty] : "");
     for (int p = 0; p < PADS; p++)
-        c->points[p] = board_points(cab_live(), p);
-    c->rows = cab.keep.rows;
-    memcpy(c->row, cab.keep.row, sizeof c->row);
+        c->points[p] = board_points(cab_live(cab), p);
+    c->rows = cab->keep.rows;
+    memcpy(c->row, cab->keep.row, sizeof c->row);
 }
 
 /* The run that is on ends here, and is kept. */
-static void keep_run(enum card_end end)
+static void keep_run(struct cab *cab, enum card_end end)
 {
     struct card card;
     struct thumb thumb;
     char err[512];
     size_t size;
-    const uint32_t frames = writer()->demo.frames - cab.keep.first;
+    const uint32_t frames = writer(cab)->demo.frames - cab->keep.first;
 
-    cab.keep.stem[0] = 0;
-    if (cab.config.replays == 0 || (frames < SHORTEST && end != CARD_FAULT))
+    cab->keep.stem[0] = 0;
+    if (cab->config.replays == 0 || (frames < SHORTEST && end != CARD_FAULT))
         return;
-    uint8_t *bytes = demo_bytes_now(writer(), cab_live(), &size);
-    describe(&card, end);
-    thumb_make(&thumb, &cab.picture.fb, cab.picture.rgb);
+    uint8_t *bytes = demo_bytes_now(writer(cab), cab_live(cab), &size);
+    describe(cab, &card, end);
+    thumb_make(&thumb, &cab->picture.fb, cab->picture.rgb);
     if (!bytes)
-        complain("out of memory", "this run is not kept");
-    else if (!roms_keep(card.id, cab_cart()->rom, err, sizeof err) || !add(bytes, size, &card, &thumb, err, sizeof err))
-        complain(err, "this run is not kept");
+        complain(cab, "out of memory", "this run is not kept");
+    else if (!roms_keep(card.id, cab_cart(cab)->rom, err, sizeof err) ||
+             !add(cab, bytes, size, &card, &thumb, err, sizeof err))
+        complain(cab, err, "this run is not kept");
     free(bytes);
 }
 
 /* ---- where one stands ---- */
 
-static void drop_spare(void)
+static void drop_spare(struct cab *cab)
 {
-    demo_spare_remove(writer());
-    cab.keep.spare = false;
+    demo_spare_remove(writer(cab));
+    cab->keep.spare = false;
 }
 
-void cab_keep_left(void)
+void cab_keep_left(struct cab *cab)
 {
     struct replays list;
     struct demo d;
@@ -192,14 +193,14 @@ void cab_keep_left(void)
     size_t size;
     bool there = false;
 
-    cab_resume_path(path);
+    cab_resume_path(cab, path);
     if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, sizeof err))
         return;
     bool good = demo_read(&d, bytes, size, err, sizeof err) && card_of_demo(&card, &d) &&
-                card.last - card.first >= SHORTEST && cab.config.replays > 0 &&
+                card.last - card.first >= SHORTEST && cab->config.replays > 0 &&
                 (d.complete || d.checksum_frames == d.frames);
     free(bytes);
-    if (good && replays_open(&list, cab_cart()->m.id)) {
+    if (good && replays_open(&list, cab_cart(cab)->m.id)) {
         for (int i = 0; i < list.n; i++)
             there = there || (list.list[i].card.seed == card.seed && list.list[i].card.first == card.first &&
                               list.list[i].card.last >= card.last);
@@ -208,135 +209,135 @@ void cab_keep_left(void)
     d.complete = true; /* what is there is all of it */
     bytes = good && !there ? demo_bytes(&d, &size) : NULL;
     card.date = (int64_t)time(NULL);
-    if (bytes && !add(bytes, size, &card, NULL, err, sizeof err))
-        complain(err, "the run that was left is not kept");
-    cab.keep.stem[0] = 0;
+    if (bytes && !add(cab, bytes, size, &card, NULL, err, sizeof err))
+        complain(cab, err, "the run that was left is not kept");
+    cab->keep.stem[0] = 0;
     free(bytes);
     demo_free(&d);
     plat_remove(path);
 }
 
-void cab_keep_here(void)
+void cab_keep_here(struct cab *cab)
 {
     char path[CAB_NAME], err[512];
 
-    cab_resume_path(path);
-    if (!cab.config.resume)
+    cab_resume_path(cab, path);
+    if (!cab->config.resume)
         return;
-    if (!roms_keep(cab_cart()->m.id, cab_cart()->rom, err, sizeof err))
-        complain(err, "where you stand is not kept");
+    if (!roms_keep(cab_cart(cab)->m.id, cab_cart(cab)->rom, err, sizeof err))
+        complain(cab, err, "where you stand is not kept");
     else
-        demo_spare(writer(), path);
-    cab.keep.spare = writer()->spare.path[0] != 0;
+        demo_spare(writer(cab), path);
+    cab->keep.spare = writer(cab)->spare.path[0] != 0;
 }
 
-static void begin(uint32_t frame)
+static void begin(struct cab *cab, uint32_t frame)
 {
-    struct cab_keep *k = &cab.keep;
+    struct cab_keep *k = &cab->keep;
 
     if (k->on)
-        keep_run(CARD_LEFT);
-    drop_spare();
+        keep_run(cab, CARD_LEFT);
+    drop_spare(cab);
     k->on = true;
     k->first = frame;
     k->rows = 0;
-    cab_keep_left();
-    cab_keep_here();
+    cab_keep_left(cab);
+    cab_keep_here(cab);
 }
 
-static void end(const char *how)
+static void end(struct cab *cab, const char *how)
 {
-    if (!cab.keep.on)
+    if (!cab->keep.on)
         return;
-    keep_run(strcmp(how, "clear") == 0 ? CARD_CLEAR : strcmp(how, "quit") == 0 ? CARD_QUIT : CARD_OVER);
-    cab.keep.on = false;
-    cab.keep.rows = 0;
-    drop_spare();
+    keep_run(cab, strcmp(how, "clear") == 0 ? CARD_CLEAR : strcmp(how, "quit") == 0 ? CARD_QUIT : CARD_OVER);
+    cab->keep.on = false;
+    cab->keep.rows = 0;
+    drop_spare(cab);
 }
 
 /* ---- from tick to tick ---- */
 
 /* The run that is on before a frame, by the recording. */
-static void find_run(uint32_t before)
+static void find_run(struct cab *cab, uint32_t before)
 {
-    const struct demo *d = &writer()->demo;
+    const struct demo *d = &writer(cab)->demo;
 
-    cab.keep.on = false;
+    cab->keep.on = false;
     for (uint32_t i = 0; i < d->n_markers && d->markers[i].frame < before; i++) {
         if (d->markers[i].marker.kind == MARKER_GAME) {
-            cab.keep.on = true;
-            cab.keep.first = d->markers[i].frame;
+            cab->keep.on = true;
+            cab->keep.first = d->markers[i].frame;
         } else if (d->markers[i].marker.kind == MARKER_OVER) {
-            cab.keep.on = false;
+            cab->keep.on = false;
         }
     }
 }
 
 /* The recording was cut, because the player went back, or is another one. */
-static void follow(uint32_t frames)
+static void follow(struct cab *cab, uint32_t frames)
 {
-    find_run(frames);
-    cab.keep.rows = 0;
-    if (!cab.keep.on)
-        drop_spare();
-    else if (!cab.keep.spare)
-        cab_keep_here();
+    find_run(cab, frames);
+    cab->keep.rows = 0;
+    if (!cab->keep.on)
+        drop_spare(cab);
+    else if (!cab->keep.spare)
+        cab_keep_here(cab);
 }
 
-void cab_keep_follow(void)
+void cab_keep_follow(struct cab *cab)
 {
-    cab.keep.frames = writer()->demo.frames;
-    follow(cab.keep.frames + 1);
+    cab->keep.frames = writer(cab)->demo.frames;
+    follow(cab, cab->keep.frames + 1);
 }
 
-static void take_marker(const struct board_marker *m)
+static void take_marker(struct cab *cab, const struct board_marker *m)
 {
     if (m->kind == MARKER_GAME)
-        begin(writer()->demo.frames);
+        begin(cab, writer(cab)->demo.frames);
     else if (m->kind == MARKER_OVER)
-        end(m->name);
+        end(cab, m->name);
     else if (m->kind == MARKER_ROW)
-        take_row(m);
+        take_row(cab, m);
 }
 
-void cab_keep_tick(void)
+void cab_keep_tick(struct cab *cab)
 {
-    const struct board_out *out = board_last(cab_live());
-    const uint32_t frames = writer()->demo.frames;
+    const struct board_out *out = board_last(cab_live(cab));
+    const uint32_t frames = writer(cab)->demo.frames;
 
-    if (!keeps()) {
-        cab.keep.on = false;
-        drop_spare();
+    if (!keeps(cab)) {
+        cab->keep.on = false;
+        drop_spare(cab);
         return;
     }
-    if (frames != cab.keep.frames + 1)
-        follow(frames);
-    cab.keep.frames = frames;
+    if (frames != cab->keep.frames + 1)
+        follow(cab, frames);
+    cab->keep.frames = frames;
     for (int i = 0; i < out->markers; i++)
-        take_marker(&out->marker[i]);
-    if (out->fault && cab.keep.on) {
-        keep_run(CARD_FAULT);
-        cab.keep.on = false;
-        drop_spare();
+        take_marker(cab, &out->marker[i]);
+    if (out->fault && cab->keep.on) {
+        keep_run(cab, CARD_FAULT);
+        cab->keep.on = false;
+        drop_spare(cab);
     }
-    if (cab.keep.spare && writer()->spare_err[0]) {
-        complain(writer()->spare_err, "where you stand is not kept from here on");
-        cab.keep.spare = false;
+    if (cab->keep.spare && writer(cab)->spare_err[0]) {
+        complain(cab, writer(cab)->spare_err, "where you stand is not kept from here on");
+        cab->keep.spare = false;
     }
 }
 
-void cab_keep_leave(void)
+void cab_keep_leave(struct cab *cab)
 {
-    const struct board *b = cab_live();
+    const struct board *b = cab_live(cab);
 
-    if (keeps() && !cab_fault()) {
-        if (board_frame(b) < writer()->demo.frames)
-            cab_check_recording(demo_rewind(writer(), board_frame(b)));
-        find_run(writer()->demo.frames + 1);
-        if (!cab.keep.on || writer()->demo.frames - cab.keep.first < SHORTEST)
-            drop_spare();
-        if (cab.keep.on)
-            keep_run(CARD_LEFT);
+    if (keeps(cab) && !cab_fault(cab)) {
+        if (board_frame(b) < writer(cab)->demo.frames)
+            cab_check_recording(cab, demo_rewind(writer(cab), board_frame(b)));
+        find_run(cab, writer(cab)->demo.frames + 1);
+        if (!cab->keep.on || writer(cab)->demo.frames - cab->keep.first < SHORTEST)
+            drop_spare(cab);
+        if (cab->keep.on)
+            keep_run(cab, CARD_LEFT);
     }
-    memset(&cab.keep, 0, sizeof cab.keep); /* the spare is finished with the recording */
+    memset(&cab->keep, 0, sizeof cab->keep); /* the spare is finished with the recording */
 }

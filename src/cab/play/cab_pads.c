@@ -7,69 +7,70 @@
 #include "../pads/switch.h"
 #include "cab_parts.h"
 
-void cab_pads_open(void)
+void cab_pads_open(struct cab *cab)
 {
-    seats_open(&cab.seats);
-    cab_pads_apply();
-    cab_pads_power();
+    seats_open(&cab->seats);
+    cab_pads_apply(cab);
+    cab_pads_power(cab);
 }
 
-void cab_pads_apply(void)
+void cab_pads_apply(struct cab *cab)
 {
-    const struct config *c = &cab.config;
+    const struct config *c = &cab->config;
 
     for (int p = 0; p < PADS; p++) {
-        keys_hand(&cab.config.keys, p, (enum keys_hand)c->one_hand[p]);
-        cab.modes[p] = (struct press_modes){ .autofire = c->autofire[p],
-                                             .toggle_focus = c->focus[p],
-                                             .one_hand = c->one_hand[p] != HAND_BOTH };
+        keys_hand(&cab->config.keys, p, (enum keys_hand)c->one_hand[p]);
+        cab->modes[p] = (struct press_modes){ .autofire = c->autofire[p],
+                                              .toggle_focus = c->focus[p],
+                                              .one_hand = c->one_hand[p] != HAND_BOTH };
     }
 }
 
 /* ---- pads ---- */
 
-void cab_pads_power(void)
+void cab_pads_power(struct cab *cab)
 {
-    cab.pressed_to = 0;
+    cab->pressed_to = 0;
     for (int p = 0; p < PADS; p++)
-        press_resume(&cab.press[p], 0);
+        press_resume(&cab->press[p], 0);
 }
 
 /* Time was turned: what the players had switched is what they had then. */
-static void resume(uint32_t frame)
+static void resume(struct cab *cab, uint32_t frame)
 {
     uint16_t were[PADS] = { 0 };
 
     if (frame)
-        demo_pads(&cab.session.now->writer.demo, frame - 1, were);
+        demo_pads(&cab->session.now->writer.demo, frame - 1, were);
     for (int p = 0; p < PADS; p++)
-        press_resume(&cab.press[p], were[p]);
+        press_resume(&cab->press[p], were[p]);
 }
 
-void cab_pads_tick(uint16_t pads[PADS])
+void cab_pads_tick(struct cab *cab, uint16_t pads[PADS])
 {
-    const struct board *b = cab_live();
+    const struct board *b = cab_live(cab);
     const uint32_t frame = board_frame(b);
 
-    if (frame != cab.pressed_to)
-        resume(frame);
-    cab.pressed_to = frame + 1;
+    if (frame != cab->pressed_to)
+        resume(cab, frame);
+    cab->pressed_to = frame + 1;
     for (int p = 0; p < PADS; p++) {
         const struct inspect_ship_has ship = inspect_plays(b, p);
-        pads[p] = press_tick(&cab.press[p], &cab.modes[p], (struct press_ship){ ship.steers, ship.fires }, cab.pads[p]);
+        pads[p] =
+            press_tick(&cab->press[p], &cab->modes[p], (struct press_ship){ ship.steers, ship.fires }, cab->pads[p]);
     }
 }
 
 /* ---- controllers ---- */
 
-void cab_seats_poll(const struct plat_input *in)
+void cab_seats_poll(struct cab *cab, const struct plat_input *in)
 {
     struct plat_controller is[PLAT_CONTROLLERS];
     const struct plat_controller *plugged[PLAT_CONTROLLERS];
 
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
-    seats_poll(&cab.seats, cab.session.now ? cab_cart()->m.players : 1, in->controllers, plugged);
+    seats_poll(&cab->seats, cab->session.now ? cab_cart(cab)->m.players : 1, in->controllers, plugged);
 }
 
 const char *cab_controller_name(const struct plat_controller *c)
@@ -78,70 +79,70 @@ const char *cab_controller_name(const struct plat_controller *c)
 }
 
 /* Over the picture, and at the foot of a screen. */
-CAB_PRINTF(2, 3) static void tell(int frames, const char *format, ...)
+CAB_PRINTF(3, 4) static void tell(struct cab *cab, int frames, const char *format, ...)
 {
-    char text[sizeof cab.notice];
+    char text[sizeof cab->notice];
     va_list args;
 
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    cab_notice(frames, "%s", text);
-    if (screens_are_open(&cab.screens))
-        screens_say(&cab.screens, "%s", text);
+    cab_notice(cab, frames, "%s", text);
+    if (screens_are_open(&cab->screens))
+        screens_say(&cab->screens, "%s", text);
 }
 
 /* A player lost what they played with: the game waits for them. */
-static bool waits_for(int player)
+static bool waits_for(struct cab *cab, int player)
 {
-    return cab.config.keys.player[player].controller && !cab.session.demo && !cab.attracting && !cab_fault();
+    return cab->config.keys.player[player].controller && !cab->session.demo && !cab->attracting && !cab_fault(cab);
 }
 
-static void lost(int player, const char *name)
+static void lost(struct cab *cab, int player, const char *name)
 {
-    if (!waits_for(player)) {
-        tell(CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
+    if (!waits_for(cab, player)) {
+        tell(cab, CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
         return;
     }
-    cab.paused = cab.unplugged = true;
-    tell(CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1,
+    cab->paused = cab->unplugged = true;
+    tell(cab, CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1,
          name);
 }
 
-static void seat_event(const struct seats_event *e)
+static void seat_event(struct cab *cab, const struct seats_event *e)
 {
     const char *name = cab_controller_name(&e->controller);
 
     if (e->what == SEATS_LOST)
-        lost(e->player, name);
+        lost(cab, e->player, name);
     else if (e->what == SEATS_FULL)
-        tell(CAB_NOTICE_FRAMES, "every player has a controller already");
-    else if (cab.unplugged)
-        tell(CAB_NOTICE_STAYS, "player %d has %s. START goes on", e->player + 1, name);
+        tell(cab, CAB_NOTICE_FRAMES, "every player has a controller already");
+    else if (cab->unplugged)
+        tell(cab, CAB_NOTICE_STAYS, "player %d has %s. START goes on", e->player + 1, name);
     else if (!e->first)
-        tell(CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
+        tell(cab, CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
 }
 
 /* START ends the pause that a lost controller began, and the game does not get it. */
-static void go_on(const struct keys_read *k)
+static void go_on(struct cab *cab, const struct keys_read *k)
 {
-    if (!cab.unplugged || screens_are_open(&cab.screens))
+    if (!cab->unplugged || screens_are_open(&cab->screens))
         return;
-    for (int i = 0; i < cab.seats.events; i++)
-        cab.paused = cab.paused && !cab.seats.event[i].start;
+    for (int i = 0; i < cab->seats.events; i++)
+        cab->paused = cab->paused && !cab->seats.event[i].start;
     for (int p = 0; p < PADS; p++) {
-        cab.paused = cab.paused && !(k->pads_fresh[p] & PAD_START);
-        cab.stale[p] |= k->pads_fresh[p] & PAD_START;
+        cab->paused = cab->paused && !(k->pads_fresh[p] & PAD_START);
+        cab->stale[p] |= k->pads_fresh[p] & PAD_START;
     }
-    if (cab.paused)
+    if (cab->paused)
         return;
-    cab.unplugged = false;
-    cab.notice_left = 0;
+    cab->unplugged = false;
+    cab->notice_left = 0;
 }
 
-void cab_seats_told(const struct keys_read *k)
+void cab_seats_told(struct cab *cab, const struct keys_read *k)
 {
-    for (int i = 0; i < cab.seats.events; i++)
-        seat_event(&cab.seats.event[i]);
-    go_on(k);
+    for (int i = 0; i < cab->seats.events; i++)
+        seat_event(cab, &cab->seats.event[i]);
+    go_on(cab, k);
 }

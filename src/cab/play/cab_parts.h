@@ -25,6 +25,7 @@
 #include "practice.h"
 #include "../screens/log.h"
 #include "../screens/screen.h"
+#include "../screens/screen_state.h"
 #include "session.h"
 #include "../speaker/speaker.h"
 #include "../store/replays.h"
@@ -114,7 +115,7 @@ struct cab_keep {
 struct cab_guest {
     struct demo *demo;            /* malloc; what the session plays, or began as */
     const struct cart *home;      /* the game's own ROM while the session runs an older one; else NULL */
-    struct session_rom *home_rom; /* owns it; NULL: the caller of cab_play does */
+    struct session_rom *home_rom; /* owns it; NULL: the caller of cab_open does */
     bool watching;                /* it is shown, or was until the player took over */
     bool resuming;                /* it is played again, to go on at its end */
     uint8_t *nvram;               /* the saved image when it was resumed; malloc */
@@ -123,7 +124,7 @@ struct cab_guest {
     uint32_t changed; /* board_nvram's count at the last look */
 };
 
-/* The cabinet's state. It is one static struct because the host's own timer may call frame(), without a context. */
+/* A cabinet. All that it knows is here, so there may be several, each called by its host from frame to frame. */
 struct cab {
     struct cab_options options;
     struct board_start start;
@@ -156,10 +157,15 @@ struct cab {
     bool awaits; /* paused until a button is pressed */
     struct screens screens;
     struct log log;
-    bool stands;          /* the board does in this frame, for a screen is open or was */
-    bool here;            /* at the last poll the window had the keys, and was seen */
-    uint16_t pads[PADS];  /* buttons held since the last tick, before press */
-    uint16_t stale[PADS]; /* held since the menu was open: the game does not get them */
+    struct keys_wait wait;
+    struct replays_view view;
+    struct resume_left left;
+    struct settings_list list;
+    uint32_t pressed[PLAT_CONTROLLERS]; /* at the last poll of the screen of controllers, also what no player gets */
+    bool stands;                        /* the board does in this frame, for a screen is open or was */
+    bool here;                          /* at the last poll the window had the keys, and was seen */
+    uint16_t pads[PADS];                /* buttons held since the last tick, before press */
+    uint16_t stale[PADS];               /* held since the menu was open: the game does not get them */
     struct seats seats;
     struct press_modes modes[PADS];
     struct press press[PADS];
@@ -186,206 +192,210 @@ struct cab {
     int notice_left;     /* frames; -1: until a reload works */
     bool fault_reported; /* of the fault that the board has now */
     bool quit;
+    char asked[FILES_PATH];   /* the game that was dropped, while it is asked whether it is to be played */
+    char took[CAB_NAME];      /* the recording of a playback that was taken over, if it was given no name */
     char dropped[FILES_PATH]; /* what is played next, once this has ended; "": nothing */
-    enum result result;       /* of cab_play */
+    enum result result;       /* of cab_close */
 };
-extern struct cab cab;
 
 /* ---- cab.c ---- */
 
-/* Powers the session with cab.options and opens its window. False: it cannot be, a line has said why, and cab.result
+/* Powers the session with cab->options and opens its window. False: it cannot be, a line has said why, and cab->result
  * tells; or it is waited for. */
-bool cab_power(void);
+bool cab_power(struct cab *cab);
 
 /* Begins with the settings there are: powers on, or waits for a folder. */
-void cab_begin(void);
+void cab_begin(struct cab *cab);
 
 /* Powers on from this start: what the player had chosen and seen of the run before is forgotten. */
-void cab_powered(const struct board_start *start);
+void cab_powered(struct cab *cab, const struct board_start *start);
 
 /* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
  * is wanted: a practice run starts with a blank one. */
-uint8_t *cab_load_nvram(struct board_start *start);
+uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start);
 
 /* Gives a start the settings' language, if the game has it. */
-void cab_take_lang(struct board_start *start);
+void cab_take_lang(struct cab *cab, struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
-void cab_save_nvram(void);
+void cab_save_nvram(struct cab *cab);
 
 /* ---- cab_screens.c ---- */
 
 /* Looks whether a game was dropped on the window: asks if that would end a run, and says what cannot be played. */
-void cab_drop(void);
+void cab_drop(struct cab *cab);
 
 /* ---- cab_wait.c ---- */
 
 /* Shows why the game's folder cannot be played, and waits for a change of it. False: there is no window. */
-bool cab_wait(const char *why, const char *more);
+bool cab_wait(struct cab *cab, const char *why, const char *more);
 
 /* Shows why the settings cannot be read, and waits for a change of their file, or for a word to do without it; then
  * cab_begin. False: there is no window. */
-bool cab_wait_settings(const char *why);
+bool cab_wait_settings(struct cab *cab, const char *why);
 
 /* A frame of either. */
-void cab_wait_frame(void);
+void cab_wait_frame(struct cab *cab);
 
 /* ---- cab_report.c ---- */
 
 /* Makes ready what a crash would leave: to be called when a board was powered, and when settings changed. */
-void cab_report_ready(void);
+void cab_report_ready(struct cab *cab);
 
 /* Writes a report of a live run's fault, and a line that says where it is; once for each fault. */
-void cab_report_write(const struct board_fault *fault);
+void cab_report_write(struct cab *cab, const struct board_fault *fault);
 
 /* Tells, once, of a crash that ended Curtain when it last ran. */
-void cab_report_last_crash(void);
+void cab_report_last_crash(struct cab *cab);
 
-void cab_report_close(void);
+/* A crash from here on is this cabinet's: to be called in each frame, for there may be others. */
+void cab_report_arm(struct cab *cab);
+
+void cab_report_close(struct cab *cab);
 
 /* ---- cab_run.c ---- */
 
 /* Writes a line to the port's log and to that of the window, cleaned of control characters. */
-CAB_PRINTF(1, 2) void cab_say(const char *format, ...);
+CAB_PRINTF(2, 3) void cab_say(struct cab *cab, const char *format, ...);
 
 /* Shows a line over the picture for so many frames; -1: until a reload works. */
-CAB_PRINTF(2, 3) void cab_notice(int frames, const char *format, ...);
+CAB_PRINTF(3, 4) void cab_notice(struct cab *cab, int frames, const char *format, ...);
 
 /* Takes the result of a call that may write the recording. false: session.err goes to the log, and the exit code is
  * 3. */
-void cab_check_recording(bool good);
+void cab_check_recording(struct cab *cab, bool good);
 
 /* The name the user typed for the game; the cart that runs, its board, and its fault or NULL. */
-const char *cab_game(void);
-const struct cart *cab_cart(void);
-struct board *cab_live(void);
-const struct board_fault *cab_fault(void);
+const char *cab_game(const struct cab *cab);
+const struct cart *cab_cart(const struct cab *cab);
+struct board *cab_live(const struct cab *cab);
+const struct board_fault *cab_fault(const struct cab *cab);
 
 /* Flags the recording: slow motion or steps were used. */
-void cab_mark_assisted(void);
+void cab_mark_assisted(struct cab *cab);
 
 /* Finds a name "ID-N.what" that no file of a folder has: where is what stands before it, "pictures:", or "" for the
  * current one. */
-void cab_free_name(char name[CAB_NAME], const char *where, const char *what);
+void cab_free_name(struct cab *cab, char name[CAB_NAME], const char *where, const char *what);
 
 /* Writes to the log what scripts printed in the last tick. */
-void cab_log_lines(const struct board_out *out);
+void cab_log_lines(struct cab *cab, const struct board_out *out);
 
 /* Writes the board's fault to the log, once. */
-void cab_report_fault(void);
+void cab_report_fault(struct cab *cab);
 
 /* The frame that was reached is heard, for a sixtieth. */
-void cab_hear_once(enum speaker_way way);
+void cab_hear_once(struct cab *cab, enum speaker_way way);
 
 /* Ends the attract demo. */
-void cab_attract_end(void);
+void cab_attract_end(struct cab *cab);
 
 /* cab_tick runs one frame, of the attract demo if one is shown. cab_step does too, but repeats what is recorded if the
  * present is not the end of the recording. */
-void cab_tick(void);
-void cab_step(void);
+void cab_tick(struct cab *cab);
+void cab_step(struct cab *cab);
 
 /* Moves to a frame, or so many frames back, and shows the time bar. */
-void cab_goto(uint32_t frame);
-void cab_rewind(uint32_t frames);
+void cab_goto(struct cab *cab, uint32_t frame);
+void cab_rewind(struct cab *cab, uint32_t frames);
 
 /* Ends a playback: from here the player plays. */
-void cab_take_over(void);
+void cab_take_over(struct cab *cab);
 
 /* Reloads the game from its folder; reloads if files in the folder have changed; goes on with a seek or a reload
  * that is under way, until now + a slice of a frame. */
-void cab_reload(void);
+void cab_reload(struct cab *cab);
 
 /* Picture, window and practice for another ROM in the session. */
-void cab_fit_cart(void);
-void cab_check_folder(void);
-void cab_seek_or_reload(uint64_t now);
+void cab_fit_cart(struct cab *cab);
+void cab_check_folder(struct cab *cab);
+void cab_seek_or_reload(struct cab *cab, uint64_t now);
 
 /* ---- cab_practice.c ---- */
 
 uint64_t cab_seed_from_clock(void);
 
 /* Handles the keys that open the menu and retry; does what was chosen in a frame of the open menu. */
-void cab_practice_keys(const struct keys_read *k);
-void cab_practice_screen(void);
+void cab_practice_keys(struct cab *cab, const struct keys_read *k);
+void cab_practice_screen(struct cab *cab);
 
 /* Opens the practice menu, if this run may be left for it. Begins the game anew, from its title. */
-void cab_open_practice(void);
-void cab_begin_anew(void);
+void cab_open_practice(struct cab *cab);
+void cab_begin_anew(struct cab *cab);
 
 /* A start of the game from its title, without nvram. */
-void cab_home_start(struct board_start *start);
+void cab_home_start(struct cab *cab, struct board_start *start);
 
 /* ---- cab_keep.c: replays of runs, and where a run was left ---- */
 
 /* After each new tick of the session; before the session ends or the game is powered anew: a run that is on is kept. */
-void cab_keep_tick(void);
-void cab_keep_leave(void);
+void cab_keep_tick(struct cab *cab);
+void cab_keep_leave(struct cab *cab);
 
 /* The file of the run that was left, and what becomes of it when another begins: it is kept as a replay. From now on
  * the present run is written there. */
-void cab_resume_path(char path[CAB_NAME]);
-void cab_keep_left(void);
-void cab_keep_here(void);
+void cab_resume_path(struct cab *cab, char path[CAB_NAME]);
+void cab_keep_left(struct cab *cab);
+void cab_keep_here(struct cab *cab);
 
 /* The run that is on is found in the recording again: after a session was changed under way. */
-void cab_keep_follow(void);
+void cab_keep_follow(struct cab *cab);
 
 /* ---- cab_guest.c: demos that the cabinet opens ---- */
 
 /* Shows a demo from a frame on. False, and a notice: it cannot be shown. What is on is left as by quitting. */
-bool cab_watch(const char *path, uint32_t frame);
+bool cab_watch(struct cab *cab, const char *path, uint32_t frame);
 
 /* Back to the game, from its title; harmless when it is there. */
-void cab_home(void);
+void cab_home(struct cab *cab);
 
 /* Gives back the demo that was opened last, which no session plays any more; and the game's own ROM. */
-void cab_guest_forget(void);
-void cab_guest_close(void);
+void cab_guest_forget(struct cab *cab);
+void cab_guest_close(struct cab *cab);
 
 /* Goes on with the run that was left: plays it again up to there, and waits. False, and a notice: it cannot. */
-bool cab_resume(void);
+bool cab_resume(struct cab *cab);
 
 /* To be called when a seek is over. */
-void cab_resume_arrived(void);
+void cab_resume_arrived(struct cab *cab);
 
 /* A run was left: what it was; false: none was. */
-bool cab_was_left(struct card *c);
+bool cab_was_left(struct cab *cab, struct card *c);
 
 /* ---- cab_screens.c, screen_*.c: the cabinet's own screens ---- */
 
 /* Is something on that leaving would throw away? */
-bool cab_run_is_on(void);
+bool cab_run_is_on(const struct cab *cab);
 
-/* Makes so what cab.config says; to be called after any change of it. */
-void cab_apply_settings(void);
+/* Makes so what cab->config says; to be called after any change of it. */
+void cab_apply_settings(struct cab *cab);
 
 /* Writes the settings that differ from their file's into it; says so where it cannot. */
-void cab_save_settings(void);
+void cab_save_settings(struct cab *cab);
 
 /* The game asks for a screen: only in a live run's new ticks. */
-void cab_asked(enum board_ask what);
+void cab_asked(struct cab *cab, enum board_ask what);
 
-void cab_open_menu(void);
-void cab_open_settings(void);
-void cab_open_keys(void);
-void cab_open_controllers(void);
-void cab_open_log(void);
-void cab_open_replays(void);
-void cab_open_resume(void);
+void cab_open_menu(struct cab *cab);
+void cab_open_settings(struct cab *cab);
+void cab_open_keys(struct cab *cab);
+void cab_open_controllers(struct cab *cab);
+void cab_open_log(struct cab *cab);
+void cab_open_replays(struct cab *cab);
+void cab_open_resume(struct cab *cab);
 
 /* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
  * is left in k->pressed are the cabinet's keys that none of them took. */
-bool cab_screen_keys(const struct plat_input *in, struct keys_read *k);
+bool cab_screen_keys(struct cab *cab, const struct plat_input *in, struct keys_read *k);
 
 /* The line below a screen: what to press. */
-void cab_screens_foot(char *text, size_t size);
+void cab_screens_foot(struct cab *cab, char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 
 /* Looks a frame ahead if that is wanted, and goes back: between them everything is drawn. */
-void cab_look_ahead(void);
-void cab_look_back(void);
+void cab_look_ahead(struct cab *cab);
+void cab_look_back(struct cab *cab);
 
 /* Allocates the pictures of a board, or pictures of a size that no board draws. False: not enough memory. */
 bool cab_picture_open(struct picture *p, const struct board *b);
@@ -393,66 +403,66 @@ bool cab_picture_alloc(struct picture *p, int w, int h);
 void cab_picture_close(struct picture *p);
 
 /* Draws the board that is to be seen; shows the picture with the overlay on it. */
-void cab_picture_draw(struct picture *p);
-void cab_picture_show(struct picture *p);
+void cab_picture_draw(struct cab *cab, struct picture *p);
+void cab_picture_show(struct cab *cab, struct picture *p);
 
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
-bool cab_timebar_shown(void);
+bool cab_timebar_shown(const struct cab *cab);
 
 /* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
  * number, and says where. */
-void cab_screenshot(struct picture *p);
+void cab_screenshot(struct cab *cab, struct picture *p);
 
 /* The last seconds of the play are wanted as a GIF in the user's pictures; and, before the next frame, made one, in one
  * go: nothing of the run is another for it. */
-void cab_film_ask(void);
-void cab_film(struct picture *p);
+void cab_film_ask(struct cab *cab);
+void cab_film(struct cab *cab, struct picture *p);
 
 /* ---- cab_window.c ---- */
 
 /* The rate of the speaker that is wanted: 0 for a game that is silent, and for one that starts muted. */
-int cab_sound_rate(void);
+int cab_sound_rate(struct cab *cab);
 
-/* Opens the window, or changes it, as cab.config and the game's manifest say: at any time. False: there is none. */
-bool cab_open_window(void);
-void cab_window_close(void);
+/* Opens the window, or changes it, as cab->config and the game's manifest say: at any time. False: there is none. */
+bool cab_open_window(struct cab *cab);
+void cab_window_close(struct cab *cab);
 
 /* To be called before a picture of w x h is shown: looks how large the window is. Afterwards cab_window_side is what
  * can be drawn on beside the picture, in its colours; NULL: there is no room, or it is not wanted. */
-void cab_window_begin(int w, int h);
-struct fb *cab_window_side(void);
+void cab_window_begin(struct cab *cab, int w, int h);
+struct fb *cab_window_side(struct cab *cab);
 
 /* Shows a picture; side: and what stands beside it. */
-void cab_window_show(const struct fb *fb, const uint32_t rgb[256], bool side);
+void cab_window_show(struct cab *cab, const struct fb *fb, const uint32_t rgb[256], bool side);
 
 /* From what plat_input says to a pixel of the picture; -1, -1: none. */
-void cab_window_mouse(int *x, int *y);
+void cab_window_mouse(struct cab *cab, int *x, int *y);
 
 /* ---- cab_keys.c ---- */
 
 /* Scrolls a page by up and down of a pad, and by the mouse's wheel. */
-void cab_scroll(int *top, int most, uint16_t pad, int wheel);
+void cab_scroll(struct cab *cab, int *top, int most, uint16_t pad, int wheel);
 
 /* Reads the switches and carries out the cabinet's own keys. */
-void cab_poll(struct keys_read *k);
+void cab_poll(struct cab *cab, struct keys_read *k);
 
 /* ---- cab_pads.c ---- */
 
-void cab_pads_open(void);
+void cab_pads_open(struct cab *cab);
 
 /* Takes over the settings of how each player presses; at any time. */
-void cab_pads_apply(void);
+void cab_pads_apply(struct cab *cab);
 
 /* The board was powered anew. */
-void cab_pads_power(void);
+void cab_pads_power(struct cab *cab);
 
-/* The pads of the live board's next tick, from cab.pads. */
-void cab_pads_tick(uint16_t pads[PADS]);
+/* The pads of the live board's next tick, from cab->pads. */
+void cab_pads_tick(struct cab *cab, uint16_t pads[PADS]);
 
 /* Before keys_read: what is plugged in, and who plays with it. After it: tells of what changed, pauses for a player
  * whose controller is gone, and goes on at START. */
-void cab_seats_poll(const struct plat_input *in);
-void cab_seats_told(const struct keys_read *k);
+void cab_seats_poll(struct cab *cab, const struct plat_input *in);
+void cab_seats_told(struct cab *cab, const struct keys_read *k);
 
 /* Its own name, or what kind it is. */
 const char *cab_controller_name(const struct plat_controller *c);

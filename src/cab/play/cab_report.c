@@ -84,17 +84,17 @@ static void add(struct report *r, const char *format, ...)
         r->n = r->n + (size_t)n < sizeof r->known ? r->n + (size_t)n : sizeof r->known - 1;
 }
 
-static void add_settings(struct report *r)
+static void add_settings(struct cab *cab, struct report *r)
 {
     const struct config_setting *s;
     char value[64];
 
     add(r, "settings  ");
     for (int i = 0; (s = config_setting(i)) != NULL; i++) {
-        config_text(&cab.config, s, value, sizeof value);
+        config_text(&cab->config, s, value, sizeof value);
         add(r, "%s%s = %s", i == 0 ? "" : i % 5 == 0 ? ",\n          " : ", ", s->name, value);
     }
-    add(r, "%s%s\n", cab.config.lang[0] ? ", lang = " : "", cab.config.lang);
+    add(r, "%s%s\n", cab->config.lang[0] ? ", lang = " : "", cab->config.lang);
 }
 
 static void date(char *out, size_t size, const char *format)
@@ -107,11 +107,11 @@ static void date(char *out, size_t size, const char *format)
 }
 
 /* when: what the date is of. */
-static void add_versions(struct report *r, const char *when)
+static void add_versions(struct cab *cab, struct report *r, const char *when)
 {
     char text[256];
 
-    add(r, "curtain   %s, core version %d, Lua %s\n", cab.options.version, CORE_VERSION, board_lua_release());
+    add(r, "curtain   %s, core version %d, Lua %s\n", cab->options.version, CORE_VERSION, board_lua_release());
     plat_about(text, sizeof text);
     add(r, "port      %s\n", text);
     plat_system(text, sizeof text);
@@ -120,32 +120,38 @@ static void add_versions(struct report *r, const char *when)
     add(r, "%-9s %s\n", when, text);
 }
 
-static void add_game(struct report *r)
+static void add_game(struct cab *cab, struct report *r)
 {
-    const struct cart *cart = cab_cart();
+    const struct cart *cart = cab_cart(cab);
 
     add(r, "game      %s, \"%s\", game hash %016" PRIx64 ", ROM hash %016" PRIx64 "\n", cart->m.id, cart->m.title,
         rom_game_hash(cart->rom), rom_hash(cart->rom));
-    add(r, "from      %s\n", cab.options.path ? cab.options.path : "the program: it is built in");
+    add(r, "from      %s\n", cab->options.path ? cab->options.path : "the program: it is built in");
 }
 
 /* Without a number, which is the first that is free. */
-static void make_stem(struct report *r)
+static void make_stem(struct cab *cab, struct report *r)
 {
     char day[32];
 
     date(day, sizeof day, "%Y-%m-%d");
-    snprintf(r->stem, sizeof r->stem, "%s/%s-%s", REPORTS, cab_cart()->m.id, day);
+    snprintf(r->stem, sizeof r->stem, "%s/%s-%s", REPORTS, cab_cart(cab)->m.id, day);
 }
 
 /* ---- the text ---- */
 
-static void put(void (*out)(const void *bytes, size_t n), const char *text)
+/* Where it goes. */
+struct sink {
+    void (*out)(void *to, const void *bytes, size_t n);
+    void *to;
+};
+
+static void put(const struct sink *s, const char *text)
 {
-    out(text, strlen(text));
+    s->out(s->to, text, strlen(text));
 }
 
-static void put_number(void (*out)(const void *bytes, size_t n), uint32_t v)
+static void put_number(const struct sink *s, uint32_t v)
 {
     char digits[10];
     int n = 0;
@@ -153,7 +159,7 @@ static void put_number(void (*out)(const void *bytes, size_t n), uint32_t v)
     do
         digits[9 - n++] = (char)('0' + v % 10);
     while ((v /= 10) > 0);
-    out(digits + 10 - n, (size_t)n);
+    s->out(s->to, digits + 10 - n, (size_t)n);
 }
 
 static void to_text(void *user, const uint8_t *bytes, size_t n)
@@ -161,26 +167,26 @@ static void to_text(void *user, const uint8_t *bytes, size_t n)
     demo_text_add(user, bytes, n);
 }
 
-static void put_demo(void (*out)(const void *bytes, size_t n), const struct board_fault *fault)
+static void put_demo(struct cab *cab, const struct sink *out, const struct board_fault *fault)
 {
-    const struct session *s = &cab.session;
+    const struct session *s = &cab->session;
     const struct demo_writer *w = &s->now->writer;
     struct demo_text text;
-    struct demo_dump how = { .memory = cab.report.memory, .size = cab.report.size, .out = to_text, .user = &text };
+    struct demo_dump how = { .memory = cab->report.memory, .size = cab->report.size, .out = to_text, .user = &text };
 
     how.ticking = s->ticking;
     how.frames = s->ticking ? s->at : fault ? w->demo.frames : board_frame(s->now->guard.board);
     how.fault = fault ? fault->kind : FAULT_NONE;
-    demo_text_begin(&text, out);
+    demo_text_begin(&text, out->out, out->to);
     demo_dump(w, &how);
     demo_text_end(&text);
 }
 
 /* All of it; no allocation, no file. what: "a fault", "a crash"; which: more of that. */
-static void write_report(void (*out)(const void *bytes, size_t n), const char *what, const char *which,
+static void write_report(struct cab *cab, const struct sink *out, const char *what, const char *which,
                          const struct board_fault *fault)
 {
-    const struct session *s = &cab.session;
+    const struct session *s = &cab->session;
 
     put(out, "A report of Curtain's. It has the run up to there in it: with the game,\n"
              "    curtain verify GAME THIS-FILE\n"
@@ -194,7 +200,7 @@ static void write_report(void (*out)(const void *bytes, size_t n), const char *w
         put_number(out, s->ticking ? s->at : fault ? s->now->writer.demo.frames : board_frame(s->now->guard.board));
     }
     put(out, "\n");
-    out(cab.report.known, cab.report.n);
+    out->out(out->to, cab->report.known, cab->report.n);
     if (fault) {
         put(out, "\n");
         put(out, fault->message);
@@ -203,40 +209,58 @@ static void write_report(void (*out)(const void *bytes, size_t n), const char *w
         put(out, "\n");
     }
     put(out, "\n");
-    if (s->now && cab.report.memory)
-        put_demo(out, fault);
+    if (s->now && cab->report.memory)
+        put_demo(cab, out, fault);
 }
 
 /* ---- crashes ---- */
 
-static void crashed(const char *what, void (*out)(const void *bytes, size_t n))
+/* What the port gives to write with. */
+struct crash_out {
+    void (*out)(const void *bytes, size_t n);
+};
+
+static void hand_on(void *to, const void *bytes, size_t n)
 {
-    write_report(out, "a crash: ", what, NULL);
+    ((const struct crash_out *)to)->out(bytes, n);
 }
 
-static void make_ready(const char *when)
+static void crashed(void *context, const char *what, void (*out)(const void *bytes, size_t n))
 {
-    struct report *r = &cab.report;
-    size_t size = demo_dump_size(&cab.session.now->writer);
+    struct crash_out to = { out };
+
+    write_report(context, &(struct sink){ hand_on, &to }, "a crash: ", what, NULL);
+}
+
+static void make_ready(struct cab *cab, const char *when)
+{
+    struct report *r = &cab->report;
+    size_t size = demo_dump_size(&cab->session.now->writer);
     uint8_t *memory = size > r->size ? realloc(r->memory, size) : r->memory;
 
-    plat_crash("", NULL); /* while this changes */
+    plat_crash("", NULL, NULL); /* while this changes */
     r->memory = memory;
     r->size = memory ? (size > r->size ? size : r->size) : 0;
     r->n = 0;
-    add_game(r);
-    add_versions(r, when);
-    add_settings(r);
+    add_game(cab, r);
+    add_versions(cab, r, when);
+    add_settings(cab, r);
     clean_lines(r->known);
     r->n = strlen(r->known);
-    make_stem(r);
+    make_stem(cab, r);
     remove_oldest();
-    plat_crash(r->stem, crashed);
+    cab_report_arm(cab);
 }
 
-void cab_report_ready(void)
+void cab_report_arm(struct cab *cab)
 {
-    make_ready("begun");
+    if (cab->report.stem[0])
+        plat_crash(cab->report.stem, crashed, cab);
+}
+
+void cab_report_ready(struct cab *cab)
+{
+    make_ready(cab, "begun");
 }
 
 /* Is it a report of a crash? */
@@ -250,7 +274,7 @@ static bool is_of_crash(const char *name)
     return strstr(text, "\nwhat      a crash") != NULL;
 }
 
-void cab_report_last_crash(void)
+void cab_report_last_crash(struct cab *cab)
 {
     struct found f = { .newest = true };
     char told[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH];
@@ -261,25 +285,26 @@ void cab_report_last_crash(void)
         return;
     plat_save(TOLD, f.name, strlen(f.name));
     snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
-    cab_notice(CRASH_NOTICE, "Curtain crashed when it last ran: a report is in %s", files_shown(path, shown));
-    cab_say("curtain: %s", cab.notice);
+    cab_notice(cab, CRASH_NOTICE, "Curtain crashed when it last ran: a report is in %s", files_shown(path, shown));
+    cab_say(cab, "curtain: %s", cab->notice);
 }
 
-void cab_report_close(void)
+void cab_report_close(struct cab *cab)
 {
-    plat_crash("", NULL);
-    free(cab.report.memory);
-    free(cab.report.text);
-    cab.report.memory = NULL;
-    cab.report.text = NULL;
+    plat_crash("", NULL, NULL);
+    free(cab->report.memory);
+    free(cab->report.text);
+    cab->report.memory = NULL;
+    cab->report.text = NULL;
+    cab->report.stem[0] = 0;
 }
 
 /* ---- faults ---- */
 
 /* Behind what is collected; what there is no memory for is left out. */
-static void collect(const void *bytes, size_t n)
+static void collect(void *to, const void *bytes, size_t n)
 {
-    struct report *r = &cab.report;
+    struct report *r = to;
 
     if (r->used + n > r->room) {
         size_t room = r->room * 2 + n + 65536;
@@ -294,14 +319,14 @@ static void collect(const void *bytes, size_t n)
     r->used += n;
 }
 
-static bool save(struct report *r, const struct board_fault *fault, char *err, size_t err_size)
+static bool save(struct cab *cab, struct report *r, const struct board_fault *fault, char *err, size_t err_size)
 {
     char name[sizeof r->stem + 16];
     int i = 1;
 
     r->used = 0;
     r->failed = false;
-    write_report(collect, "a fault", "", fault);
+    write_report(cab, &(struct sink){ collect, r }, "a fault", "", fault);
     remove_oldest();
     do
         snprintf(name, sizeof name, "%s-%d.txt", r->stem, i++);
@@ -315,23 +340,23 @@ static bool save(struct report *r, const struct board_fault *fault, char *err, s
     return false;
 }
 
-void cab_report_write(const struct board_fault *fault)
+void cab_report_write(struct cab *cab, const struct board_fault *fault)
 {
-    struct report *r = &cab.report;
+    struct report *r = &cab->report;
     char err[FILES_ERR];
-    const uint32_t frame = cab.session.now->writer.demo.frames;
+    const uint32_t frame = cab->session.now->writer.demo.frames;
 
-    if (cab.session.demo || !r->memory)
+    if (cab->session.demo || !r->memory)
         return;
-    make_ready("written"); /* the settings may be others by now */
+    make_ready(cab, "written"); /* the settings may be others by now */
     if (!r->where[0] || r->frame != frame || strcmp(r->message, fault->message) != 0) {
         r->where[0] = 0;
-        if (!save(r, fault, err, sizeof err)) {
-            cab_say("curtain: %s", err);
+        if (!save(cab, r, fault, err, sizeof err)) {
+            cab_say(cab, "curtain: %s", err);
             return;
         }
         r->frame = frame;
         snprintf(r->message, sizeof r->message, "%s", fault->message);
     }
-    cab_say("curtain: a report is in %s", r->where);
+    cab_say(cab, "curtain: a report is in %s", r->where);
 }

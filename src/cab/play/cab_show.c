@@ -46,56 +46,56 @@ void cab_picture_close(struct picture *p)
 }
 
 /* The board that is to be seen; of one with a fault nothing is drawn any more. */
-static const struct board *board_seen(void)
+static const struct board *board_seen(struct cab *cab)
 {
-    return cab.attracting ? cab.attract_guard.board : cab_fault() ? NULL : cab_live();
+    return cab->attracting ? cab->attract_guard.board : cab_fault(cab) ? NULL : cab_live(cab);
 }
 
 /* What the settings say now. */
-static struct view view_now(struct picture *p)
+static struct view view_now(struct cab *cab, struct picture *p)
 {
-    return (struct view){ .dim = (enum view_dim)cab.config.dim,
-                          .soft_flashes = cab.config.flashes,
-                          .colours = (enum view_colours)cab.config.colours,
-                          .shades = cab.config.dim ? shade_for(&p->shades, cab_cart()) : NULL };
+    return (struct view){ .dim = (enum view_dim)cab->config.dim,
+                          .soft_flashes = cab->config.flashes,
+                          .colours = (enum view_colours)cab->config.colours,
+                          .shades = cab->config.dim ? shade_for(&p->shades, cab_cart(cab)) : NULL };
 }
 
-void cab_picture_draw(struct picture *p)
+void cab_picture_draw(struct cab *cab, struct picture *p)
 {
-    const struct view view = view_now(p);
-    const struct board *b = board_seen();
+    const struct view view = view_now(cab, p);
+    const struct board *b = board_seen(cab);
 
     if (b)
         board_draw(b, &view, &p->fb, p->rgb, p->scratch);
 }
 
 /* Are the hit shapes of ships to be drawn, and is there one? */
-static bool ships_shown(void)
+static bool ships_shown(struct cab *cab)
 {
     struct inspect_body ship;
 
-    return cab.config.hitbox && !cab.attracting && !cab_fault() &&
-           (inspect_ship(cab_live(), 0, &ship) || inspect_ship(cab_live(), 1, &ship));
+    return cab->config.hitbox && !cab->attracting && !cab_fault(cab) &&
+           (inspect_ship(cab_live(cab), 0, &ship) || inspect_ship(cab_live(cab), 1, &ship));
 }
 
 /* Only where the next tick is the player's own, and nothing asks what stands there now. */
-void cab_look_ahead(void)
+void cab_look_ahead(struct cab *cab)
 {
-    const bool own = cab.ticked && !cab.session.demo && !cab.attracting && !cab.paused && !cab.rewinding &&
-                     cab.slow == 1 && cab.session.state == SESSION_PLAYING;
+    const bool own = cab->ticked && !cab->session.demo && !cab->attracting && !cab->paused && !cab->rewinding &&
+                     cab->slow == 1 && cab->session.state == SESSION_PLAYING;
 
-    if (cab.config.run_ahead && own && !screens_are_open(&cab.screens) && !cab.console.open && !cab.quit &&
-        !cab_fault())
-        ahead_begin(&cab.ahead, &cab.session.now->guard, cab.last_pads);
-    cab.picture.ahead = cab.ahead.on;
+    if (cab->config.run_ahead && own && !screens_are_open(&cab->screens) && !cab->console.open && !cab->quit &&
+        !cab_fault(cab))
+        ahead_begin(&cab->ahead, &cab->session.now->guard, cab->last_pads);
+    cab->picture.ahead = cab->ahead.on;
 }
 
-void cab_look_back(void)
+void cab_look_back(struct cab *cab)
 {
-    ahead_end(&cab.ahead, &cab.session.now->guard);
+    ahead_end(&cab->ahead, &cab->session.now->guard);
 }
 
-static struct canvas copy_picture(struct picture *p)
+static struct canvas copy_picture(struct cab *cab, struct picture *p)
 {
     struct canvas canvas;
 
@@ -103,75 +103,75 @@ static struct canvas copy_picture(struct picture *p)
         memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
     canvas_open(&canvas, &p->composed, p->composed_rgb);
-    canvas_view(&canvas, (enum view_colours)cab.config.colours);
-    if (ships_shown())
-        overlay_ships(&canvas, cab_live());
+    canvas_view(&canvas, (enum view_colours)cab->config.colours);
+    if (ships_shown(cab))
+        overlay_ships(&canvas, cab_live(cab));
     return canvas;
 }
 
 /* ---- the overlay ---- */
 
 /* The message over the picture; "": none. */
-static void message_text(char *text, size_t size)
+static void message_text(struct cab *cab, char *text, size_t size)
 {
-    uint32_t at = board_frame(cab_live());
+    uint32_t at = board_frame(cab_live(cab));
 
     text[0] = 0;
-    if (cab.session.state != SESSION_PLAYING)
-        snprintf(text, size, "%s %d%%", cab.session.state == SESSION_SEEKING ? "seeking" : "reloading",
-                 session_progress(&cab.session) / 10);
-    else if (cab.prompt.open)
-        snprintf(text, size, "go to frame %s_", cab.prompt.digits);
-    else if (cab.notice_left)
-        snprintf(text, size, "%s", cab.notice);
-    else if (cab.rewinding)
+    if (cab->session.state != SESSION_PLAYING)
+        snprintf(text, size, "%s %d%%", cab->session.state == SESSION_SEEKING ? "seeking" : "reloading",
+                 session_progress(&cab->session) / 10);
+    else if (cab->prompt.open)
+        snprintf(text, size, "go to frame %s_", cab->prompt.digits);
+    else if (cab->notice_left)
+        snprintf(text, size, "%s", cab->notice);
+    else if (cab->rewinding)
         snprintf(text, size, "rewind  frame %u", (unsigned)at);
-    else if (cab.paused)
+    else if (cab->paused)
         snprintf(text, size, "paused at frame %u", (unsigned)at);
-    else if (cab.slow > 1)
-        snprintf(text, size, "1/%d speed  frame %u", cab.slow, (unsigned)at);
+    else if (cab->slow > 1)
+        snprintf(text, size, "1/%d speed  frame %u", cab->slow, (unsigned)at);
 }
 
 /* Is there something to be read at leisure: a fault, or a change that was not taken in? */
-static bool shows_page(void)
+static bool shows_page(struct cab *cab)
 {
-    return cab.session.state == SESSION_PLAYING && !cab.prompt.open && !cab.rewinding &&
-           (cab.notice_left < 0 || (cab_fault() && !cab.notice_left));
+    return cab->session.state == SESSION_PLAYING && !cab->prompt.open && !cab->rewinding &&
+           (cab->notice_left < 0 || (cab_fault(cab) && !cab->notice_left));
 }
 
 /* Returns the row after it. */
-static int draw_page(const struct canvas *canvas)
+static int draw_page(struct cab *cab, const struct canvas *canvas)
 {
-    const struct board_fault *f = cab_fault();
+    const struct board_fault *f = cab_fault(cab);
     char foot[FILES_PATH + 64] = "The game goes on as it was.";
-    struct page page = { "What changed is not taken in", cab.notice, "", foot, cab.fault_top, 0 };
+    struct page page = { "What changed is not taken in", cab->notice, "", foot, cab->fault_top, 0 };
 
-    if (cab.notice_left >= 0) {
+    if (cab->notice_left >= 0) {
         page.title = "A script has stopped the game";
         page.text = f->message;
         page.more = f->trace;
-        snprintf(foot, sizeof foot, "%s%s", cab.report.where[0] ? "A report is in " : "", cab.report.where);
+        snprintf(foot, sizeof foot, "%s%s", cab->report.where[0] ? "A report is in " : "", cab->report.where);
     }
     int y = page_draw(canvas, &page);
-    cab.fault_most = page.most;
+    cab->fault_most = page.most;
     return y;
 }
 
 /* What a player who has just come presses: below a menu before a game, and below a demo. "": neither is there, or there
  * is a message. */
-static void hint_text(const char *message, char *text, size_t size)
+static void hint_text(struct cab *cab, const char *message, char *text, size_t size)
 {
     char start[32], fire[32], bomb[32];
 
     text[0] = 0;
-    if (message[0] || (!cab.attracting && (!board_last(cab_live())->menu || cab.session.demo)))
+    if (message[0] || (!cab->attracting && (!board_last(cab_live(cab))->menu || cab->session.demo)))
         return;
-    keys_first(&cab.config.keys, "p1.start", start, sizeof start);
-    keys_first(&cab.config.keys, "p1.fire", fire, sizeof fire);
-    keys_first(&cab.config.keys, "p1.bomb", bomb, sizeof bomb);
-    if (!cab.attracting)
+    keys_first(&cab->config.keys, "p1.start", start, sizeof start);
+    keys_first(&cab->config.keys, "p1.fire", fire, sizeof fire);
+    keys_first(&cab->config.keys, "p1.bomb", bomb, sizeof bomb);
+    if (!cab->attracting)
         snprintf(text, size, "START is %s  fire is %s  bomb is %s", start, fire, bomb);
-    else if (cab.frames / BLINK % 3)
+    else if (cab->frames / BLINK % 3)
         snprintf(text, size, "PRESS START (%s)", start);
 }
 
@@ -183,15 +183,15 @@ static void draw_hint(const struct canvas *canvas, const char *text)
     canvas_text(canvas, (w - canvas_width(text)) / 2, y, CANVAS_WHITE, text);
 }
 
-bool cab_timebar_shown(void)
+bool cab_timebar_shown(const struct cab *cab)
 {
-    return !cab.attracting &&
-           (cab.prompt.open || cab.rewinding || cab.timebar_left > 0 || (cab.session.demo && cab.paused));
+    return !cab->attracting &&
+           (cab->prompt.open || cab->rewinding || cab->timebar_left > 0 || (cab->session.demo && cab->paused));
 }
 
-static void draw_progress(const struct canvas *canvas, int y)
+static void draw_progress(struct cab *cab, const struct canvas *canvas, int y)
 {
-    int w = canvas->fb->w, done = (int)((int64_t)w * session_progress(&cab.session) / 1000);
+    int w = canvas->fb->w, done = (int)((int64_t)w * session_progress(&cab->session) / 1000);
 
     canvas_rect(canvas, 0, y, w, 2, CANVAS_GREY);
     canvas_rect(canvas, 0, y, done, 2, CANVAS_GREEN);
@@ -199,23 +199,23 @@ static void draw_progress(const struct canvas *canvas, int y)
 
 /* What is over the picture, or beside it: the texts, and where there is room for them. */
 struct over {
-    char text[sizeof cab.notice + 32], hint[160];
+    char text[sizeof((struct cab *)0)->notice + 32], hint[160];
     bool page;                     /* there is a page to be read, over the picture wherever the rest is */
     struct canvas picture, beside; /* beside.fb NULL: all of it is over the picture */
     int y0, y1;                    /* rows that are free for panels */
 };
 
-static bool anything(const struct over *o)
+static bool anything(struct cab *cab, const struct over *o)
 {
-    return o->page || o->text[0] || o->hint[0] || cab_timebar_shown() || cab.console.open || overlay_on(&cab.overlay) ||
-           ships_shown();
+    return o->page || o->text[0] || o->hint[0] || cab_timebar_shown(cab) || cab->console.open ||
+           overlay_on(&cab->overlay) || ships_shown(cab);
 }
 
-static struct canvas side_canvas(const struct canvas *picture)
+static struct canvas side_canvas(struct cab *cab, const struct canvas *picture)
 {
     struct canvas side = *picture;
 
-    side.fb = cab_window_side();
+    side.fb = cab_window_side(cab);
     if (!side.fb)
         return side;
     fb_clip_all(side.fb);
@@ -224,133 +224,134 @@ static struct canvas side_canvas(const struct canvas *picture)
 }
 
 /* From the bottom upwards: the console or the time bar, the message above it. */
-static void draw_over(struct over *o)
+static void draw_over(struct cab *cab, struct over *o)
 {
     const struct canvas *canvas = &o->picture;
-    const bool bar = cab_timebar_shown() && !cab.console.open;
+    const bool bar = cab_timebar_shown(cab) && !cab->console.open;
 
-    o->y1 = console_draw(&cab.console, canvas) - (bar ? TIMEBAR_H : 0);
-    o->y0 = o->page ? draw_page(canvas) : 0;
+    o->y1 = console_draw(&cab->console, canvas) - (bar ? TIMEBAR_H : 0);
+    o->y0 = o->page ? draw_page(cab, canvas) : 0;
     if (o->text[0])
         o->y1 = message_draw_above(canvas, o->y1, o->text);
-    if (cab.session.state != SESSION_PLAYING)
-        draw_progress(canvas, o->y1 -= 2);
-    if (o->hint[0] && !cab.console.open && !bar)
+    if (cab->session.state != SESSION_PLAYING)
+        draw_progress(cab, canvas, o->y1 -= 2);
+    if (o->hint[0] && !cab->console.open && !bar)
         draw_hint(canvas, o->hint);
 }
 
 /* The message at the top, the console at the bottom, panels between them. */
-static void draw_beside(struct over *o)
+static void draw_beside(struct cab *cab, struct over *o)
 {
     const struct canvas *canvas = &o->beside;
 
-    o->y1 = console_draw(&cab.console, canvas);
+    o->y1 = console_draw(&cab->console, canvas);
     o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : o->hint[0] ? message_draw(canvas, 0, o->hint) : 0;
-    if (cab.session.state != SESSION_PLAYING) {
-        draw_progress(canvas, o->y0 + 1);
+    if (cab->session.state != SESSION_PLAYING) {
+        draw_progress(cab, canvas, o->y0 + 1);
         o->y0 += 3;
     }
     if (o->page)
-        draw_page(&o->picture);
+        draw_page(cab, &o->picture);
 }
 
-static void show_over(struct picture *p, struct over *o)
+static void show_over(struct cab *cab, struct picture *p, struct over *o)
 {
-    o->picture = copy_picture(p);
-    o->beside = side_canvas(&o->picture);
+    o->picture = copy_picture(cab, p);
+    o->beside = side_canvas(cab, &o->picture);
     if (o->beside.fb)
-        draw_beside(o);
+        draw_beside(cab, o);
     else
-        draw_over(o);
+        draw_over(cab, o);
     const struct overlay_place place = { &o->picture, o->beside.fb ? &o->beside : NULL, o->y0, o->y1 };
-    overlay_draw(&cab.overlay, &place, cab.attracting ? cab.attract_guard.board : cab_live(), cab.mouse_x, cab.mouse_y);
-    if (cab_timebar_shown() && (o->beside.fb || !cab.console.open))
-        timebar_draw(&o->picture, &cab.session);
-    cab_window_show(&p->composed, p->composed_rgb, true);
+    overlay_draw(&cab->overlay, &place, cab->attracting ? cab->attract_guard.board : cab_live(cab), cab->mouse_x,
+                 cab->mouse_y);
+    if (cab_timebar_shown(cab) && (o->beside.fb || !cab->console.open))
+        timebar_draw(&o->picture, &cab->session);
+    cab_window_show(cab, &p->composed, p->composed_rgb, true);
 }
 
-void cab_picture_show(struct picture *p)
+void cab_picture_show(struct cab *cab, struct picture *p)
 {
-    struct over o = { .page = shows_page() };
+    struct over o = { .page = shows_page(cab) };
 
-    cab_window_begin(p->fb.w, p->fb.h);
-    if (screens_are_open(&cab.screens)) {
-        struct canvas canvas = copy_picture(p);
-        cab_screens_foot(o.hint, sizeof o.hint);
-        screens_draw(&cab.screens, &canvas, o.hint);
-        cab_window_show(&p->composed, p->composed_rgb, false);
+    cab_window_begin(cab, p->fb.w, p->fb.h);
+    if (screens_are_open(&cab->screens)) {
+        struct canvas canvas = copy_picture(cab, p);
+        cab_screens_foot(cab, o.hint, sizeof o.hint);
+        screens_draw(&cab->screens, &canvas, o.hint);
+        cab_window_show(cab, &p->composed, p->composed_rgb, false);
         return;
     }
-    message_text(o.text, sizeof o.text);
-    hint_text(o.page ? " " : o.text, o.hint, sizeof o.hint);
-    if (anything(&o))
-        show_over(p, &o);
+    message_text(cab, o.text, sizeof o.text);
+    hint_text(cab, o.page ? " " : o.text, o.hint, sizeof o.hint);
+    if (anything(cab, &o))
+        show_over(cab, p, &o);
     else
-        cab_window_show(&p->fb, p->rgb, false);
+        cab_window_show(cab, &p->fb, p->rgb, false);
 }
 
 /* Writes a file of the user's pictures, and says where it is. */
-static void save_picture(const char *name, const uint8_t *bytes, size_t size)
+static void save_picture(struct cab *cab, const char *name, const uint8_t *bytes, size_t size)
 {
     char shown[FILES_PATH], err[FILES_ERR];
 
     const bool good = files_save(name, bytes, size, err, sizeof err);
-    cab_say(good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
-    cab_notice(CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
+    cab_say(cab, good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
+    cab_notice(cab, CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
 }
 
-void cab_screenshot(struct picture *p)
+void cab_screenshot(struct cab *cab, struct picture *p)
 {
-    const struct board *b = board_seen();
+    const struct board *b = board_seen(cab);
     const struct fb *fb = b ? &p->composed : &p->fb;
     const uint32_t *rgb = b ? p->composed_rgb : p->rgb;
     char name[CAB_NAME];
     uint8_t *png;
     size_t size;
 
-    cab_free_name(name, "pictures:", "png");
+    cab_free_name(cab, name, "pictures:", "png");
     if (b)
         board_draw(b, NULL, &p->composed, p->composed_rgb, p->scratch);
     if (!png_write(fb->pix, fb->pitch, fb->w, fb->h, rgb, &png, &size)) {
         plat_log("curtain: no memory for a screenshot");
         return;
     }
-    save_picture(name, png, size);
+    save_picture(cab, name, png, size);
     free(png);
 }
 
-static bool can_film(void)
+static bool can_film(struct cab *cab)
 {
-    return !cab.attracting && !cab_fault() && cab.session.state == SESSION_PLAYING;
+    return !cab->attracting && !cab_fault(cab) && cab->session.state == SESSION_PLAYING;
 }
 
-void cab_film_ask(void)
+void cab_film_ask(struct cab *cab)
 {
-    cab.film_due = can_film();
-    if (cab.film_due)
-        cab_notice(CAB_NOTICE_FRAMES, "filming the last %d seconds", cab.config.capture_seconds);
+    cab->film_due = can_film(cab);
+    if (cab->film_due)
+        cab_notice(cab, CAB_NOTICE_FRAMES, "filming the last %d seconds", cab->config.capture_seconds);
     else
-        cab_notice(CAB_NOTICE_FRAMES, "nothing is played that could be filmed");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "nothing is played that could be filmed");
 }
 
-void cab_film(struct picture *p)
+void cab_film(struct cab *cab, struct picture *p)
 {
     char name[CAB_NAME];
     struct gif gif;
 
-    if (!cab.film_due || cab.waiting.on || !cab.session.now)
+    if (!cab->film_due || cab->waiting.on || !cab->session.now)
         return;
-    cab.film_due = false;
-    if (!can_film())
+    cab->film_due = false;
+    if (!can_film(cab))
         return;
-    const uint32_t now = board_frame(cab_live()), before = (uint32_t)cab.config.capture_seconds * 60 - 1;
-    if (last_film(&gif, &cab.session.now->guard, now > before ? now - before : 0, &p->composed, p->composed_rgb,
+    const uint32_t now = board_frame(cab_live(cab)), before = (uint32_t)cab->config.capture_seconds * 60 - 1;
+    if (last_film(&gif, &cab->session.now->guard, now > before ? now - before : 0, &p->composed, p->composed_rgb,
                   p->scratch)) {
-        cab_free_name(name, "pictures:", "gif");
-        save_picture(name, gif.out.bytes, gif.out.n);
+        cab_free_name(cab, name, "pictures:", "gif");
+        save_picture(cab, name, gif.out.bytes, gif.out.n);
     } else {
-        cab_say("curtain: the last seconds could not be filmed: too little memory, or a frame took too long");
-        cab_notice(CAB_NOTICE_FRAMES, "the last seconds could not be filmed");
+        cab_say(cab, "curtain: the last seconds could not be filmed: too little memory, or a frame took too long");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "the last seconds could not be filmed");
     }
     gif_close(&gif);
 }

@@ -7,103 +7,102 @@
 #include "../pads/switch.h"
 #include "cab_parts.h"
 
-static uint32_t pressed[PLAT_CONTROLLERS]; /* at the last poll, also what no player gets */
-
-static int players(void)
+static int players(struct cab *cab)
 {
-    return cab_cart()->m.players > 1 ? PADS : 1;
+    return cab_cart(cab)->m.players > 1 ? PADS : 1;
 }
 
 /* The controller of a row; -1: none is plugged in. */
-static int controller_at(int at)
+static int controller_at(struct cab *cab, int at)
 {
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        if (cab.seats.there[i] && at-- == 0)
+        if (cab->seats.there[i] && at-- == 0)
             return i;
     return -1;
 }
 
 static int rows(void *of)
 {
+    struct cab *cab = of;
     int n = 0;
 
-    (void)of;
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        n += cab.seats.there[i];
+        n += cab->seats.there[i];
     return n > 0 ? n : 1;
 }
 
 static const char *text(void *of)
 {
-    (void)of;
-    return players() > 1 ? "The first one that is used is player 1's. START on another: player 2's."
-                         : "The first one that is used plays. START on another: that one does.";
+    struct cab *cab = of;
+
+    return players(cab) > 1 ? "The first one that is used is player 1's. START on another: player 2's."
+                            : "The first one that is used plays. START on another: that one does.";
 }
 
 /* What is held on controller i, as it is printed there: "2: cross, L1  ". Returns its length. */
-static size_t describe_one(int i, char *out, size_t size)
+static size_t describe_one(struct cab *cab, int i, char *out, size_t size)
 {
     char label[SWITCH_NAME];
     size_t n = 0;
 
     for (unsigned bit = 0; bit < PLAT_SWITCHES && n < size; bit++) {
-        if (!(pressed[i] >> bit & 1))
+        if (!(cab->pressed[i] >> bit & 1))
             continue;
-        switch_label(SWITCH_CONTROLLER | bit, cab.seats.is[i].kind, label, sizeof label);
+        switch_label(SWITCH_CONTROLLER | bit, cab->seats.is[i].kind, label, sizeof label);
         n += n ? (size_t)snprintf(out + n, size - n, ", %s", label)
                : (size_t)snprintf(out, size, "%d: %s", i + 1, label);
     }
     return n && n < size ? n + (size_t)snprintf(out + n, size - n, "  ") : n;
 }
 
-static void describe_pressed(char *out, size_t size)
+static void describe_pressed(struct cab *cab, char *out, size_t size)
 {
     size_t n = 0;
 
     snprintf(out, size, "what is pressed is named here");
     for (int i = 0; i < PLAT_CONTROLLERS && n < size; i++)
-        n += describe_one(i, out + n, size - n);
+        n += describe_one(cab, i, out + n, size - n);
 }
 
 static void describe(void *of, int at, struct screen_row *row)
 {
-    const int i = controller_at(at), player = i < 0 ? -1 : seats_player(&cab.seats, i);
+    struct cab *cab = of;
+    const int i = controller_at(cab, at), player = i < 0 ? -1 : seats_player(&cab->seats, i);
 
-    (void)of;
     if (i < 0) {
         snprintf(row->label, sizeof row->label, "none is plugged in");
         row->faint = true;
         return;
     }
-    snprintf(row->label, sizeof row->label, "%d %s", i + 1, cab_controller_name(&cab.seats.is[i]));
+    snprintf(row->label, sizeof row->label, "%d %s", i + 1, cab_controller_name(&cab->seats.is[i]));
     if (player < 0)
         snprintf(row->value, sizeof row->value, "nobody");
     else
         snprintf(row->value, sizeof row->value, "player %d", player + 1);
-    describe_pressed(row->help, sizeof row->help);
+    describe_pressed(cab, row->help, sizeof row->help);
     row->changes = true;
 }
 
 /* Nobody, player 1, player 2, and round. */
 static void change(void *of, int at, int by)
 {
-    const int i = controller_at(at), n = players() + 1, now = seats_player(&cab.seats, i) + 1,
+    struct cab *cab = of;
+    const int i = controller_at(cab, at), n = players(cab) + 1, now = seats_player(&cab->seats, i) + 1,
               to = (now + (by < 0 ? -1 : 1) + n) % n;
 
-    (void)of;
     if (to > 0)
-        seats_give(&cab.seats, to - 1, i);
+        seats_give(&cab->seats, to - 1, i);
     else
-        seats_give(&cab.seats, now - 1, SEAT_EMPTY);
+        seats_give(&cab->seats, now - 1, SEAT_EMPTY);
 }
 
 /* START takes a place here, and changes no row. */
 static bool listen(void *of, const struct plat_input *in)
 {
+    struct cab *cab = of;
     uint32_t all = 0;
 
-    (void)of;
-    memcpy(pressed, in->controllers, sizeof pressed);
+    memcpy(cab->pressed, in->controllers, sizeof cab->pressed);
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         all |= in->controllers[i];
     return all >> PLAT_START & 1;
@@ -113,7 +112,7 @@ static const struct screen_def controllers = {
     .title = "controllers", .rows = rows, .row = describe, .text = text, .change = change, .listen = listen
 };
 
-void cab_open_controllers(void)
+void cab_open_controllers(struct cab *cab)
 {
-    screens_open(&cab.screens, &controllers, NULL);
+    screens_open(&cab->screens, &controllers, cab);
 }

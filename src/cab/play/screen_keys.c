@@ -9,65 +9,59 @@
 
 enum { GROUPS = PADS + 1 };
 
-static struct {
-    bool listening;
-    int action; /* for which */
-    struct keys_capture capture;
-    bool began; /* capture has seen what was held */
-} wait;
-
 /* Has the program this key of the cabinet? */
-static bool has_key(int key)
+static bool has_key(struct cab *cab, int key)
 {
-    return !(cab.options.sealed && KEYS_INSIDE >> key & 1);
+    return !(cab->options.sealed && KEYS_INSIDE >> key & 1);
 }
 
 /* How many of the cabinet's keys there are; number n of them. */
-static int cabinet_keys(void)
+static int cabinet_keys(struct cab *cab)
 {
     int n = 0;
 
     for (int key = 0; key < CAB_KEYS; key++)
-        n += has_key(key);
+        n += has_key(cab, key);
     return n;
 }
 
-static int cabinet_key(int n)
+static int cabinet_key(struct cab *cab, int n)
 {
     int key = 0;
 
-    while (n > 0 || !has_key(key))
-        n -= has_key(key++);
+    while (n > 0 || !has_key(cab, key))
+        n -= has_key(cab, key++);
     return key;
 }
 
 /* The last row, which makes all as it was. */
-static int standard_row(void)
+static int standard_row(struct cab *cab)
 {
-    return PADS * (PAD_BUTTONS + 1) + 1 + cabinet_keys();
+    return PADS * (PAD_BUTTONS + 1) + 1 + cabinet_keys(cab);
 }
 
 /* The action of a row; -1: a heading, or the last row. Each group has a heading: the players, then the cabinet. */
-static int action_at(int at)
+static int action_at(struct cab *cab, int at)
 {
     const int group = at / (PAD_BUTTONS + 1), row = at % (PAD_BUTTONS + 1);
     const int cabinet = at - PADS * (PAD_BUTTONS + 1);
 
     if (group < PADS)
         return row == 0 ? -1 : group * PAD_BUTTONS + row - 1;
-    return cabinet == 0 || at >= standard_row() ? -1 : PADS * PAD_BUTTONS + cabinet_key(cabinet - 1);
+    return cabinet == 0 || at >= standard_row(cab) ? -1 : PADS * PAD_BUTTONS + cabinet_key(cab, cabinet - 1);
 }
 
 static int rows(void *of)
 {
-    (void)of;
-    return standard_row() + 1;
+    struct cab *cab = of;
+
+    return standard_row(cab) + 1;
 }
 
 /* All switches of an action as they are printed: "z, cross". */
-static void labels_of(int action, char *out, size_t size)
+static void labels_of(struct cab *cab, int action, char *out, size_t size)
 {
-    const struct keys *k = &cab.config.keys;
+    const struct keys *k = &cab->config.keys;
     const struct keys_device *d = action < PADS * PAD_BUTTONS ? &k->player[action / PAD_BUTTONS] : &k->cabinet;
     char label[SWITCH_NAME];
     size_t n = 0;
@@ -88,9 +82,9 @@ static const char *button_name(int action)
     return dot ? dot + 1 : keys_action(action);
 }
 
-static void describe_heading(int at, struct screen_row *row)
+static void describe_heading(struct cab *cab, int at, struct screen_row *row)
 {
-    row->heading = at != standard_row();
+    row->heading = at != standard_row(cab);
     if (!row->heading) {
         snprintf(row->label, sizeof row->label, "all as they were");
         snprintf(row->help, sizeof row->help, "every key and button does again what it does in a new installation");
@@ -102,9 +96,9 @@ static void describe_heading(int at, struct screen_row *row)
 }
 
 /* What it is for, and what to press here, on what was used last. */
-static void describe_how(const char *meaning, struct screen_row *row)
+static void describe_how(struct cab *cab, const char *meaning, struct screen_row *row)
 {
-    const struct keys_device *d = &cab.config.keys.cabinet;
+    const struct keys_device *d = &cab->config.keys.cabinet;
     char more[SWITCH_NAME] = "Enter", less[SWITCH_NAME] = "Delete";
 
     if (d->controller) {
@@ -116,98 +110,100 @@ static void describe_how(const char *meaning, struct screen_row *row)
 
 static void describe(void *of, int at, struct screen_row *row)
 {
-    const int action = action_at(at);
+    struct cab *cab = of;
+    const int action = action_at(cab, at);
 
-    (void)of;
     if (action < 0) {
-        describe_heading(at, row);
+        describe_heading(cab, at, row);
         return;
     }
     const int same =
         action < PADS * PAD_BUTTONS ? action % PAD_BUTTONS : action; /* both players' buttons mean the same */
     snprintf(row->label, sizeof row->label, "%s", button_name(action));
-    labels_of(action, row->value, sizeof row->value);
-    if (wait.listening && wait.action == action)
+    labels_of(cab, action, row->value, sizeof row->value);
+    if (cab->wait.listening && cab->wait.action == action)
         snprintf(row->value, sizeof row->value, "press it ...");
-    describe_how(keys_meaning(same), row);
+    describe_how(cab, keys_meaning(same), row);
 }
 
 /* ---- changes ---- */
 
-static void take(uint16_t code)
+static void take(struct cab *cab, uint16_t code)
 {
-    struct keys *k = &cab.config.keys;
-    const char *name = keys_action(wait.action), *other = keys_conflict(k, name, code);
+    struct keys *k = &cab->config.keys;
+    const char *name = keys_action(cab->wait.action), *other = keys_conflict(k, name, code);
     char err[160], label[SWITCH_NAME];
 
     switch_label(code, k->cabinet.kind, label, sizeof label);
     if (!keys_add(k, name, code, err, sizeof err)) {
-        screens_say(&cab.screens, "%s", err);
+        screens_say(&cab->screens, "%s", err);
         return;
     }
     if (!other) {
-        screens_say(&cab.screens, "%s: %s", name, label);
+        screens_say(&cab->screens, "%s: %s", name, label);
         return;
     }
-    screens_say(&cab.screens, "%s: %s, which was %s before", name, label, other);
+    screens_say(&cab->screens, "%s: %s, which was %s before", name, label, other);
     for (; other; other = keys_conflict(k, name, code))
         keys_drop(k, other, code);
 }
 
 static bool listen(void *of, const struct plat_input *in)
 {
-    (void)of;
-    if (!wait.listening)
+    struct cab *cab = of;
+
+    if (!cab->wait.listening)
         return false;
-    if (!wait.began)
-        keys_capture_begin(&wait.capture, in);
-    const uint16_t code = wait.began ? keys_capture(&wait.capture, in) : 0;
-    wait.began = true;
+    if (!cab->wait.began)
+        keys_capture_begin(&cab->wait.capture, in);
+    const uint16_t code = cab->wait.began ? keys_capture(&cab->wait.capture, in) : 0;
+    cab->wait.began = true;
     if (code) {
-        wait.listening = false;
+        cab->wait.listening = false;
         if (!keys_reserved(code))
-            take(code);
+            take(cab, code);
     }
     return true;
 }
 
 static void all_as_they_were(void *of)
 {
+    struct cab *cab = of;
     struct keys standard;
 
-    (void)of;
     keys_defaults(&standard);
-    memcpy(cab.config.keys.code, standard.code, sizeof standard.code);
-    cab_apply_settings();
+    memcpy(cab->config.keys.code, standard.code, sizeof standard.code);
+    cab_apply_settings(cab);
 }
 
 static void accept(void *of, int at)
 {
-    (void)of;
-    if (at == standard_row()) {
-        screens_ask(&cab.screens, "All keys and buttons that you have changed are as they were.", "yes",
+    struct cab *cab = of;
+
+    if (at == standard_row(cab)) {
+        screens_ask(&cab->screens, "All keys and buttons that you have changed are as they were.", "yes",
                     all_as_they_were, NULL);
         return;
     }
-    wait.listening = true;
-    wait.began = false;
-    wait.action = action_at(at);
-    screens_say(&cab.screens, "%s: press a key or button. Escape: leave it.", keys_action(wait.action));
+    cab->wait.listening = true;
+    cab->wait.began = false;
+    cab->wait.action = action_at(cab, at);
+    screens_say(&cab->screens, "%s: press a key or button. Escape: leave it.", keys_action(cab->wait.action));
 }
 
 /* The last switch that may be taken away. */
 static void drop_one(void *of, int at)
 {
-    const int action = action_at(at);
+    struct cab *cab = of;
+    const int action = action_at(cab, at);
 
-    (void)of;
     for (int i = KEYS_EACH - 1; action >= 0 && i >= 0; i--) {
-        const uint16_t code = cab.config.keys.code[action][i];
+        const uint16_t code = cab->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
             char label[SWITCH_NAME];
-            switch_label(code, cab.config.keys.cabinet.kind, label, sizeof label);
-            screens_say(&cab.screens, "%s: no more %s", keys_action(action), label);
-            keys_drop(&cab.config.keys, keys_action(action), code);
+            switch_label(code, cab->config.keys.cabinet.kind, label, sizeof label);
+            screens_say(&cab->screens, "%s: no more %s", keys_action(action), label);
+            keys_drop(&cab->config.keys, keys_action(action), code);
             return;
         }
     }
@@ -215,10 +211,11 @@ static void drop_one(void *of, int at)
 
 static void closed(void *of)
 {
-    (void)of;
-    wait.listening = false;
-    memcpy(cab.kept.keys.code, cab.config.keys.code, sizeof cab.kept.keys.code);
-    cab_save_settings();
+    struct cab *cab = of;
+
+    cab->wait.listening = false;
+    memcpy(cab->kept.keys.code, cab->config.keys.code, sizeof cab->kept.keys.code);
+    cab_save_settings(cab);
 }
 
 static const struct screen_def keys_screen = { .title = "keys",
@@ -229,10 +226,10 @@ static const struct screen_def keys_screen = { .title = "keys",
                                                .listen = listen,
                                                .closed = closed };
 
-void cab_open_keys(void)
+void cab_open_keys(struct cab *cab)
 {
-    if (cab.attracting)
-        cab_attract_end();
-    wait.listening = false;
-    screens_open(&cab.screens, &keys_screen, NULL);
+    if (cab->attracting)
+        cab_attract_end(cab);
+    cab->wait.listening = false;
+    screens_open(&cab->screens, &keys_screen, cab);
 }

@@ -11,16 +11,6 @@
 #include "../store/replays_print.h"
 #include "cab_parts.h"
 
-static struct {
-    struct replays list;
-    struct thumb thumb;
-    int thumb_of; /* the replay whose picture that is; -1: none */
-    char typed[CARD_NAME];
-    bool typing, fresh; /* fresh: a letter takes the place of what is proposed */
-    uint8_t held[PLAT_KEYS / 8];
-    uint32_t switches;
-} view;
-
 /* ---- a replay in words ---- */
 
 static void date_text(int64_t date, char *out, size_t size)
@@ -49,9 +39,9 @@ static void describe(const struct card *c, char *out, size_t size)
         snprintf(out + n, size - (size_t)n, ", of core version %u: it may not play as it was", (unsigned)c->core);
 }
 
-static const struct card *card(int i)
+static const struct card *card(struct cab *cab, int i)
 {
-    return &view.list.list[i].card;
+    return &cab->view.list.list[i].card;
 }
 
 /* ---- what can be done with one ---- */
@@ -64,163 +54,164 @@ static int act_rows(void *of)
     return ACTS;
 }
 
-static int chosen(void)
+static int chosen(struct cab *cab)
 {
-    return cab.screens.place[0].screen && cab.screens.deep ? view.thumb_of : -1;
+    return cab->screens.place[0].screen && cab->screens.deep ? cab->view.thumb_of : -1;
 }
 
 static void act_row(void *of, int at, struct screen_row *row)
 {
+    struct cab *cab = of;
     static const char *const labels[] = { "watch", "save under a name", "delete" };
     static const char *const helps[] = { "from the run's start; T takes over, for practice from any moment",
                                          "what has a name is kept until you delete it", "" };
 
-    (void)of;
-    snprintf(row->label, sizeof row->label, "%s", at == NAME && card(chosen())->name[0] ? "another name" : labels[at]);
+    snprintf(row->label, sizeof row->label, "%s",
+             at == NAME && card(cab, chosen(cab))->name[0] ? "another name" : labels[at]);
     snprintf(row->help, sizeof row->help, "%s", helps[at]);
 }
 
 static const char *act_text(void *of)
 {
-    static char text[SCREEN_HELP];
+    struct cab *cab = of;
 
-    (void)of;
-    if (!view.typing)
-        return card(chosen())->name;
-    snprintf(text, sizeof text, "name: %s_\nEnter keeps it, Escape leaves it", view.typed);
-    return text;
+    if (!cab->view.typing)
+        return card(cab, chosen(cab))->name;
+    snprintf(cab->view.text, sizeof cab->view.text, "name: %s_\nEnter keeps it, Escape leaves it", cab->view.typed);
+    return cab->view.text;
 }
 
 static void delete (void *of)
 {
+    struct cab *cab = of;
     char err[256];
 
-    (void)of;
-    if (!replays_delete(&view.list, view.thumb_of, err, sizeof err)) {
-        screens_say(&cab.screens, "%s", err);
+    if (!replays_delete(&cab->view.list, cab->view.thumb_of, err, sizeof err)) {
+        screens_say(&cab->screens, "%s", err);
         return;
     }
-    view.thumb_of = -1;
-    replays_collect_roms(&view.list, rom_hash(cab_cart()->rom));
-    screens_close(&cab.screens); /* what can be done with it */
+    cab->view.thumb_of = -1;
+    replays_collect_roms(&cab->view.list, rom_hash(cab_cart(cab)->rom));
+    screens_close(&cab->screens); /* what can be done with it */
 }
 
 /* The window takes text, or does so no more. */
-static void want_text(bool on)
+static void want_text(struct cab *cab, bool on)
 {
-    view.typing = on;
-    if (cab.want.text == on)
+    cab->view.typing = on;
+    if (cab->want.text == on)
         return;
-    cab.want.text = on;
-    cab.quit = !cab_open_window() || cab.quit;
+    cab->want.text = on;
+    cab->quit = !cab_open_window(cab) || cab->quit;
 }
 
-static void begin_name(void)
+static void begin_name(struct cab *cab)
 {
-    const struct card *c = card(view.thumb_of);
+    const struct card *c = card(cab, cab->view.thumb_of);
 
     if (c->name[0])
-        snprintf(view.typed, sizeof view.typed, "%s", c->name);
+        snprintf(cab->view.typed, sizeof cab->view.typed, "%s", c->name);
     else
-        snprintf(view.typed, sizeof view.typed, "%s %" PRId64, c->ship[0] ? c->ship : c->id, c->points[0]);
-    view.fresh = true;
-    memset(view.held, 255, sizeof view.held);
-    view.switches = UINT32_MAX;
-    want_text(true);
+        snprintf(cab->view.typed, sizeof cab->view.typed, "%s %" PRId64, c->ship[0] ? c->ship : c->id, c->points[0]);
+    cab->view.fresh = true;
+    memset(cab->view.held, 255, sizeof cab->view.held);
+    cab->view.switches = UINT32_MAX;
+    want_text(cab, true);
 }
 
 static void act(void *of, int at)
 {
+    struct cab *cab = of;
     char path[REPLAY_PATH];
-    const int i = chosen();
+    const int i = chosen(cab);
 
-    (void)of;
     if (at == NAME) {
-        begin_name();
+        begin_name(cab);
     } else if (at == DELETE) {
-        screens_ask(&cab.screens, "This replay is deleted for good.", "delete", delete, NULL);
+        screens_ask(&cab->screens, "This replay is deleted for good.", "delete", delete, cab);
     } else {
-        replays_path(&view.list, i, path);
-        const uint32_t first = card(i)->first;
-        if (cab_watch(path, first))
-            screens_close_all(&cab.screens);
+        replays_path(&cab->view.list, i, path);
+        const uint32_t first = card(cab, i)->first;
+        if (cab_watch(cab, path, first))
+            screens_close_all(&cab->screens);
     }
 }
 
 /* ---- its name ---- */
 
-static void type(const char *text)
+static void type(struct cab *cab, const char *text)
 {
     if (!*text)
         return;
-    if (view.fresh)
-        view.typed[0] = 0;
-    view.fresh = false;
+    if (cab->view.fresh)
+        cab->view.typed[0] = 0;
+    cab->view.fresh = false;
     for (uint32_t c; *text;) {
         const int n = clean_character(text, &c);
-        const size_t at = strlen(view.typed);
-        if (c >= 32 && c != 127 && at + (size_t)n < sizeof view.typed) {
-            memcpy(view.typed + at, text, (size_t)n);
-            view.typed[at + (size_t)n] = 0;
+        const size_t at = strlen(cab->view.typed);
+        if (c >= 32 && c != 127 && at + (size_t)n < sizeof cab->view.typed) {
+            memcpy(cab->view.typed + at, text, (size_t)n);
+            cab->view.typed[at + (size_t)n] = 0;
         }
         text += n;
     }
-    clean_line(view.typed);
+    clean_line(cab->view.typed);
 }
 
-static void erase(void)
+static void erase(struct cab *cab)
 {
-    size_t n = strlen(view.typed);
+    size_t n = strlen(cab->view.typed);
 
-    view.fresh = false;
-    while (n && ((unsigned char)view.typed[--n] & 0xc0) == 0x80)
+    cab->view.fresh = false;
+    while (n && ((unsigned char)cab->view.typed[--n] & 0xc0) == 0x80)
         ;
-    view.typed[n] = 0;
+    cab->view.typed[n] = 0;
 }
 
-static void keep_name(void)
+static void keep_name(struct cab *cab)
 {
     char err[256];
 
-    if (!replays_name(&view.list, view.thumb_of, view.typed, err, sizeof err))
-        screens_say(&cab.screens, "%s", err);
-    else if (card(view.thumb_of)->name[0])
-        screens_say(&cab.screens, "saved as \"%s\"", card(view.thumb_of)->name);
+    if (!replays_name(&cab->view.list, cab->view.thumb_of, cab->view.typed, err, sizeof err))
+        screens_say(&cab->screens, "%s", err);
+    else if (card(cab, cab->view.thumb_of)->name[0])
+        screens_say(&cab->screens, "saved as \"%s\"", card(cab, cab->view.thumb_of)->name);
     else
-        screens_say(&cab.screens, "it has no name any more");
+        screens_say(&cab->screens, "it has no name any more");
 }
 
 /* Pressed now and not at the last look. */
-static bool key(const struct plat_input *in, unsigned usage)
+static bool key(struct cab *cab, const struct plat_input *in, unsigned usage)
 {
-    return plat_key(in, usage) && !(view.held[usage >> 3 & 31] >> (usage & 7) & 1);
+    return plat_key(in, usage) && !(cab->view.held[usage >> 3 & 31] >> (usage & 7) & 1);
 }
 
 static bool listen(void *of, const struct plat_input *in)
 {
+    struct cab *cab = of;
     enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, KEYPAD_ENTER = 88 };
-    const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~view.switches;
-    const bool yes = key(in, ENTER) || key(in, KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
+    const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~cab->view.switches;
+    const bool yes = key(cab, in, ENTER) || key(cab, in, KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
 
-    (void)of;
-    if (!view.typing)
+    if (!cab->view.typing)
         return false;
-    type(in->text);
-    if (key(in, BACKSPACE))
-        erase();
+    type(cab, in->text);
+    if (key(cab, in, BACKSPACE))
+        erase(cab);
     if (yes)
-        keep_name();
-    if (yes || key(in, ESCAPE) || fresh & 1u << PLAT_EAST)
-        want_text(false);
-    memcpy(view.held, in->keys, sizeof view.held);
-    view.switches = now;
+        keep_name(cab);
+    if (yes || key(cab, in, ESCAPE) || fresh & 1u << PLAT_EAST)
+        want_text(cab, false);
+    memcpy(cab->view.held, in->keys, sizeof cab->view.held);
+    cab->view.switches = now;
     return true;
 }
 
 static void act_closed(void *of)
 {
-    (void)of;
-    want_text(false);
+    struct cab *cab = of;
+
+    want_text(cab, false);
 }
 
 static const struct screen_def acts = { .title = "replay",
@@ -236,16 +227,17 @@ static const struct screen_def acts = { .title = "replay",
 
 static int rows(void *of)
 {
-    (void)of;
-    return view.list.n;
+    struct cab *cab = of;
+
+    return cab->view.list.n;
 }
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    const struct card *c = card(at);
+    struct cab *cab = of;
+    const struct card *c = card(cab, at);
     char date[32];
 
-    (void)of;
     date_text(c->date, date, sizeof date);
     snprintf(row->label, sizeof row->label, "%.47s", c->name[0] ? c->name : date);
     snprintf(row->value, sizeof row->value, "%s %" PRId64, c->ship,
@@ -255,43 +247,48 @@ static void row(void *of, int at, struct screen_row *row)
 
 static const char *text(void *of)
 {
-    (void)of;
-    return view.list.n ? "" : "No run is kept yet. The last ones are, by themselves, when they are over.";
+    struct cab *cab = of;
+
+    return cab->view.list.n ? "" : "No run is kept yet. The last ones are, by themselves, when they are over.";
 }
 
 static void accept(void *of, int at)
 {
-    (void)of;
-    view.thumb_of = at;
-    screens_open(&cab.screens, &acts, NULL);
+    struct cab *cab = of;
+
+    cab->view.thumb_of = at;
+    screens_open(&cab->screens, &acts, cab);
 }
 
 static void ask_delete(void *of, int at)
 {
+    struct cab *cab = of;
+
     accept(of, at);
-    screens_ask(&cab.screens, "This replay is deleted for good.", "delete", delete, NULL);
+    screens_ask(&cab->screens, "This replay is deleted for good.", "delete", delete, cab);
 }
 
 static void closed(void *of)
 {
-    (void)of;
-    replays_close(&view.list);
+    struct cab *cab = of;
+
+    replays_close(&cab->view.list);
 }
 
 static int height(void *of, int w, int h)
 {
-    const struct manifest *m = &cab_cart()->m;
+    struct cab *cab = of;
+    const struct manifest *m = &cab_cart(cab)->m;
     const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
 
-    (void)of;
     (void)w;
     return h - high >= 4 * CANVAS_LINE_H ? high : h / 3;
 }
 
 /* The screen covers the picture, so all entries of the palette are free but for the canvas's own. */
-static void draw_thumb(const struct canvas *canvas, struct screen_area to)
+static void draw_thumb(struct cab *cab, const struct canvas *canvas, struct screen_area to)
 {
-    const struct thumb *t = &view.thumb;
+    const struct thumb *t = &cab->view.thumb;
     uint8_t entry[THUMB_COLOURS];
     int n = 0;
 
@@ -332,17 +329,17 @@ static void draw_words(const struct card *c, const struct canvas *canvas, struct
 
 static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)
 {
+    struct cab *cab = of;
     int side = 0;
 
-    (void)of;
-    if (view.thumb_of != at)
-        replays_thumb(&view.list, at, &view.thumb);
-    view.thumb_of = at;
-    if (view.thumb.w > 0) {
-        draw_thumb(canvas, to);
-        side = view.thumb.w + 8;
+    if (cab->view.thumb_of != at)
+        replays_thumb(&cab->view.list, at, &cab->view.thumb);
+    cab->view.thumb_of = at;
+    if (cab->view.thumb.w > 0) {
+        draw_thumb(cab, canvas, to);
+        side = cab->view.thumb.w + 8;
     }
-    draw_words(card(at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
+    draw_words(card(cab, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
 static const struct screen_def replays = { .title = "replays",
@@ -355,13 +352,13 @@ static const struct screen_def replays = { .title = "replays",
                                            .height = height,
                                            .draw = draw };
 
-void cab_open_replays(void)
+void cab_open_replays(struct cab *cab)
 {
-    if (cab.attracting)
-        cab_attract_end();
-    replays_close(&view.list);
-    view.thumb_of = -1;
-    if (!replays_open(&view.list, cab_cart()->m.id))
-        screens_say(&cab.screens, "not enough memory for all of them");
-    screens_open(&cab.screens, &replays, NULL);
+    if (cab->attracting)
+        cab_attract_end(cab);
+    replays_close(&cab->view.list);
+    cab->view.thumb_of = -1;
+    if (!replays_open(&cab->view.list, cab_cart(cab)->m.id))
+        screens_say(&cab->screens, "not enough memory for all of them");
+    screens_open(&cab->screens, &replays, cab);
 }

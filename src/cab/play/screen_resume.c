@@ -11,12 +11,6 @@
 
 enum { GO_ON, ANEW, ROWS };
 
-static struct {
-    char text[SCREEN_HELP];
-    bool can;     /* its ROM is there, and this engine plays it as it was */
-    bool changed; /* the game is another since */
-} left;
-
 static int rows(void *of)
 {
     (void)of;
@@ -25,27 +19,30 @@ static int rows(void *of)
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    (void)of;
+    struct cab *cab = of;
+
     snprintf(row->label, sizeof row->label, "%s", at == GO_ON ? "go on" : "begin anew");
     snprintf(row->help, sizeof row->help, "%s",
              at == GO_ON ? "it is played again up to there, and waits for you" : "it stays among the replays");
-    row->faint = at == GO_ON && !left.can;
+    row->faint = at == GO_ON && !cab->left.can;
 }
 
 static const char *text(void *of)
 {
-    (void)of;
-    return left.text;
+    struct cab *cab = of;
+
+    return cab->left.text;
 }
 
 static void accept(void *of, int at)
 {
-    (void)of;
-    screens_close_all(&cab.screens);
+    struct cab *cab = of;
+
+    screens_close_all(&cab->screens);
     if (at == GO_ON)
-        cab_resume();
+        cab_resume(cab);
     else
-        cab_keep_left();
+        cab_keep_left(cab);
 }
 
 static const struct screen_def question = {
@@ -53,54 +50,54 @@ static const struct screen_def question = {
 };
 
 /* "3:41, heron, 120300 points", and whether it can go on. */
-static void describe(const struct card *c)
+static void describe(struct cab *cab, const struct card *c)
 {
-    const struct rom *rom = cab_cart()->rom;
+    const struct rom *rom = cab_cart(cab)->rom;
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
-    int n = snprintf(left.text, sizeof left.text, "%u:%02u of a run%s%s%s. ", seconds / 60, seconds % 60,
+    int n = snprintf(cab->left.text, sizeof cab->left.text, "%u:%02u of a run%s%s%s. ", seconds / 60, seconds % 60,
                      c->ship[0] ? " with " : "", c->ship, c->flags & DEMO_RESUMED ? ", gone on with before" : "");
-    char *more = left.text + n;
-    const size_t room = sizeof left.text - (size_t)n;
+    char *more = cab->left.text + n;
+    const size_t room = sizeof cab->left.text - (size_t)n;
 
-    left.changed = !same;
-    left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
+    cab->left.changed = !same;
+    cab->left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     if (c->core != CORE_VERSION)
         snprintf(more, room, "It was played on core version %u, this is %d: it cannot go on.", (unsigned)c->core,
                  CORE_VERSION);
-    else if (!left.can)
+    else if (!cab->left.can)
         snprintf(more, room, "The game has changed since, and its older ROM is not kept: it cannot go on.");
     else if (!same)
         snprintf(more, room, "The game has changed since; the run goes on in the game as it was.");
 }
 
 /* Who changes a game's folder and plays it wants to see the change, which the run that was left does not show. */
-static bool is_being_made(void)
+static bool is_being_made(struct cab *cab)
 {
-    return left.changed && cab.folder.seen != 0;
+    return cab->left.changed && cab->folder.seen != 0;
 }
 
-void cab_open_resume(void)
+void cab_open_resume(struct cab *cab)
 {
-    const struct cab_options *o = &cab.options;
+    const struct cab_options *o = &cab->options;
     const bool unasked = o->resume;
     struct card c;
 
-    cab.options.resume = false; /* this once */
-    if (o->demo || o->record || o->no_resume || cab.start.practice.section[0] || cab_fault())
+    cab->options.resume = false; /* this once */
+    if (o->demo || o->record || o->no_resume || cab->start.practice.section[0] || cab_fault(cab))
         return;
-    if (!cab_was_left(&c)) {
+    if (!cab_was_left(cab, &c)) {
         if (unasked)
-            cab_say("curtain: %s: --resume: no run was left", cab_game());
+            cab_say(cab, "curtain: %s: --resume: no run was left", cab_game(cab));
         return;
     }
     if (unasked) {
-        cab_resume();
+        cab_resume(cab);
         return;
     }
-    if (!cab.config.resume)
+    if (!cab->config.resume)
         return;
-    describe(&c);
-    screens_open(&cab.screens, &question, NULL);
-    screens_choose(&cab.screens, left.can && !is_being_made() ? GO_ON : ANEW);
+    describe(cab, &c);
+    screens_open(&cab->screens, &question, cab);
+    screens_choose(&cab->screens, cab->left.can && !is_being_made(cab) ? GO_ON : ANEW);
 }

@@ -7,75 +7,63 @@
 #include "cab_parts.h"
 #include "../../../platform/platform.h"
 
-enum { MOST_ROWS = 96 };
-
-enum kind { GROUP, VALUE, LANGUAGE, TO_KEYS };
-
-static struct {
-    struct {
-        enum kind kind;
-        const struct config_setting *setting; /* of VALUE, and the first of a GROUP */
-    } row[MOST_ROWS];
-    int rows;
-    char lang[16]; /* as it was when the screen was opened */
-} list;
-
-static void add(enum kind kind, const struct config_setting *s)
+static void add(struct cab *cab, enum settings_row kind, const struct config_setting *s)
 {
-    if (list.rows == MOST_ROWS)
+    if (cab->list.rows == SETTINGS_ROWS)
         return;
-    list.row[list.rows].kind = kind;
-    list.row[list.rows++].setting = s;
+    cab->list.row[cab->list.rows].kind = kind;
+    cab->list.row[cab->list.rows++].setting = s;
 }
 
-static void make_list(void)
+static void make_list(struct cab *cab)
 {
     const struct config_setting *s, *before = NULL;
 
-    list.rows = 0;
+    cab->list.rows = 0;
     for (int i = 0; (s = config_setting(i)) != NULL; i++, before = s) {
         if (!before || strcmp(before->group, s->group) != 0)
-            add(GROUP, s);
-        add(VALUE, s);
+            add(cab, SETTINGS_GROUP, s);
+        add(cab, SETTINGS_VALUE, s);
     }
-    if (cab_cart()->langs > 0)
-        add(LANGUAGE, NULL);
-    add(TO_KEYS, NULL);
+    if (cab_cart(cab)->langs > 0)
+        add(cab, SETTINGS_LANGUAGE, NULL);
+    add(cab, SETTINGS_TO_KEYS, NULL);
 }
 
 /* ---- language ---- */
 
 /* The language's number, from 1 on; 0: the words that scripts have. */
-static int lang_number(const char *name)
+static int lang_number(struct cab *cab, const char *name)
 {
-    for (int i = 0; i < cab_cart()->langs; i++)
-        if (strcmp(cart_lang_name(cab_cart(), i), name) == 0)
+    for (int i = 0; i < cab_cart(cab)->langs; i++)
+        if (strcmp(cart_lang_name(cab_cart(cab), i), name) == 0)
             return i + 1;
     return 0;
 }
 
-static void change_lang(int by)
+static void change_lang(struct cab *cab, int by)
 {
-    const int n = cab_cart()->langs + 1, to = (lang_number(cab.config.lang) + (by < 0 ? -1 : 1) + n) % n;
+    const int n = cab_cart(cab)->langs + 1, to = (lang_number(cab, cab->config.lang) + (by < 0 ? -1 : 1) + n) % n;
 
-    snprintf(cab.config.lang, sizeof cab.config.lang, "%s", to ? cart_lang_name(cab_cart(), to - 1) : "");
-    memcpy(cab.kept.lang, cab.config.lang, sizeof cab.kept.lang);
+    snprintf(cab->config.lang, sizeof cab->config.lang, "%s", to ? cart_lang_name(cab_cart(cab), to - 1) : "");
+    memcpy(cab->kept.lang, cab->config.lang, sizeof cab->kept.lang);
 }
 
 /* ---- rows ---- */
 
 static int rows(void *of)
 {
-    (void)of;
-    return list.rows;
+    struct cab *cab = of;
+
+    return cab->list.rows;
 }
 
-static void describe_value(const struct config_setting *s, struct screen_row *row)
+static void describe_value(struct cab *cab, const struct config_setting *s, struct screen_row *row)
 {
     char value[SCREEN_VALUE / 2];
 
-    config_text(&cab.config, s, value, sizeof value);
-    if (s->zero && config_value(&cab.config, s) == 0)
+    config_text(&cab->config, s, value, sizeof value);
+    if (s->zero && config_value(&cab->config, s) == 0)
         snprintf(row->value, sizeof row->value, "%s", s->zero);
     else
         snprintf(row->value, sizeof row->value, "%s%s", value, s->unit ? s->unit : "");
@@ -86,23 +74,24 @@ static void describe_value(const struct config_setting *s, struct screen_row *ro
 
 static void describe(void *of, int at, struct screen_row *row)
 {
-    (void)of;
-    switch (list.row[at].kind) {
-    case GROUP:
-        snprintf(row->label, sizeof row->label, "%s", list.row[at].setting->group);
+    struct cab *cab = of;
+
+    switch (cab->list.row[at].kind) {
+    case SETTINGS_GROUP:
+        snprintf(row->label, sizeof row->label, "%s", cab->list.row[at].setting->group);
         row->heading = true;
         break;
-    case VALUE:
-        describe_value(list.row[at].setting, row);
+    case SETTINGS_VALUE:
+        describe_value(cab, cab->list.row[at].setting, row);
         break;
-    case LANGUAGE:
+    case SETTINGS_LANGUAGE:
         snprintf(row->label, sizeof row->label, "language");
-        snprintf(row->value, sizeof row->value, "%s", cab.config.lang[0] ? cab.config.lang : "the game's own");
+        snprintf(row->value, sizeof row->value, "%s", cab->config.lang[0] ? cab->config.lang : "the game's own");
         snprintf(row->help, sizeof row->help,
                  "a run keeps its language: another one is there when the game begins anew");
         row->changes = true;
         break;
-    case TO_KEYS:
+    case SETTINGS_TO_KEYS:
         snprintf(row->label, sizeof row->label, "keys and buttons");
         snprintf(row->help, sizeof row->help, "what each does, and how to change it");
         break;
@@ -110,48 +99,51 @@ static void describe(void *of, int at, struct screen_row *row)
 }
 
 /* The next value, round the ends for words; numbers stop there. */
-static void change_value(const struct config_setting *s, int by)
+static void change_value(struct cab *cab, const struct config_setting *s, int by)
 {
-    const int v = config_value(&cab.config, s), n = s->hi - s->lo + 1;
+    const int v = config_value(&cab->config, s), n = s->hi - s->lo + 1;
 
-    config_put(&cab.config, s, s->words ? s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n : v + by * s->step);
-    config_put(&cab.kept, s, config_value(&cab.config, s));
-    cab_apply_settings();
+    config_put(&cab->config, s, s->words ? s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n : v + by * s->step);
+    config_put(&cab->kept, s, config_value(&cab->config, s));
+    cab_apply_settings(cab);
 }
 
 static void change(void *of, int at, int by)
 {
-    (void)of;
-    if (list.row[at].kind == VALUE)
-        change_value(list.row[at].setting, by);
-    else if (list.row[at].kind == LANGUAGE)
-        change_lang(by);
+    struct cab *cab = of;
+
+    if (cab->list.row[at].kind == SETTINGS_VALUE)
+        change_value(cab, cab->list.row[at].setting, by);
+    else if (cab->list.row[at].kind == SETTINGS_LANGUAGE)
+        change_lang(cab, by);
 }
 
 static void accept(void *of, int at)
 {
-    (void)of;
-    if (list.row[at].kind == TO_KEYS)
-        cab_open_keys();
+    struct cab *cab = of;
+
+    if (cab->list.row[at].kind == SETTINGS_TO_KEYS)
+        cab_open_keys(cab);
 }
 
 static void begin_anew(void *of)
 {
-    (void)of;
-    screens_close_all(&cab.screens);
-    cab_begin_anew();
+    struct cab *cab = of;
+
+    screens_close_all(&cab->screens);
+    cab_begin_anew(cab);
 }
 
 static void closed(void *of)
 {
-    const bool other = strcmp(cab.config.lang, list.lang) != 0;
+    struct cab *cab = of;
+    const bool other = strcmp(cab->config.lang, cab->list.lang) != 0;
 
-    (void)of;
-    cab_save_settings();
-    if (cab.quit || cab.session.demo || !other)
+    cab_save_settings(cab);
+    if (cab->quit || cab->session.demo || !other)
         return;
-    screens_ask(&cab.screens, "Another language is there when the game begins anew. What is on now ends then.",
-                "begin anew now", begin_anew, NULL);
+    screens_ask(&cab->screens, "Another language is there when the game begins anew. What is on now ends then.",
+                "begin anew now", begin_anew, cab);
 }
 
 static const struct screen_def settings = {
@@ -160,27 +152,27 @@ static const struct screen_def settings = {
 
 /* ---- what others call ---- */
 
-void cab_open_settings(void)
+void cab_open_settings(struct cab *cab)
 {
-    cab.config.volume = cab.speaker.volume; /* keys may have changed these for now */
-    cab.config.mute = cab.speaker.muted;
-    cab.config.speed = cab.slow == 4 ? 2 : cab.slow - 1;
-    memcpy(list.lang, cab.config.lang, sizeof list.lang);
-    make_list();
-    screens_open(&cab.screens, &settings, NULL);
+    cab->config.volume = cab->speaker.volume; /* keys may have changed these for now */
+    cab->config.mute = cab->speaker.muted;
+    cab->config.speed = cab->slow == 4 ? 2 : cab->slow - 1;
+    memcpy(cab->list.lang, cab->config.lang, sizeof cab->list.lang);
+    make_list(cab);
+    screens_open(&cab->screens, &settings, cab);
 }
 
-void cab_save_settings(void)
+void cab_save_settings(struct cab *cab)
 {
     char err[FILES_ERR + CONFIG_LINE], path[FILES_PATH];
     size_t folder = strlen(files_shown(CONFIG_FILE, path));
 
-    if (config_save(&cab.kept, err, sizeof err))
+    if (config_save(&cab->kept, err, sizeof err))
         return;
     while (folder > 0 && path[folder - 1] != '/')
         folder--;
-    cab_notice(CAB_NOTICE_FRAMES, "the settings are not kept: %s", err);
+    cab_notice(cab, CAB_NOTICE_FRAMES, "the settings are not kept: %s", err);
     /* a small menu has three lines: the why matters, the folder stands in the notice and the log */
-    screens_say(&cab.screens, "not kept: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
-    cab_say("curtain: %s", cab.notice);
+    screens_say(&cab->screens, "not kept: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
+    cab_say(cab, "curtain: %s", cab->notice);
 }

@@ -149,7 +149,7 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
     guard_tick(&r->guard, pads);
     s->ticking = false;
     if (s->ticked)
-        s->ticked(s);
+        s->ticked(s->of, s);
     if (seen)
         return true;
     bool good = demo_frame(&r->writer, r->guard.board, pads);

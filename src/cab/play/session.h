@@ -51,9 +51,10 @@ struct session {
     volatile uint32_t at;  /* the frame that the tick under way began in, for a report of a crash in it */
     volatile bool ticking; /* one is */
     bool rewound;          /* a live run went back once: scores do not count any more */
-    void (*ticked)(const struct session *s); /* called after each tick of the board; may be NULL */
-    char gone[64];                           /* the piece of music that played when a reload took its name away; "" */
-    char err[DEMO_PATH + 64];                /* one sentence: why the last session_* call failed */
+    void (*ticked)(void *of, const struct session *s); /* called after each tick of the board; may be NULL */
+    void *of;
+    char gone[64];            /* the piece of music that played when a reload took its name away; "" */
+    char err[DEMO_PATH + 64]; /* one sentence: why the last session_* call failed */
 };
 
 /* Powers the board and begins to record. start is the demo's if there is one; cart, start.nvram, demo and record must

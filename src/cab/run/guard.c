@@ -2,7 +2,7 @@
  * guard.c - see guard.h.
  *
  * The alarm may ring late, after its tick is over: then the next tick is interrupted, run again and found good. So no
- * race between clock and board can change a result. The alarm has no argument, hence the one static.
+ * race between clock and board can change a result.
  */
 #include "guard.h"
 
@@ -13,25 +13,20 @@
 
 enum { RAM_ALIGN = 64 }; /* more than a board needs: so that snapshots are fast */
 
-static struct board *volatile watched;
-
-static void too_long(void)
+static void too_long(void *board)
 {
-    if (watched)
-        board_interrupt(watched);
+    board_interrupt(board);
 }
 
 static bool watch(const struct guard *g)
 {
-    watched = g->board;
-    return plat_alarm(g->ms, too_long);
+    return plat_alarm(g->ms, too_long, g->board);
 }
 
 static void unwatch(const struct guard *g)
 {
     if (!g->counting)
-        plat_alarm(0, 0);
-    watched = 0;
+        plat_alarm(0, NULL, NULL);
 }
 
 static bool take_ram(struct guard *g, char *err, size_t err_size)

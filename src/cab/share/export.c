@@ -8,14 +8,19 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../../board/board.h"
 #include "../../board/rom/cart.h"
 #include "../host/files.h"
 #include "../host/report.h"
+#include "../pack/compress.h"
 #include "../pack/icon.h"
 #include "../pack/pack.h"
+#include "beside.h"
 #include "image.h"
 #include "mark.h"
 #include "own.h"
+#include "retro.h"
+#include "web.h"
 
 enum { PROGRAM = 1 << 30, EXPORT_ERR = FILES_ERR + 256 };
 
@@ -24,8 +29,14 @@ struct export
     const struct export_want *want;
     struct rom_image image;
     struct cart cart;
+    uint8_t *small; /* the game compressed; malloc, NULL: it stays plain */
+    const uint8_t *game;
+    size_t game_size;
     const char *out;
-    uint8_t *file; /* what is written; malloc */
+    char name[64];         /* of the file, where none was given */
+    char info[FILES_PATH]; /* of a core's .info */
+    char from[FILES_PATH]; /* what the file is a copy of, as messages call it */
+    uint8_t *file;         /* what is written; malloc */
     size_t size;
     char *err;
     size_t err_size;
@@ -54,29 +65,71 @@ static bool load_program(struct export *e)
 {
     char name[FILES_PATH];
 
+    snprintf(e->from, sizeof e->from, "export: this program's own file");
     if (!plat_program(name, sizeof name))
         return err_set(e->err, e->err_size, "export: this system does not say where the program's own file is");
-    return files_read(name, "export: this program's own file", PROGRAM, &e->file, &e->size, e->err, e->err_size);
+    return files_read(name, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
 }
 
-/* The file: the program, its mark, and the game behind. */
+static bool load_core(struct export *e)
+{
+    static const struct beside core = { "curtain_libretro.so",
+                                        { "curtain_libretro.so", "../lib/libretro/curtain_libretro.so" },
+                                        "lib/libretro",
+                                        "make library" };
+    size_t at;
+    struct mark m = { .core = CORE_VERSION };
+
+    if (!beside_read(&core, &e->file, &e->size, e->from, sizeof e->from, e->err, e->err_size))
+        return false;
+    if (mark_find(e->file, e->size, &at))
+        mark_read(e->file + at, &m);
+    if (m.core == CORE_VERSION)
+        return true;
+    return err_set(e->err, e->err_size, "%s: is of core version %u, this program of %d: make library makes it anew",
+                   e->from, (unsigned)m.core, CORE_VERSION);
+}
+
+static bool make_page(struct export *e)
+{
+    static const struct beside player = { "player.html",
+                                          { "player.html", "web/player.html", "../web/player.html",
+                                            "../share/curtain/player.html" },
+                                          "share/curtain",
+                                          "make web" };
+    const struct web_game game = { e->cart.m.title, e->game, e->game_size };
+    uint8_t *with;
+    size_t size;
+
+    if (!beside_read(&player, &with, &size, e->from, sizeof e->from, e->err, e->err_size))
+        return false;
+    const bool good = web_make(&game, with, size, e->from, &e->file, &e->size, e->err, e->err_size);
+    free(with);
+    return good;
+}
+
+/* The file: the program or core, its mark, and the game behind. */
 static bool build(struct export *e)
 {
-    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->image.size };
+    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
     size_t at, end = image_trim(e->file, e->size);
 
     m.at = (end + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
     if (!mark_find(e->file, end, &at))
-        return err_set(e->err, e->err_size, "export: this program's own file is not the one that runs");
-    blank_builtin(e->want, e->file, end);
+        return err_set(e->err, e->err_size,
+                       e->want->kind == EXPORT_CORE ? "%s: is no core to put a game into: make library makes one"
+                                                    : "%s is not the one that runs",
+                       e->from);
+    if (e->want->kind == EXPORT_PROGRAM)
+        blank_builtin(e->want, e->file, end);
     mark_put(e->file + at, &m);
-    uint8_t *more = realloc(e->file, (size_t)m.at + e->image.size);
+    uint8_t *more = realloc(e->file, (size_t)m.at + e->game_size);
     if (!more)
         return err_set(e->err, e->err_size, "out of memory");
     e->file = more;
     memset(more + end, 0, (size_t)m.at - end);
-    memcpy(more + m.at, e->image.bytes, e->image.size);
-    e->size = (size_t)m.at + e->image.size;
+    memcpy(more + m.at, e->game, e->game_size);
+    e->size = (size_t)m.at + e->game_size;
     return true;
 }
 
@@ -88,12 +141,14 @@ static void ignore(void *user, const struct plat_file *file)
     (void)file;
 }
 
-/* What would be written beside a new program is nobody's yet. */
+/* What would be written beside a new file is nobody's yet. */
 static bool nothing_beside(struct export *e)
 {
     static const char *const ends[] = { ".desktop", ".png" };
     char name[FILES_PATH + 16];
 
+    if (e->want->kind == EXPORT_CORE && plat_size(e->info) >= 0)
+        return err_set(e->err, e->err_size, "%s: is already there: remove it first", e->info);
     for (int i = 0; e->want->desktop && i < 2; i++) {
         snprintf(name, sizeof name, "%s%s", e->out, ends[i]);
         if (plat_size(name) >= 0)
@@ -116,12 +171,25 @@ static bool entry_holds(struct export *e)
     return true;
 }
 
-/* What stands there already is replaced only if it is a program that was exported. */
+/* Is it a file that was exported, of the kind that is to be written? */
+static bool is_exported(struct export *e, const uint8_t *file, size_t size)
+{
+    struct mark m = { .size = 0 };
+    size_t at;
+
+    if (e->want->kind == EXPORT_PAGE)
+        return web_is_page(file, size);
+    if (mark_find(file, size, &at))
+        mark_read(file + at, &m);
+    return m.size > 0;
+}
+
+/* What stands there already is replaced only if it was exported. */
 static bool may_write(struct export *e)
 {
+    static const char *const kinds[] = { "program", "page", "core" };
     uint8_t *there;
-    size_t size, at;
-    struct mark m = { .size = 0 };
+    size_t size;
 
     if (!entry_holds(e))
         return false;
@@ -131,18 +199,29 @@ static bool may_write(struct export *e)
         return nothing_beside(e);
     if (!files_read(e->out, e->out, PROGRAM, &there, &size, e->err, e->err_size))
         return false;
-    if (mark_find(there, size, &at))
-        mark_read(there + at, &m);
+    const bool exported = is_exported(e, there, size);
     free(there);
-    return m.size ? true
-                  : err_set(e->err, e->err_size, "%s: is already there, and is no exported program: remove it first",
-                            e->out);
+    return exported ? true
+                    : err_set(e->err, e->err_size, "%s: is already there, and is no exported %s: remove it first",
+                              e->out, kinds[e->want->kind]);
+}
+
+static bool save_info(struct export *e)
+{
+    char text[2048];
+
+    retro_info(&e->cart.m, text, sizeof text);
+    return files_save(e->info, text, strlen(text), e->err, e->err_size);
 }
 
 static bool save(struct export *e)
 {
     if (!files_save(e->out, e->file, e->size, e->err, e->err_size))
         return false;
+    if (e->want->kind == EXPORT_PAGE)
+        return true;
+    if (e->want->kind == EXPORT_CORE)
+        return save_info(e);
     return plat_runnable(e->out) ? true : err_set(e->err, e->err_size, "%s: cannot be made a program", e->out);
 }
 
@@ -206,6 +285,23 @@ static bool save_entry(struct export *e)
 
 /* ---- the command ---- */
 
+/* The names of what is written. */
+static bool name_out(struct export *e)
+{
+    static const char *const ends[] = { "", ".html", "_libretro.so" };
+    size_t n;
+
+    snprintf(e->name, sizeof e->name, "%s%s", e->cart.m.id, ends[e->want->kind]);
+    e->out = e->want->out ? e->want->out : e->name;
+    n = strlen(e->out);
+    if (e->want->kind != EXPORT_CORE)
+        return true;
+    if (n < 4 || n + 3 > sizeof e->info || strcmp(e->out + n - 3, ".so") != 0)
+        return err_set(e->err, e->err_size, "--libretro: expected -o with a name that ends in .so, got \"%s\"", e->out);
+    snprintf(e->info, sizeof e->info, "%.*s.info", (int)(n - 3), e->out);
+    return true;
+}
+
 static bool load_game(struct export *e)
 {
     char why[256];
@@ -214,8 +310,11 @@ static bool load_game(struct export *e)
         return false;
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
-    e->out = e->want->out ? e->want->out : e->cart.m.id;
-    return true;
+    if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
+        return err_set(e->err, e->err_size, "out of memory");
+    e->game = e->small ? e->small : e->image.bytes;
+    e->game_size = e->small ? e->game_size : e->image.size;
+    return name_out(e);
 }
 
 static bool has_window(void)
@@ -231,11 +330,19 @@ static bool may_export(struct export *e)
     if (own_game()->rom)
         return err_set(e->err, e->err_size, "export: this program is %s, exported already: export with curtain",
                        own_game()->m.title);
-    if (!has_window())
+    if (e->want->kind == EXPORT_PROGRAM && !has_window())
         return err_set(e->err, e->err_size,
                        "export: this program has no window to play in: export with curtain, not "
                        "with curtain-null");
     return true;
+}
+
+/* What is to be written, in e->file. */
+static bool make(struct export *e)
+{
+    if (e->want->kind == EXPORT_PAGE)
+        return make_page(e);
+    return (e->want->kind == EXPORT_CORE ? load_core(e) : load_program(e)) && build(e);
 }
 
 enum result export_run(const struct export_want *want)
@@ -243,9 +350,10 @@ enum result export_run(const struct export_want *want)
     char err[EXPORT_ERR];
     struct export e = { .want = want, .err = err, .err_size = sizeof err };
 
-    bool good = may_export(&e) && load_game(&e) && may_write(&e) && load_program(&e) && build(&e) && save(&e) &&
-                (!want->desktop || save_entry(&e));
+    bool good =
+        may_export(&e) && load_game(&e) && may_write(&e) && make(&e) && save(&e) && (!want->desktop || save_entry(&e));
     free(e.file);
+    free(e.small);
     rom_image_free(&e.image);
     return good ? RESULT_DONE : report_error(err);
 }

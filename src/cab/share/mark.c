@@ -1,6 +1,6 @@
 /*
  * mark.c - see mark.h. Little-endian: 32 letters that stand nowhere else in a program, u32 version, u32 flags, u64 at,
- * u64 size, u32 CRC, u32 zero.
+ * u64 size, u32 CRC, u32 core version.
  *
  * It is volatile, so that no compiler takes the zeroes that it is built with for granted.
  */
@@ -8,17 +8,23 @@
 
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../board/board.h"
 
 enum { LETTERS = 32, VERSION = 1 };
 
-static const volatile uint8_t own[MARK_BYTES] = "<a game may stand behind curtain\1";
+static const volatile struct {
+    char letters[LETTERS];
+    uint8_t version[4], where[24], core[4];
+} own = { "<a game may stand behind curtain", { VERSION }, { 0 }, { CORE_VERSION } };
 
-_Static_assert(sizeof "<a game may stand behind curtain\1" == LETTERS + 2, "letters, version");
+_Static_assert(sizeof own == MARK_BYTES && CORE_VERSION < 256, "letters and numbers, nothing between");
 
 static void copy_own(uint8_t out[MARK_BYTES])
 {
+    const volatile uint8_t *from = (const volatile uint8_t *)&own;
+
     for (int i = 0; i < MARK_BYTES; i++)
-        out[i] = own[i];
+        out[i] = from[i];
 }
 
 void mark_read(const uint8_t at[MARK_BYTES], struct mark *m)
@@ -27,6 +33,7 @@ void mark_read(const uint8_t at[MARK_BYTES], struct mark *m)
     m->at = bytes_get64(at + LETTERS + 8);
     m->size = bytes_get64(at + LETTERS + 16);
     m->crc = bytes_get32(at + LETTERS + 24);
+    m->core = bytes_get32(at + LETTERS + 28);
 }
 
 struct mark mark_own(void)
@@ -64,5 +71,4 @@ void mark_put(uint8_t at[MARK_BYTES], const struct mark *m)
     bytes_put64(at + LETTERS + 8, m->at);
     bytes_put64(at + LETTERS + 16, m->size);
     bytes_put32(at + LETTERS + 24, m->crc);
-    bytes_put32(at + LETTERS + 28, 0);
 }

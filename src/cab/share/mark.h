@@ -2,8 +2,9 @@
  * mark.h - a place in the program itself that says which game stands behind it in its file.
  * floor: cab
  *
- * 64 bytes of constants that `export` writes over in the copy it makes. What is loaded and runs says so itself that a
- * game belongs to it, so a file that was cut short, or may be run and not read, is told from one without a game.
+ * 64 bytes of constants that `export` writes over in the copy it makes; a libretro core has them too. What is loaded
+ * and runs says so itself that a game belongs to it, so a file that was cut short, or may be run and not read, is told
+ * from one without a game.
  */
 #ifndef CAB_MARK_H
 #define CAB_MARK_H
@@ -18,9 +19,10 @@ enum { MARK_KEYS = 1 /* with the keys and the commands of those who make games *
 
 struct mark {
     uint32_t flags;
-    uint32_t crc;  /* of the game's ROM */
+    uint32_t crc;  /* of the game's ROM, the plain one */
     uint64_t at;   /* bytes of the file before it, a multiple of ROM_ALIGN */
-    uint64_t size; /* of the ROM; 0: there is no game */
+    uint64_t size; /* of the ROM as it stands there, compressed or plain; 0: there is no game */
+    uint32_t core; /* of what has the mark; mark_put leaves it */
 };
 
 /* The mark of the program that runs. */

@@ -13,6 +13,7 @@
 #include "../../base/rom.h"
 #include "../host/files.h"
 #include "../host/version.h"
+#include "../pack/pack.h"
 #include "mark.h"
 
 enum { MOST = 1 << 30 /* bytes of a program */ };
@@ -21,9 +22,10 @@ static struct own own;
 
 static const char itself[] = "this program's own file";
 
-/* Cuts the game out of the file. */
-static enum result take(uint8_t *file, size_t size, const struct mark *m, char *err, size_t err_size)
+/* Cuts the game out of the file, which becomes that game. */
+static enum result take(uint8_t **in, size_t size, const struct mark *m, char *err, size_t err_size)
 {
+    uint8_t *file = *in;
     struct rom rom;
     struct lump lump;
     char why[256];
@@ -35,7 +37,10 @@ static enum result take(uint8_t *file, size_t size, const struct mark *m, char *
     }
     own.size = (size_t)m->size; /* which fits, as the file does */
     memmove(file, file + (size_t)m->at, own.size);
-    if (!rom_open(&rom, file, own.size, why, sizeof why) || rom.crc != m->crc || rom_find(&rom, "manifest") < 0) {
+    const bool whole = rom_image_plain(in, &own.size, why, sizeof why);
+    file = *in;
+    if (!whole || !rom_open(&rom, file, own.size, why, sizeof why) || rom.crc != m->crc ||
+        rom_find(&rom, "manifest") < 0) {
         err_set(err, err_size, "%s is damaged: the game in it is not the one that was put there", itself);
         return RESULT_REFUSED;
     }
@@ -64,7 +69,7 @@ enum result own_open(char *err, size_t err_size)
     }
     if (!files_read(name, itself, MOST, &file, &size, err, err_size))
         return RESULT_HOST;
-    enum result result = take(file, size, &m, err, err_size);
+    enum result result = take(&file, size, &m, err, err_size);
     if (result == RESULT_DONE)
         plat_name(own.m.id);
     else

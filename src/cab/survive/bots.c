@@ -4,6 +4,7 @@
 #include "bots.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "reach.h"
@@ -18,11 +19,11 @@ enum {
     SEEN = LATE + 1
 };
 
-static const int how_many[BOT_KINDS] = { [BOT_STAND] = 4, [BOT_WANDER] = 6, [BOT_DODGE] = 6 };
+static const int how_many[BOT_KINDS] = { [BOT_STAND] = 4, [BOT_WANDER] = 6, [BOT_DODGE] = 6 }; /* of BOTS */
 
 struct bot {
     enum bot_kind kind;
-    int number;
+    int number, of; /* of its kind */
     uint32_t random;
     fx to_x, to_y; /* where it goes */
     uint32_t until;
@@ -113,48 +114,123 @@ static uint16_t think(struct bot *b, const struct danger_ship *ship, uint32_t fr
         b->pads = dodge(b, ship, frame);
         return b->pads;
     }
-    b->to_x = ship->area.x0 + (b->kind == BOT_STAND ? w / 8 * (1 + 2 * b->number) : (fx)draw(b, (uint32_t)w));
+    b->to_x = ship->area.x0 + (b->kind == BOT_STAND ? w / (2 * b->of) * (1 + 2 * b->number) : (fx)draw(b, (uint32_t)w));
     b->to_y = ship->area.y0 + h / 2 + (b->kind == BOT_STAND ? h / 4 : (fx)draw(b, (uint32_t)h / 2));
     b->until = b->kind == BOT_STAND ? UINT32_MAX : frame + 20 + draw(b, 40);
     return towards(ship, b->to_x, b->to_y);
+}
+
+static enum trial_end tick(struct trial *t, struct bot *b)
+{
+    const uint32_t frame = board_frame(t->b);
+    uint16_t pads[PADS] = { trial_press(t), 0 };
+
+    if (trial_steers(t))
+        pads[0] = (uint16_t)(think(b, &t->ship, frame) | PAD_FIRE);
+    t->into = b->kind == BOT_DODGE ? &b->seen[frame % SEEN] : NULL;
+    forecast_clear(&b->seen[frame % SEEN], frame);
+    const enum trial_end end = trial_tick(t, pads);
+    t->into = NULL;
+    return end;
 }
 
 static enum trial_end play(struct trial *t, struct bot *b, uint32_t limit)
 {
     enum trial_end end = TRIAL_ON;
 
-    while (end == TRIAL_ON && board_frame(t->b) < limit) {
-        const uint32_t frame = board_frame(t->b);
-        uint16_t pads[PADS] = { trial_press(t), 0 };
-        if (trial_steers(t))
-            pads[0] = (uint16_t)(think(b, &t->ship, frame) | PAD_FIRE);
-        t->into = b->kind == BOT_DODGE ? &b->seen[frame % SEEN] : NULL;
-        forecast_clear(&b->seen[frame % SEEN], frame);
-        end = trial_tick(t, pads);
-    }
-    t->into = NULL;
+    while (end == TRIAL_ON && board_frame(t->b) < limit)
+        end = tick(t, b);
     return end;
 }
 
-bool bots_play(struct trial *t, const struct trial_mark *start, uint32_t limit, struct bots *out)
+/* Nothing kills it; hits are counted. */
+static void play_on(struct trial *t, struct bot *b, const struct trial_mark *start, uint32_t limit, struct bots *out)
+{
+    enum trial_end end = TRIAL_ON;
+    uint32_t lived = 0, hits = 0;
+    int mercy = 0;
+
+    danger_spare(t->b, true);
+    while (end == TRIAL_ON && board_frame(t->b) < limit) {
+        end = tick(t, b);
+        if (mercy > 0)
+            mercy--;
+        else if (t->moved && t->ship.steers && !t->ship.safe) {
+            out->flown[b->kind]++;
+            hits += t->touched;
+            mercy = t->touched ? BOTS_MERCY : 0;
+        }
+        if (hits == 0)
+            lived = board_frame(t->b) - start->frame;
+    }
+    out->hits[b->kind] += hits;
+    out->frames += lived;
+    out->lived[b->kind] += hits == 0 && end != TRIAL_FAULT;
+}
+
+static bool all_play(struct trial *t, const struct trial_mark *start, uint32_t limit, int bots, bool on,
+                     struct bots *out)
 {
     struct bot *b = malloc(sizeof *b);
 
     *out = (struct bots){ 0 };
-    for (int kind = 0; b && kind < BOT_KINDS; kind++)
-        for (int i = 0; i < how_many[kind]; i++) {
-            *b = (struct bot){ .kind = (enum bot_kind)kind, .number = i, .random = 77u * (uint32_t)(i + 1) };
+    for (int kind = 0, before = 0, sum = 0; b && kind < BOT_KINDS; kind++) {
+        sum += how_many[kind];
+        const int to = bots * sum / BOTS, of = to - before;
+        for (int i = 0; i < of; i++) {
+            *b = (struct bot){ .kind = (enum bot_kind)kind, .number = i, .of = of, .random = 77u * (uint32_t)(i + 1) };
             trial_restore(t, start);
-            const enum trial_end end = play(t, b, limit);
-            const uint32_t frames = board_frame(t->b);
             out->n[kind]++;
-            out->lived[kind] += end == TRIAL_ENDED || end == TRIAL_ON;
-            out->frames += frames - start->frame;
+            if (on)
+                play_on(t, b, start, limit, out);
+            else {
+                const enum trial_end end = play(t, b, limit);
+                out->lived[kind] += end == TRIAL_ENDED || end == TRIAL_ON;
+                out->frames += board_frame(t->b) - start->frame;
+            }
             for (int k = 0; k < SEEN; k++)
                 forecast_close(&b->seen[k]);
         }
+        before = to;
+    }
     free(b);
     return b != NULL;
+}
+
+bool bots_play(struct trial *t, const struct trial_mark *start, uint32_t limit, struct bots *out)
+{
+    return all_play(t, start, limit, BOTS, false, out);
+}
+
+bool bots_play_on(struct trial *t, const struct trial_mark *start, uint32_t limit, int bots, struct bots *out)
+{
+    return all_play(t, start, limit, bots, true, out);
+}
+
+/* In tenths a minute; 0 where none flew. */
+static uint32_t rate_of(uint64_t hits, uint64_t flown)
+{
+    return flown ? (uint32_t)(hits * 60 * 60 * 10 / flown) : 0;
+}
+
+uint32_t bots_rate(const struct bots *b)
+{
+    return rate_of(bots_hits(b), bots_flown(b));
+}
+
+uint32_t bots_rate_of(const struct bots *b, enum bot_kind kind)
+{
+    return rate_of(b->hits[kind], b->flown[kind]);
+}
+
+uint32_t bots_hits(const struct bots *b)
+{
+    return b->hits[BOT_STAND] + b->hits[BOT_WANDER] + b->hits[BOT_DODGE];
+}
+
+uint32_t bots_flown(const struct bots *b)
+{
+    return b->flown[BOT_STAND] + b->flown[BOT_WANDER] + b->flown[BOT_DODGE];
 }
 
 int bots_all(const struct bots *b)
@@ -170,4 +246,14 @@ int bots_lived(const struct bots *b)
 uint32_t bots_mean(const struct bots *b)
 {
     return bots_all(b) ? b->frames / (uint32_t)bots_all(b) : 0;
+}
+
+void bots_compare(const struct bots *easier, const struct bots *harder, char *why, size_t size)
+{
+    const uint32_t rate = bots_rate(easier), then = bots_rate(harder);
+
+    why[0] = 0;
+    if (rate * 19 > then * 20)
+        snprintf(why, size, "%u.%u hits a minute, and %u.%u then", (unsigned)(rate / 10), (unsigned)(rate % 10),
+                 (unsigned)(then / 10), (unsigned)(then % 10));
 }

@@ -68,6 +68,25 @@ bool section_look(struct section_run *s, const struct rom *rom, const struct boa
     return good;
 }
 
+bool section_fly(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots, bool *host)
+{
+    struct trial_mark mark = { 0 };
+
+    *host = false;
+    if (!trial_open(&s->trial, rom, start, s->err, sizeof s->err))
+        return false;
+    s->trial.parts = true;
+    s->seek.t = &s->trial;
+    if (!seek_begin(&s->seek)) {
+        *host = s->seek.verdict == SEEK_NO_MEMORY;
+        return !*host || err_set(s->err, sizeof s->err, "out of memory");
+    }
+    s->seek.verdict = SEEK_BOTS;
+    *host = !trial_save(&s->trial, &mark) || !bots_play_on(&s->trial, &mark, s->seek.limit, bots, &s->measure.bots);
+    trial_mark_free(&mark);
+    return !*host || err_set(s->err, sizeof s->err, "out of memory");
+}
+
 void section_close(struct section_run *s)
 {
     seek_close(&s->seek);

@@ -21,6 +21,9 @@ struct section_run {
  * why, and `host` whether the host is to blame. */
 bool section_look(struct section_run *s, const struct rom *rom, const struct board_start *start, bool measured,
                   bool *host);
+/* Lets so many bots fly it, and looks for no way. Of a stage a part: from its start or a mark to the next one or to a
+ * boss. */
+bool section_fly(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots, bool *host);
 void section_close(struct section_run *s);
 
 /* Is there a run without a hit? */

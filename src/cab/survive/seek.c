@@ -136,12 +136,13 @@ static enum trial_end fly(struct work *w, const struct plan *p, uint32_t from, u
     return end;
 }
 
-/* The present run has lived so long: is it the longest? */
-static void note(struct work *w, uint32_t frames)
+/* The present run has lived so long: is it the longest? One that came to the end is better than any that lived
+ * longer. */
+static void note(struct work *w, uint32_t frames, enum trial_end end)
 {
     struct seek *s = w->s;
 
-    if (frames <= s->frames)
+    if (frames <= s->frames && end != TRIAL_ENDED)
         return;
     memcpy(s->pads, w->now, frames * sizeof *s->pads);
     s->frames = s->last = frames;
@@ -217,7 +218,7 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
         trial_restore(s->t, start);
         const enum trial_end end = fly(w, &p, s->begin, &lived);
         const bool kept = decided;
-        note(w, s->begin + lived);
+        note(w, s->begin + lived, end);
         w->astray = end == TRIAL_HIT && p.frames == w->forecast.frames;
         decided = kept || ((end != TRIAL_ON || s->begin + lived >= s->limit) && end != TRIAL_HIT && over(s, end));
     } else if (good) { /* as far as it goes */
@@ -225,8 +226,8 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
         reach_back(&r);
         if (plan_make(&p, &r, x, y, WAYS_ALL / 8, 0, 1)) {
             trial_restore(s->t, start);
-            fly(w, &p, s->begin, &lived);
-            note(w, s->begin + lived);
+            const enum trial_end end = fly(w, &p, s->begin, &lived);
+            note(w, s->begin + lived, end);
         }
         s->last = last;
     }
@@ -300,7 +301,7 @@ static enum trial_end turn(struct work *w, uint32_t *best, uint16_t keep[AHEAD])
         plan_make(&p, &r, x, y, WAYS_PIECE, w->taste, 1);
         trial_restore(s->t, &at->mark);
         end = fly(w, &p, at->frame, &lived);
-        note(w, at->frame + lived);
+        note(w, at->frame + lived, end);
         w->guessed = p.frames;
         memcpy(w->guess, p.pads, p.frames * sizeof *p.pads);
         if (lived > *best) {
@@ -350,7 +351,7 @@ static enum trial_end wait(struct work *w)
         w->now[frame] = trial_press(t);
         end = tick(t, w->now[frame]);
         if (end != TRIAL_HIT && end != TRIAL_FAULT)
-            note(w, frame + 1);
+            note(w, frame + 1, end);
     }
     return end;
 }

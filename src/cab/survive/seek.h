@@ -14,7 +14,8 @@ enum seek_verdict {
     SEEK_NOT_FOUND, /* within the effort */
     SEEK_NO_SHIP,   /* there was none to be steered */
     SEEK_FAULT,     /* of a script; board_last has it */
-    SEEK_NO_MEMORY
+    SEEK_NO_MEMORY,
+    SEEK_BOTS /* no way was looked for: bots alone flew */
 };
 
 struct seek {

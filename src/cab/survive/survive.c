@@ -13,6 +13,8 @@
 #include "map.h"
 #include "tell.h"
 
+enum { EMPTY = 60 /* frames of a part of a stage that are none to speak of */ };
+
 struct survive {
     const struct survive_options *a;
     char name[128]; /* of what is looked at, while it is */
@@ -46,7 +48,8 @@ static enum result look(struct survive *s, struct section_run *run, const struct
         (struct section_run){ .seek = { .effort = s->a->effort, .limit = s->a->frames, .tell = reached, .user = s } };
     snprintf(s->name, sizeof s->name, "%s", start->practice.section[0] ? start->practice.section : "from the title");
     progress_begin();
-    const bool good = section_look(run, s->a->rom, start, true, &host);
+    const bool good = s->a->bots ? section_fly(run, s->a->rom, start, s->a->bots, &host)
+                                 : section_look(run, s->a->rom, start, true, &host);
     progress_end();
     if (!good)
         return report_line(host ? RESULT_HOST : RESULT_REFUSED, "%s: %s", s->a->path, run->err);
@@ -110,6 +113,11 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
     return result;
 }
 
+static enum result good_of(const struct section_run *run)
+{
+    return section_survived(run) || run->seek.verdict == SEEK_BOTS ? RESULT_DONE : RESULT_DIFFERS;
+}
+
 static enum result one_section(struct survive *s)
 {
     struct section_run *run = calloc(1, sizeof *run);
@@ -120,12 +128,11 @@ static enum result one_section(struct survive *s)
     const struct board_start *start = &s->a->start;
     struct tell_of of = { .section = start->practice.section, .difficulty = difficulty_name(s, start->difficulty) };
     enum result result = look(s, run, start);
-    const bool ship = run->seek.verdict != SEEK_NO_SHIP;
-    if (result == RESULT_DONE && ship)
+    if (result == RESULT_DONE && run->seek.verdict != SEEK_NO_SHIP && !s->a->bots)
         result = write_files(s, run, &of, picture, sizeof picture);
     if (result == RESULT_DONE) {
         s->a->json ? tell_json(&of, run) : tell_section(&of, run);
-        result = report_stdout(section_survived(run) ? RESULT_DONE : RESULT_DIFFERS);
+        result = report_stdout(good_of(run));
     }
     section_close(run);
     free(run);
@@ -140,7 +147,9 @@ static enum result compare(const struct survive *s, const struct section_run *ea
 {
     char why[160] = "";
 
-    if (!section_survived(easier) && section_survived(harder))
+    if (s->a->bots)
+        bots_compare(&easier->measure.bots, &harder->measure.bots, why, sizeof why);
+    else if (!section_survived(easier) && section_survived(harder))
         snprintf(why, sizeof why, "no way was found there, and one then");
     else
         measure_compare(&easier->measure, &harder->measure, why, sizeof why);
@@ -176,6 +185,23 @@ static enum result keep_demo(struct survive *s, struct section_run *run, struct 
     return report_line(RESULT_HOST, "%s", err);
 }
 
+static void tell_any_row(const struct survive *s, const struct tell_of *of, const struct section_run *run)
+{
+    if (s->a->json)
+        tell_json(of, run);
+    else if (s->a->bots)
+        tell_bots_row(of, run);
+    else
+        tell_row(of, run);
+}
+
+/* From a mark with which a boss flies in there is nothing to fly. */
+static bool is_empty(const struct survive *s, const struct section_run *run)
+{
+    return s->a->bots &&
+           (run->seek.verdict == SEEK_NO_SHIP || bots_flown(&run->measure.bots) < EMPTY * (uint32_t)s->a->bots);
+}
+
 /* A section at each difficulty that is asked for. */
 static enum result one_row(struct survive *s, const char *section, struct section_run run[2])
 {
@@ -195,11 +221,13 @@ static enum result one_row(struct survive *s, const char *section, struct sectio
         result = worse(result, found);
         if (found != RESULT_DONE)
             break;
+        if (is_empty(s, now))
+            break;
         struct tell_of of = { .section = section, .difficulty = difficulty_name(s, start.difficulty) };
         result = worse(result, keep_demo(s, now, &of, path, sizeof path));
-        s->a->json ? tell_json(&of, now) : tell_row(&of, now);
+        tell_any_row(s, &of, now);
         fflush(stdout);
-        result = worse(result, section_survived(now) ? RESULT_DONE : RESULT_DIFFERS);
+        result = worse(result, good_of(now));
         if (d > first)
             result = worse(result, compare(s, before, now, section, d - 1));
     }
@@ -213,9 +241,9 @@ static bool is_wanted(const struct survive *s, const struct section *section)
     const char *stage = s->a->stage;
     const size_t n = stage ? strlen(stage) : 0;
 
-    if (section->kind != SECTION_STAGE && section->kind != SECTION_PHASE)
+    if (section->kind == SECTION_BOSS || (section->kind == SECTION_MARK && !s->a->bots))
         return false;
-    return !stage || (strncmp(section->id, stage, n) == 0 && (section->id[n] == 0 || section->id[n] == '/'));
+    return !stage || (strncmp(section->id, stage, n) == 0 && strchr("/:", section->id[n])); /* or its end */
 }
 
 static enum result all_sections(struct survive *s)
@@ -234,7 +262,7 @@ static enum result all_sections(struct survive *s)
     for (int i = 0; i < list->n && result < RESULT_REFUSED; i++)
         if (is_wanted(s, &list->section[i])) {
             if (n++ == 0 && !s->a->json)
-                tell_head();
+                s->a->bots ? tell_bots_head() : tell_head();
             result = worse(result, one_row(s, list->section[i].id, run));
         }
     if (n > 0 && list->why[0])

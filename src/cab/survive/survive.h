@@ -23,6 +23,7 @@ struct survive_options {
     const char *out; /* the demo, or a folder for those of all; NULL: as survive.demo, none */
     const char *map; /* NULL: none */
     uint32_t frames, effort;
+    int bots;   /* so many fly on when they are hit, and no way is looked for; 0: a way is looked for */
     int prints; /* of demos, as enum demo_prints */
     bool json, verbose;
 };

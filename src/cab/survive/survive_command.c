@@ -32,6 +32,7 @@ enum result survive_command(const struct args *a)
                                        .map = a->map,
                                        .frames = a->n_spans ? a->spans[0].last : SURVIVE_FRAMES,
                                        .effort = a->effort ? a->effort : SURVIVE_EFFORT,
+                                       .bots = a->bots,
                                        .prints = a->prints,
                                        .json = a->json,
                                        .verbose = a->verbose };

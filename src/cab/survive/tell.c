@@ -19,6 +19,8 @@ const char *tell_verdict(enum seek_verdict v)
         return "no ship";
     case SEEK_FAULT:
         return "fault";
+    case SEEK_BOTS:
+        return "bots alone";
     default:
         return "no way found";
     }
@@ -83,11 +85,23 @@ static void tell_measure(const struct measure *m, bool survived)
         printf("  reaction           no bullet would hit the ship where it is\n");
 }
 
+static void tell_bots(const struct bots *b)
+{
+    const unsigned rate = bots_rate(b), each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
+
+    printf("%u.%u hits a minute: %u of %d bots in %u.%u s each; %d were not hit\n", rate / 10, rate % 10,
+           (unsigned)bots_hits(b), bots_all(b), each / 10, each % 10, bots_lived(b));
+}
+
 void tell_section(const struct tell_of *of, const struct section_run *s)
 {
     const struct seek *k = &s->seek;
 
     printf("%s%s%s: ", of->section[0] ? of->section : "from the title", of->difficulty[0] ? ", " : "", of->difficulty);
+    if (k->verdict == SEEK_BOTS) {
+        tell_bots(&s->measure.bots);
+        return;
+    }
     if (section_survived(s))
         tell_survived(k);
     else if (k->verdict == SEEK_CANNOT)
@@ -111,7 +125,7 @@ static const char *word(enum seek_verdict v)
     static const char *const words[] = {
         [SEEK_SURVIVED] = "survived",   [SEEK_LASTED] = "lasted",   [SEEK_CANNOT] = "cannot",
         [SEEK_NOT_FOUND] = "not found", [SEEK_NO_SHIP] = "no ship", [SEEK_FAULT] = "fault",
-        [SEEK_NO_MEMORY] = "no memory",
+        [SEEK_NO_MEMORY] = "no memory", [SEEK_BOTS] = "bots",
     };
 
     return words[v];
@@ -126,6 +140,10 @@ static void json_bots(struct json *j, const struct bots *b)
         json_open(j, names[i], '{');
         json_number(j, "lived", b->lived[i]);
         json_number(j, "of", b->n[i]);
+        if (bots_flown(b)) {
+            json_number(j, "hits", b->hits[i]);
+            json_number(j, "flown", b->flown[i]); /* frames, all together */
+        }
         json_close(j, '}');
     }
     json_number(j, "frames", bots_mean(b)); /* on average */
@@ -192,4 +210,20 @@ void tell_row(const struct tell_of *of, const struct section_run *s)
     }
     printf("%-24s %-10s %-18s %5u.%u %5s %4u.%u %9s %8s %8s\n", of->section, of->difficulty,
            tell_verdict(s->seek.verdict), length / 10, length % 10, bots, last / 10, last % 10, gap, rate, reaction);
+}
+
+void tell_bots_head(void)
+{
+    printf("%-24s %-10s %6s %8s %6s %14s %10s\n", "section", "difficulty", "bots", "seconds", "hits", "hits a minute",
+           "that dodge");
+}
+
+void tell_bots_row(const struct tell_of *of, const struct section_run *s)
+{
+    const struct bots *b = &s->measure.bots;
+    const unsigned rate = bots_rate(b), dodging = bots_rate_of(b, BOT_DODGE);
+    const unsigned each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
+
+    printf("%-24s %-10s %6d %6u.%u %6u %12u.%u %8u.%u\n", of->section, of->difficulty, bots_all(b), each / 10,
+           each % 10, (unsigned)bots_hits(b), rate / 10, rate % 10, dodging / 10, dodging % 10);
 }

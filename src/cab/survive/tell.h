@@ -22,6 +22,10 @@ void tell_json(const struct tell_of *of, const struct section_run *s);
 void tell_head(void);
 void tell_row(const struct tell_of *of, const struct section_run *s);
 
+/* The same of bots that fly on. */
+void tell_bots_head(void);
+void tell_bots_row(const struct tell_of *of, const struct section_run *s);
+
 /* "cannot be survived" */
 const char *tell_verdict(enum seek_verdict v);
 

@@ -140,7 +140,7 @@ bool trial_again(struct trial *t, char *err, size_t err_size)
     void *ram = (void *)(((uintptr_t)t->block + ALIGN - 1) / ALIGN * ALIGN);
 
     t->starts = 0;
-    t->moved = t->astray = false;
+    t->moved = t->astray = t->touched = false;
     t->ship = (struct danger_ship){ 0 };
     t->b = board_power(ram, t->size, t->rom, t->start, true, err, err_size);
     return t->b != NULL;
@@ -169,7 +169,6 @@ static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
 struct tick {
     struct trial *t;
     uint16_t pads;
-    bool touched; /* the ship, which was not safe */
 };
 
 static void look_for_touch(void *context, const struct danger *d)
@@ -182,7 +181,7 @@ static void look_for_touch(void *context, const struct danger *d)
     if (d->shape != DANGER_BAR && ((int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx) ||
                                    (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my)))
         return;
-    tick->touched |= danger_touches(d, way);
+    tick->t->touched |= danger_touches(d, way);
 }
 
 static void motion_done(void *context, enum board_phase phase)
@@ -208,6 +207,14 @@ static void motion_done(void *context, enum board_phase phase)
         t->ship.way.was_x != before.x || t->ship.way.was_y != before.y || x != t->ship.way.x || y != t->ship.way.y;
 }
 
+/* Does a part of a stage end there? Practice at a mark passes that mark first. */
+static bool ends_part(const struct trial *t, const struct board_marker *m)
+{
+    const char *mark = strchr(t->start->practice.section, ':');
+
+    return t->parts && t->section == ':' && (m->kind == MARKER_BOSS || !mark || strcmp(m->name, mark + 1) != 0);
+}
+
 /* Is the section over? A stage's bosses have phases of their own. */
 static bool is_over(struct trial *t, const struct board_marker *m)
 {
@@ -219,6 +226,9 @@ static bool is_over(struct trial *t, const struct board_marker *m)
         return t->section == '/';
     case MARKER_CLEAR:
         return t->section == ':';
+    case MARKER_MARK:
+    case MARKER_BOSS:
+        return ends_part(t, m);
     case MARKER_OVER:
         return true;
     default:
@@ -226,9 +236,8 @@ static bool is_over(struct trial *t, const struct board_marker *m)
     }
 }
 
-/* touched: something that hits touched the ship. A script that makes the ship safe then has saved it, from a hit. */
-static enum trial_end outcome(struct trial *t, const struct board_out *out, const struct danger_ship *before,
-                              bool touched)
+/* A script that makes a ship safe that was touched has saved it, from a hit. */
+static enum trial_end outcome(struct trial *t, const struct board_out *out, const struct danger_ship *before)
 {
     struct danger_ship now;
     bool over = out->request == REQUEST_QUIT, hit = false;
@@ -240,7 +249,7 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
         hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1' + t->who;
     }
     danger_ship(t->b, t->who, &now);
-    hit |= touched && now.safe && !before->safe;
+    hit |= t->touched && now.safe && !before->safe;
     hit |= now.in && (now.hit || (before->in && now.lives < before->lives));
     return hit ? TRIAL_HIT : over ? TRIAL_ENDED : TRIAL_ON;
 }
@@ -248,10 +257,10 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
 enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS])
 {
     struct danger_ship before;
-    struct tick tick = { t, pads[t->who], false };
+    struct tick tick = { t, pads[t->who] };
 
     danger_ship(t->b, t->who, &before);
-    t->moved = false;
+    t->moved = t->touched = false;
     board_on_phase(t->b, motion_done, &tick);
     const struct board_out *out = board_tick(t->b, pads);
     board_on_phase(t->b, NULL, NULL);
@@ -261,7 +270,7 @@ enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS])
             t->into->frame[t->into->frames] = (struct forecast_frame){ .first = t->into->n, .ship = t->ship };
     if (t->into && !t->into->full)
         t->into->frames++;
-    return outcome(t, out, &before, tick.touched);
+    return outcome(t, out, &before);
 }
 
 bool trial_steers(const struct trial *t)

@@ -50,9 +50,11 @@ struct trial {
     int who;                 /* the player it is about: 0 or 1 */
     struct danger_ship ship; /* after the last tick in which things moved */
     bool moved;              /* they did in the last tick */
+    bool touched;            /* in the last tick something that hits touched the ship, which was not safe */
     bool astray;             /* in one since trial_astray was set to false, a script moved the ship */
     uint32_t starts;         /* how often the section has begun */
     int section;             /* 0: none, '/': a boss's phase, else a stage */
+    bool parts;              /* a stage's section is over with its next mark, or when a boss flies in */
     struct forecast *into;   /* what happens is written here; NULL: nowhere */
     uint64_t ticks;          /* in all */
 };

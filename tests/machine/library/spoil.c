@@ -1,6 +1,6 @@
 /*
- * spoil.c - spoil ROM N: N mutations of a state, of every second one the checksums are mended: each is refused, or is a
- * run. Prints how many were which.
+ * spoil.c - spoil ROM N: N mutations of a state whose checksums are mended, and an eighth as many as they are: each is
+ * refused, or is a run. Prints how many were which.
  */
 #include "common.h"
 
@@ -46,7 +46,7 @@ int main(int argc, char **argv)
 {
     struct curtain_config how = { .seed = 3 };
     void *at;
-    long refused = 0, runs = 0;
+    long refused = 0, runs = 0, mended = 0;
 
     how.rom = read_file(argv[1], &how.rom_size);
     struct curtain *c = open_board(&how, &at);
@@ -57,10 +57,12 @@ int main(int argc, char **argv)
         curtain_frame(c, pads);
     uint8_t *state = malloc(curtain_state_size(c)), *other = malloc(curtain_state_size(c));
     const size_t size = curtain_save(c, state, curtain_state_size(c), err, sizeof err);
-    for (long i = 0; i < atol(argv[2]); i++) {
+    const long all = argc < 3 ? 0 : atol(argv[2]) + atol(argv[2]) / 8;
+    for (long i = 0; i < all; i++) {
         memcpy(other, state, size);
         const size_t n = spoil(other, size);
-        if (i % 2) {
+        if (i % 9) {
+            mended++;
             put(other + 48, crc(other + 56, n - 56));
             put(other + 52, crc(other, 52));
         }
@@ -73,10 +75,10 @@ int main(int argc, char **argv)
             continue;
         return 1;
     }
-    printf("%ld refused, %ld runs\n", refused, runs);
+    printf("%ld with mended checksums, %ld as they are: %ld refused, %ld runs\n", mended, all - mended, refused, runs);
     free(state);
     free(other);
     free_board(c, at);
     free((void *)how.rom);
-    return refused + runs == atol(argv[2]) ? 0 : 1;
+    return refused + runs == all && mended >= atol(argv[2]) ? 0 : 1;
 }

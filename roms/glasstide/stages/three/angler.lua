@@ -75,7 +75,7 @@ local function fountain(e)
       bullet.fire { from = lamp, kind = "drop", bank = 2, dir = 336 + lean, speed = speed,
                     motion = name .. " right" }
     end
-    wait(soon(26, 17, 12, 9))
+    wait(soon(39, 16, 15, 12))
   end
 end
 
@@ -91,18 +91,18 @@ local function bait(e)
   task.go(fountain, e)
   task.go(function()
     for k = 1, by(0, 0, forever, forever) do -- what it breathes meanwhile
-      wait(by(60, 60, 64, 46))
+      wait(by(104, 58, 73, 50))
       pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, dir = 7.5 * k, n = by(8, 8, 14, 26),
                      speed = by(1, 1, 1.1, 0.8) }
     end
   end)
   while true do
-    wait(soon(140, 122, 94, 90))
+    wait(soon(162, 122, 100, 100))
     flare()
     sound.play("angler", { from = e })
     wait(24)
     pattern.fan { from = e, dy = 22, kind = "kunai", bank = 1, aim = true,
-                  spread = by(30, 40, 54, 80), n = by(3, 5, 7, 11), delay = 20,
+                  spread = by(0, 40, 54, 80), n = by(1, 5, 7, 11), delay = 20,
                   speed = fast(1.9, 2.2, 2.3, 1.7) }
     swing(e, 60)
   end
@@ -138,9 +138,9 @@ end
 
 local function breathe(e)
   for k = 0, forever do
-    pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, tag = "pearl", n = by(9, 13, 20, 34),
+    pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, tag = "pearl", n = by(13, 20, 26, 32),
                    dir = 6.5 * k, speed = by(0.95, 1.05, 1.1, 0.8), skip = { 1, 2 } }
-    wait(by(40, 30, 23, 16))
+    wait(by(27, 19, 17, 17))
   end
 end
 
@@ -159,7 +159,7 @@ local function match(e)
       wait(6)
     end
     strike(lamp)
-    wait(by(96, 72, 56, 44))
+    wait(by(74, 54, 47, 46))
     swing(e, 60)
   end
 end
@@ -171,11 +171,9 @@ value.def("home_y")
 motion.def { name = "tooth", { go_to = { "home_x", "home_y" }, over = 84, ease = "both" },
              { wait = 30 }, { dir = 90 }, { speed = 1.5, over = 60 } }
 
-local ROWS <const>, APART <const> = 8, 25
-
 -- One tooth of n bullets on each other: its tip reaches to `tip`, its root stands at the wall.
 local function tooth(side, y, tip)
-  local n = by(4, 4, 5, 6)
+  local n = by(3, 3, 4, 6)
   local wall = side < 0 and 4 or 236
   for i = 0, n - 1 do
     bullet.fire { kind = i == 0 and "kunai" or "orb", bank = i == 0 and 1 or 0, x = wall, y = y,
@@ -187,10 +185,11 @@ end
 local function jaws(k)
   local wide = by(84, 66, 56, 46)
   local middle = 120 + by(30, 40, 50, 56) * angle.sin(77 * k)
-  for row = 0, ROWS - 1 do
-    local y = 116 + APART * row
+  local rows, apart = by(4, 5, 7, 8), by(52, 42, 29, 25)
+  for row = 0, rows - 1 do
+    local y = 116 + apart * row
     tooth(-1, y, middle - wide / 2)
-    tooth(1, y + APART / 2, middle + wide / 2)
+    tooth(1, y + apart / 2, middle + wide / 2)
   end
 end
 
@@ -203,14 +202,14 @@ local function teeth(e)
     while true do
       pattern.fan { from = e, dy = 22, kind = "pearl", bank = 2, aim = true, n = by(1, 1, 3, 3),
                     spread = by(0, 0, 40, 46), speed = by(1.2, 1.5, 1.6, 1.2), delay = 22 }
-      wait(by(70, 54, 48, 40))
+      wait(by(151, 77, 64, 50))
     end
   end)
   task.go(function()
-    for k = 0, forever do -- rain of the lamp, thin; on abyss a curtain
+    for k = 0, by(-1, forever, forever, forever) do -- rain of the lamp; on abyss a curtain
       pattern.ring { from = lamp, kind = "pellet", bank = 3, n = by(5, 7, 10, 18), dir = 8.5 * k,
                      speed = by(0.9, 1.05, 1.15, 0.85) }
-      wait(by(60, 46, 34, 18))
+      wait(by(69, 66, 45, 22))
     end
   end)
   for k = 1, forever do
@@ -219,7 +218,7 @@ local function teeth(e)
     jaws(k)
     wait(44)
     e:move { x = 120 + 30 * angle.sin(77 * k), y = 88, over = 80, ease = "both" }
-    wait(by(190, 172, 160, 150))
+    wait(by(287, 206, 185, 167))
   end
 end
 

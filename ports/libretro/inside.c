@@ -1,0 +1,47 @@
+/*
+ * inside.c - see inside.h. The core's mark, which stands in what is loaded, says where in the file the game is; the
+ * dynamic loader says which file that is.
+ */
+#define _GNU_SOURCE
+#include "inside.h"
+
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "../../src/cab/share/mark.h"
+
+bool inside_is(void)
+{
+    return mark_own().size > 0;
+}
+
+static bool refuse(char *err, size_t err_size, const char *file, const char *why)
+{
+    snprintf(err, err_size, "%s: %s", file, why);
+    return false;
+}
+
+bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
+{
+    static const char here = 0; /* a place in this core */
+    const struct mark m = mark_own();
+    Dl_info info = { 0 };
+
+    *rom = NULL;
+    *size = (size_t)m.size;
+    if (!dladdr(&here, &info) || !info.dli_fname)
+        return refuse(err, err_size, "this core, which has its game", "its file cannot be found on this system");
+    FILE *f = fopen(info.dli_fname, "rb");
+    if (!f)
+        return refuse(err, err_size, info.dli_fname, "the core's file cannot be read");
+    *rom = malloc(*size);
+    const bool good = *rom && fseek(f, (long)m.at, SEEK_SET) == 0 && fread(*rom, 1, *size, f) == *size;
+    fclose(f);
+    if (good)
+        return true;
+    const bool room = *rom != NULL;
+    free(*rom);
+    *rom = NULL;
+    return refuse(err, err_size, info.dli_fname,
+                  room ? "the core is cut short: its game is not all there" : "there is too little memory");
+}

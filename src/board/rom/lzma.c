@@ -1,0 +1,246 @@
+/*
+ * lzma.c - see lzma.h.
+ *
+ * The range coder halves a range of numbers, by the odds of a bit, until the number that the stream is lies alone in
+ * it. Odds move by 1/32 of what they were off. Whatever the bytes are, a symbol is read from them: so what is checked
+ * is that no distance leads before the beginning, that no match goes past the end, and that stream and output end
+ * together.
+ */
+#include "lzma.h"
+
+#include <string.h>
+
+enum { EVEN = 1 << (LZMA_SCALE - 1) };
+
+void lzma_model_reset(struct lzma_model *m)
+{
+    const lzma_odds even = EVEN;
+
+    for (size_t i = 0; i < sizeof *m; i += sizeof even) /* it has nothing but odds */
+        memcpy((uint8_t *)m + i, &even, sizeof even);
+}
+
+int lzma_after_literal(int state)
+{
+    return state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
+}
+
+int lzma_after(int state, enum lzma_match match)
+{
+    static const uint8_t next[] = { [LZMA_MATCH] = 7, [LZMA_REP] = 8, [LZMA_SHORT_REP] = 9 };
+
+    if (state < LZMA_LITERALS)
+        return next[match];
+    return match == LZMA_MATCH ? 10 : 11;
+}
+
+/* ---- bits ---- */
+
+struct reader {
+    const uint8_t *in, *end;
+    uint32_t range, code;
+    bool over; /* bytes were wanted that are not there */
+    uint8_t *out;
+    size_t at, size;
+    uint32_t rep[LZMA_REPS]; /* distances less 1 */
+    int state;
+    struct lzma_model m;
+};
+
+static void refill(struct reader *r)
+{
+    if (r->range >= LZMA_TOP)
+        return;
+    if (r->in == r->end)
+        r->over = true;
+    r->range <<= 8;
+    r->code = r->code << 8 | (r->over ? 0 : *r->in++);
+}
+
+static unsigned read_bit(struct reader *r, lzma_odds *odds)
+{
+    const uint32_t half = (r->range >> LZMA_SCALE) * *odds;
+    const unsigned bit = r->code >= half;
+
+    if (bit) {
+        r->range -= half;
+        r->code -= half;
+        *odds = (lzma_odds)(*odds - (*odds >> LZMA_PACE));
+    } else {
+        r->range = half;
+        *odds = (lzma_odds)(*odds + (((1 << LZMA_SCALE) - *odds) >> LZMA_PACE));
+    }
+    refill(r);
+    return bit;
+}
+
+/* Bits, the highest first; which odds a bit has follows from those before it. */
+static unsigned read_tree(struct reader *r, lzma_odds *odds, int bits)
+{
+    unsigned m = 1;
+
+    for (int i = 0; i < bits; i++)
+        m = m << 1 | read_bit(r, odds + m);
+    return m - (1u << bits);
+}
+
+/* The same, the lowest first. */
+static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
+{
+    unsigned m = 1;
+    uint32_t out = 0;
+
+    for (int i = 0; i < bits; i++) {
+        const unsigned bit = read_bit(r, odds + m);
+        m = m << 1 | bit;
+        out |= (uint32_t)bit << i;
+    }
+    return out;
+}
+
+/* Bits of which nothing is expected. */
+static uint32_t read_even(struct reader *r, int bits)
+{
+    uint32_t out = 0;
+
+    for (int i = 0; i < bits; i++) {
+        r->range >>= 1;
+        const unsigned bit = r->code >= r->range;
+        r->code -= bit ? r->range : 0;
+        out = out << 1 | bit;
+        refill(r);
+    }
+    return out;
+}
+
+/* ---- symbols ---- */
+
+static void read_literal(struct reader *r)
+{
+    unsigned m = 1;
+
+    if (r->state >= LZMA_LITERALS) {
+        const unsigned match = r->out[r->at - r->rep[0] - 1]; /* which differs, or the match were longer */
+        for (int i = 7; i >= 0 && m < 0x100; i--) {
+            const unsigned would = match >> i & 1, bit = read_bit(r, &r->m.literal[1 + would][m]);
+            m = m << 1 | bit;
+            if (bit != would)
+                break;
+        }
+    }
+    while (m < 0x100)
+        m = m << 1 | read_bit(r, &r->m.literal[0][m]);
+    r->out[r->at++] = (uint8_t)m;
+    r->state = lzma_after_literal(r->state);
+}
+
+static uint32_t read_length(struct reader *r, struct lzma_length *l)
+{
+    if (!read_bit(r, &l->choice[0]))
+        return LZMA_SHORTEST + read_tree(r, l->low, 3);
+    if (!read_bit(r, &l->choice[1]))
+        return LZMA_SHORTEST + 8 + read_tree(r, l->middle, 3);
+    return LZMA_SHORTEST + 16 + read_tree(r, l->high, 8);
+}
+
+static uint32_t read_distance(struct reader *r, uint32_t length)
+{
+    const uint32_t kind = length - LZMA_SHORTEST < LZMA_LENGTHS ? length - LZMA_SHORTEST : LZMA_LENGTHS - 1;
+    const uint32_t slot = read_tree(r, r->m.slot[kind], 6);
+
+    if (slot < 4)
+        return slot;
+    const int bits = (int)(slot >> 1) - 1;
+    const uint32_t from = (2 | (slot & 1)) << bits;
+    if (slot < LZMA_NEAR)
+        return from + read_backwards(r, r->m.near + from - slot, bits);
+    const uint32_t high = read_even(r, bits - LZMA_ALIGN) << LZMA_ALIGN;
+    return from + high + read_backwards(r, r->m.align, LZMA_ALIGN);
+}
+
+/* Makes the i-th remembered distance the last one. */
+static void recall(struct reader *r, int i)
+{
+    const uint32_t distance = r->rep[i];
+
+    memmove(r->rep + 1, r->rep, (size_t)i * sizeof *r->rep);
+    r->rep[0] = distance;
+}
+
+/* A match of a distance that was there before; returns its length. */
+static uint32_t read_again(struct reader *r)
+{
+    struct lzma_model *m = &r->m;
+
+    if (!read_bit(r, &m->rep_0[r->state])) {
+        if (!read_bit(r, &m->rep_0_long[r->state])) {
+            r->state = lzma_after(r->state, LZMA_SHORT_REP);
+            return 1;
+        }
+    } else if (!read_bit(r, &m->rep_1[r->state])) {
+        recall(r, 1);
+    } else {
+        recall(r, 2 + (int)read_bit(r, &m->rep_2[r->state]));
+    }
+    const uint32_t length = read_length(r, &m->rep_length);
+    r->state = lzma_after(r->state, LZMA_REP);
+    return length;
+}
+
+/* The same of a new distance. */
+static uint32_t read_new(struct reader *r)
+{
+    const uint32_t length = read_length(r, &r->m.length);
+
+    memmove(r->rep + 1, r->rep, (LZMA_REPS - 1) * sizeof *r->rep);
+    r->rep[0] = read_distance(r, length);
+    r->state = lzma_after(r->state, LZMA_MATCH);
+    return length;
+}
+
+/* False: it leads out of what there is. */
+static bool copy(struct reader *r, uint32_t length)
+{
+    if (r->rep[0] >= r->at || length > r->size - r->at)
+        return false;
+    const uint8_t *from = r->out + r->at - r->rep[0] - 1;
+    for (uint8_t *to = r->out + r->at; length > 0; length--, r->at++)
+        *to++ = *from++; /* byte by byte, for what is copied may be what this has just written */
+    return true;
+}
+
+/* All has been read: the number is the range's beginning, and no byte is left. */
+static bool ended(const struct reader *r)
+{
+    return r->code == 0 && r->in == r->end && !r->over;
+}
+
+bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size)
+{
+    struct reader r = { .in = in, .end = in + n, .range = UINT32_MAX, .out = out, .size = size };
+
+    lzma_model_reset(&r.m);
+    if (n < 5 || *r.in++ != 0)
+        return false;
+    for (int i = 0; i < 4; i++)
+        r.code = r.code << 8 | *r.in++;
+    while (!r.over) {
+        if (r.at == size && ended(&r))
+            return true;
+        if (!read_bit(&r, &r.m.match[r.state])) {
+            if (r.at == size)
+                return false;
+            read_literal(&r);
+            continue;
+        }
+        const bool again = read_bit(&r, &r.m.rep[r.state]);
+        if (again && r.at == 0)
+            return false;
+        const uint32_t length = again ? read_again(&r) : read_new(&r);
+        if (!again && r.rep[0] == UINT32_MAX) /* an end mark, which some writers put */
+            return r.at == size && ended(&r);
+        if (!copy(&r, length))
+            return false;
+    }
+    return false;
+}

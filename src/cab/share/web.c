@@ -1,0 +1,153 @@
+/*
+ * web.c - see web.h. A player's marks are @TITLE@, each time, and @ROM@, once: base64 of the ROM. Its line "generator"
+ * has the core version.
+ */
+#include "web.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/err.h"
+#include "../../board/board.h"
+#include "../../board/rom/manifest.h"
+
+static const char title_mark[] = "@TITLE@", rom_mark[] = "@ROM@";
+static const char generator[] = "<meta name=\"generator\" content=\"Curtain, core ";
+
+/* The next place of text in the file, from `at` on; NULL: there is none. */
+static const uint8_t *find(const uint8_t *file, size_t size, const uint8_t *at, const char *text)
+{
+    const size_t n = strlen(text);
+    const uint8_t *end = file + size;
+
+    for (; (size_t)(end - at) >= n; at++) {
+        at = memchr(at, text[0], (size_t)(end - at) - n + 1);
+        if (!at || memcmp(at, text, n) == 0)
+            return at;
+    }
+    return NULL;
+}
+
+static int count(const uint8_t *file, size_t size, const char *text)
+{
+    int n = 0;
+
+    for (const uint8_t *p = file; (p = find(file, size, p, text)) != NULL; p++)
+        n++;
+    return n;
+}
+
+/* The core version that a page says; 0: it is none of ours. */
+static unsigned core_of(const uint8_t *file, size_t size)
+{
+    const uint8_t *p = find(file, size, file, generator);
+    char digits[8] = "";
+
+    if (!p)
+        return 0;
+    p += sizeof generator - 1;
+    for (size_t i = 0; i + 1 < sizeof digits && p + i < file + size && p[i] >= '0' && p[i] <= '9'; i++)
+        digits[i] = (char)p[i];
+    return (unsigned)strtoul(digits, NULL, 10);
+}
+
+bool web_is_page(const uint8_t *file, size_t size)
+{
+    return core_of(file, size) > 0 && count(file, size, rom_mark) == 0;
+}
+
+/* ---- the ROM ---- */
+
+static size_t base64_size(size_t n)
+{
+    return (n + 2) / 3 * 4;
+}
+
+static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+    for (size_t i = 0; i < n; i += 3) {
+        const size_t left = n - i < 3 ? n - i : 3;
+        const uint32_t v =
+            (uint32_t)bytes[i] << 16 | (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
+        for (size_t k = 0; k < 4; k++)
+            *out++ = k <= left ? (uint8_t)digits[v >> (18 - 6 * k) & 63] : '=';
+    }
+    return out;
+}
+
+/* ---- the page ---- */
+
+/* As HTML has it. */
+static void escape(const char *title, char *out, size_t size)
+{
+    size_t n = 0;
+
+    for (; *title && n + 8 < size; title++) {
+        const char *as = *title == '&'   ? "&amp;"
+                         : *title == '<' ? "&lt;"
+                         : *title == '"' ? "&quot;"
+                         : *title == '@' ? "&#64;" /* no mark */
+                                         : NULL;
+        if (as)
+            n += (size_t)snprintf(out + n, size - n, "%s", as);
+        else
+            out[n++] = *title;
+    }
+    out[n] = '\0';
+}
+
+static bool is_player(const uint8_t *player, size_t size, const char *name, char *err, size_t err_size)
+{
+    const unsigned core = core_of(player, size);
+
+    if (core == 0 || count(player, size, rom_mark) != 1 || count(player, size, title_mark) < 1)
+        return err_set(err, err_size, "%s: is no player to put a game into: make web makes one", name);
+    if (core != CORE_VERSION)
+        return err_set(err, err_size, "%s: is of core version %u, this program of %d: make web makes it anew", name,
+                       core, CORE_VERSION);
+    return true;
+}
+
+static uint8_t *put(uint8_t *out, const void *bytes, size_t n)
+{
+    memcpy(out, bytes, n);
+    return out + n;
+}
+
+/* The player, with what comes in place of each mark. */
+static uint8_t *fill(uint8_t *out, const uint8_t *player, size_t size, const char *title, const uint8_t *rom,
+                     size_t rom_size)
+{
+    const uint8_t *from = player, *const end = player + size, *rom_at = find(player, size, player, rom_mark);
+
+    for (;;) {
+        const uint8_t *next = find(player, size, from, title_mark);
+        const bool is_rom = rom_at >= from && (!next || rom_at < next);
+        if (is_rom)
+            next = rom_at;
+        if (!next)
+            return put(out, from, (size_t)(end - from));
+        out = put(out, from, (size_t)(next - from));
+        out = is_rom ? put_base64(out, rom, rom_size) : put(out, title, strlen(title));
+        from = next + (is_rom ? sizeof rom_mark : sizeof title_mark) - 1;
+    }
+}
+
+bool web_make(const struct web_game *game, const uint8_t *player, size_t player_size, const char *name, uint8_t **out,
+              size_t *size, char *err, size_t err_size)
+{
+    char title[6 * sizeof((struct manifest *)0)->title + 8];
+
+    *out = NULL;
+    if (!is_player(player, player_size, name, err, err_size))
+        return false;
+    escape(game->title, title, sizeof title);
+    const size_t titles = (size_t)count(player, player_size, title_mark) * strlen(title);
+    *out = malloc(player_size + titles + base64_size(game->size));
+    if (!*out)
+        return err_set(err, err_size, "out of memory");
+    *size = (size_t)(fill(*out, player, player_size, title, game->rom, game->size) - *out);
+    return true;
+}

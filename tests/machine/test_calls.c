@@ -1,0 +1,491 @@
+/*
+ * test_calls.c - the cabinet and the program by calls, for a host that has the loop: 40 opened and closed in the middle
+ * leave nothing on the heap, two at once are as each alone, an endless loop is found without an alarm and with one that
+ * the host calls, a crash is told of the cabinet that it happened in.
+ *
+ * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
+ */
+#define _GNU_SOURCE
+#include <malloc.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "rig.h"
+#include "../temp.h"
+#include "../../src/base/rng.h"
+#include "../../src/cab/play/cab.h"
+#include "../../platform/platform.h"
+
+enum { SECOND = 1000000, MANY = 40, FRAMES = 150, FEW = 50 };
+
+#define TUNABLES "GLIBC_TUNABLES"
+
+static char root[256], repo[1024];
+
+/* ---- the port: a window for each cabinet, and the one whose call is on ---- */
+
+static struct window {
+    uint64_t now;
+    struct rng rng;
+    bool busy; /* keys are pressed, of all kinds */
+    bool quit, open, text;
+    uint8_t key;
+    int hold, polls, shown, logged;
+    char title[64];
+    const char *drop; /* a path that is dropped on it */
+    bool crash;       /* the next picture is a crash */
+} windows[2], *at = windows;
+
+static enum { ALARM_NONE, ALARM_OF_HOST } alarms;
+static void (*volatile alarm_call)(void *context);
+static void *volatile alarm_context;
+static volatile sig_atomic_t interrupts;
+
+bool plat_open(const struct plat_want *want)
+{
+    at->open = true;
+    at->text = want->text;
+    snprintf(at->title, sizeof at->title, "%s", want->title);
+    return true;
+}
+
+void plat_close(void)
+{
+    at->open = false;
+}
+
+void plat_poll(struct plat_input *in)
+{
+    /* arrows, fire, bomb, Enter, Escape, P, R, F1, M, the log, the console and what is typed there, quick turns */
+    static const uint8_t keys[] = { 79, 80, 81, 82, 29, 27, 40, 40, 41, 19, 21, 58, 16, 45, 53, 42, 54, 55, 56, 20 };
+
+    memset(in, 0, sizeof *in);
+    at->polls++;
+    in->focus = true;
+    in->mouse_x = in->mouse_y = -1;
+    in->quit = at->quit;
+    if (at->busy && at->hold-- <= 0) {
+        at->key = keys[rng_below(&at->rng, sizeof keys)];
+        at->hold = 1 + (int)rng_below(&at->rng, 6);
+    }
+    if (at->busy)
+        in->keys[at->key >> 3] |= (uint8_t)(1u << (at->key & 7));
+    if (at->busy && at->text) /* the console runs a line */
+        snprintf(in->text, sizeof in->text, "%d", 1);
+}
+
+void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
+{
+    uint32_t sum = 0;
+
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++)
+            sum += rgb[pix[y * pitch + x]];
+    at->shown += sum != 0;
+    if (at->crash)
+        raise(SIGSEGV);
+}
+
+/* Each window has a clock, which its host moves by a sixtieth a call. */
+uint64_t plat_usec(void)
+{
+    return at->now;
+}
+
+void plat_wait(uint64_t until)
+{
+    (void)until;
+}
+
+bool plat_dropped(char *path, size_t size)
+{
+    const bool is = at->drop != NULL;
+
+    if (is)
+        snprintf(path, size, "%s", at->drop);
+    at->drop = NULL;
+    return is;
+}
+
+bool plat_alarm(int ms, void (*fn)(void *context), void *context)
+{
+    alarm_call = NULL;
+    if (alarms == ALARM_NONE)
+        return false;
+    alarm_context = context;
+    alarm_call = ms ? fn : NULL;
+    return true;
+}
+
+void plat_log(const char *line)
+{
+    (void)line;
+    at->logged++;
+}
+
+/* What the host's watchdog does when a frame takes too long for it. */
+static void bark(int sig)
+{
+    void (*const call)(void *) = alarm_call;
+
+    (void)sig;
+    if (!call)
+        return;
+    interrupts++;
+    call(alarm_context);
+}
+
+/* ---- cabinets ---- */
+
+static struct rig_game games[2];
+static const char *const names[] = { "examples/first", "roms/testcard" };
+
+static struct cab *open_cabinet(int i, const char *record)
+{
+    struct cab_options o = { .cart = &games[i].cart, .seeded = true, .record = record, .version = "test" };
+
+    at = &windows[i];
+    *at = (struct window){ .now = SECOND, .busy = true };
+    rng_seed(&at->rng, (uint64_t)i + 1);
+    o.start = (struct board_start){ .difficulty = -1, .seed = 7 };
+    for (int k = 0; k < games[i].cart.m.n_dips; k++)
+        o.start.dip[k] = games[i].cart.m.dips[k].value;
+    struct cab *cab = cab_open(&o);
+    assert_non_null(cab);
+    return cab;
+}
+
+static bool frame(int i, struct cab *cab)
+{
+    at = &windows[i];
+    at->now += SECOND / 60 + 1;
+    return cab_frame(cab);
+}
+
+static enum result close_cabinet(int i, struct cab *cab)
+{
+    at = &windows[i];
+    const enum result result = cab_close(cab);
+    assert_false(at->open);
+    return result;
+}
+
+/* Bytes of the heap that are somebody's. */
+static size_t heap(void)
+{
+    const struct mallinfo2 m = mallinfo2();
+
+    return m.uordblks + m.hblkhd;
+}
+
+static void open_and_close(int n, int frames)
+{
+    size_t before = 0;
+
+    for (int i = 0; i < n; i++) {
+        struct cab *cab = open_cabinet(i & 1, NULL);
+        windows[i & 1].rng.s[0] += (uint64_t)i; /* other hands each time */
+        for (int k = 0; k < frames && frame(i & 1, cab); k++)
+            ;
+        assert_true(windows[i & 1].shown > frames / 2);
+        assert_int_equal(close_cabinet(i & 1, cab), RESULT_DONE);
+        if (i < 8) /* the C library's own: time zones, buffers */
+            before = heap();
+        else if (heap() > before)
+            fail_msg("after %d cabinets %zu bytes are kept, after 8 there were %zu", i + 1, heap(), before);
+    }
+}
+
+static void test_nothing_is_kept(void **state)
+{
+    (void)state;
+    open_and_close(MANY, FRAMES);
+}
+
+static uint8_t *file_bytes(const char *name, size_t *size)
+{
+    const long n = plat_size(name);
+
+    assert_true(n > 0);
+    uint8_t *bytes = malloc((size_t)n);
+    assert_int_equal(plat_load(name, bytes, (size_t)n), n);
+    *size = (size_t)n;
+    return bytes;
+}
+
+static void expect_same_file(const char *a, const char *b)
+{
+    size_t na, nb;
+    uint8_t *pa = file_bytes(a, &na), *pb = file_bytes(b, &nb);
+
+    assert_int_equal(na, nb);
+    assert_memory_equal(pa, pb, na);
+    free(pa);
+    free(pb);
+}
+
+static void test_two_at_once(void **state)
+{
+    static const char *const alone[] = { "alone-0.demo", "alone-1.demo" }, *const both[] = { "0.demo", "1.demo" };
+    struct cab *cabs[2];
+    int shown[2];
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct cab *cab = open_cabinet(i, alone[i]);
+        for (int k = 0; k < (4 + i) * FRAMES; k++)
+            frame(i, cab); /* hands may have left it */
+        assert_int_equal(close_cabinet(i, cab), RESULT_DONE);
+        shown[i] = windows[i].shown;
+        assert_true(shown[i] > FRAMES);
+    }
+    for (int i = 0; i < 2; i++)
+        cabs[i] = open_cabinet(i, both[i]);
+    for (int k = 0; k < 4 * FRAMES; k++)
+        for (int i = 0; i < 2; i++)
+            frame(i, cabs[i]);
+    assert_int_equal(close_cabinet(0, cabs[0]), RESULT_DONE);
+    assert_true(windows[1].open); /* it goes on without the other */
+    for (int k = 0; k < FRAMES; k++)
+        frame(1, cabs[1]);
+    assert_int_equal(close_cabinet(1, cabs[1]), RESULT_DONE);
+    expect_same_file(alone[0], both[0]);
+    assert_int_equal(windows[0].shown, shown[0]);
+    assert_int_equal(windows[1].shown, shown[1]);
+    assert_string_equal(windows[1].title, "Test Card");
+}
+
+/* ---- alarms ---- */
+
+static void write_game(const char *folder, const char *script)
+{
+    char name[64];
+
+    snprintf(name, sizeof name, "%s/rom.lua", folder);
+    const char *rom = "return { title = \"Endless\", screen = { w = 64, h = 64 } }\n";
+    assert_true(plat_save(name, rom, strlen(rom)));
+    snprintf(name, sizeof name, "%s/main.lua", folder);
+    assert_true(plat_save(name, script, strlen(script)));
+}
+
+static void load_folder(struct rig_game *g, const char *folder)
+{
+    char err[1024];
+
+    if (!rom_image_load(folder, false, &g->image, err, sizeof err) ||
+        !cart_open(&g->cart, &g->image.rom, err, sizeof err))
+        fail_msg("%s", err);
+}
+
+static void expect_loop_found(void)
+{
+    struct rig_game was = games[0];
+
+    load_folder(&games[0], "endless");
+    struct cab *cab = open_cabinet(0, NULL);
+    windows[0].busy = false;
+    for (int k = 0; k < 20; k++)
+        assert_true(frame(0, cab));
+    assert_true(windows[0].logged > 0);
+    assert_int_equal(close_cabinet(0, cab), RESULT_REFUSED);
+    rom_image_free(&games[0].image);
+    games[0] = was;
+}
+
+static void test_endless_without_an_alarm(void **state)
+{
+    (void)state;
+    write_game("endless", "task.go(function() wait(5) while true do end end)\n");
+    alarms = ALARM_NONE;
+    expect_loop_found();
+}
+
+static void test_endless_with_the_hosts_alarm(void **state)
+{
+    const struct itimerval every = { { 0, 50000 }, { 0, 50000 } }, never = { { 0, 0 }, { 0, 0 } };
+    struct sigaction act = { .sa_handler = bark, .sa_flags = SA_RESTART }, was;
+
+    (void)state;
+    alarms = ALARM_OF_HOST;
+    interrupts = 0;
+    assert_int_equal(sigaction(SIGALRM, &act, &was), 0);
+    assert_int_equal(setitimer(ITIMER_REAL, &every, NULL), 0);
+    expect_loop_found();
+    assert_int_equal(setitimer(ITIMER_REAL, &never, NULL), 0);
+    sigaction(SIGALRM, &was, NULL);
+    alarms = ALARM_NONE;
+    assert_true(interrupts > 0);
+}
+
+/* ---- crashes ---- */
+
+static void look(void *user, const struct plat_file *file)
+{
+    snprintf(user, 64, "%s", file->name);
+}
+
+static void test_a_crash_is_its_own(void **state)
+{
+    char name[64] = "", text[128] = "";
+    int status;
+
+    (void)state;
+    const pid_t child = fork();
+    if (child == 0) {
+        const struct rlimit none = { 0, 0 };
+        setrlimit(RLIMIT_CORE, &none);
+        signal(SIGSEGV, SIG_DFL);
+        (void)!freopen("said", "w", stderr);
+        struct cab *first = open_cabinet(0, NULL), *second = open_cabinet(1, NULL);
+        for (int k = 0; k < 10; k++) {
+            frame(0, first);
+            frame(1, second);
+        }
+        windows[0].crash = true;
+        frame(0, first);
+        _exit(9);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
+    assert_int_equal(plat_list("user:reports", look, name), 1);
+    snprintf(text, sizeof text, "%s-", games[0].cart.m.id);
+    assert_int_equal(strncmp(name, text, strlen(text)), 0);
+}
+
+/* ---- the program ---- */
+
+static struct program *open_program(char **words)
+{
+    static char *argv[8]; /* which it may put in another order */
+    int argc = 0;
+
+    for (; words[argc]; argc++)
+        argv[argc] = words[argc];
+    at = &windows[0];
+    *at = (struct window){ .now = SECOND };
+    struct program *p = program_open(argc, argv);
+    assert_non_null(p);
+    return p;
+}
+
+static bool program_goes(struct program *p)
+{
+    at->now += SECOND / 60 + 1;
+    return program_frame(p);
+}
+
+static void test_the_program(void **state)
+{
+    char first[1200], card[1200];
+    size_t before = 0;
+
+    (void)state;
+    snprintf(first, sizeof first, "%s/%s", repo, names[0]);
+    snprintf(card, sizeof card, "%s/%s", repo, names[1]);
+    for (int i = 0; i < 6; i++) {
+        char *play[] = { "curtain", "play", first, "--mute", NULL };
+        struct program *p = open_program(play);
+        for (int k = 0; k < 30; k++)
+            assert_true(program_goes(p));
+        assert_int_equal(at->shown, 30);
+        if (i & 1) { /* left in the middle */
+            assert_int_equal(program_close(p), 0);
+            continue;
+        }
+        at->quit = true;
+        assert_false(program_goes(p) || program_goes(p));
+        assert_int_equal(program_close(p), 0);
+        if (i < 4)
+            before = heap();
+        else
+            assert_true(heap() <= before);
+    }
+    char *again[] = { "curtain", card, NULL };
+    struct program *p = open_program(again);
+    assert_string_equal(at->title, "Test Card");
+    at->drop = first;
+    for (int k = 0; k < 10; k++)
+        assert_true(program_goes(p));
+    assert_string_equal(at->title, "First Light");
+    assert_int_equal(program_close(p), 0);
+}
+
+/* What has no window is done at once; what cannot be played is told. */
+static void test_the_program_without_a_window(void **state)
+{
+    char *nothing[] = { "curtain", "play", "nothing", NULL }, *wrong[] = { "curtain", "play", "--scale", "-3", NULL };
+    char *unheard[] = { "curtain", "sound", "nothing", "a", "--play", NULL };
+    char **const words[] = { nothing, wrong, unheard };
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct program *p = open_program(words[i]);
+        assert_int_equal(at->logged, 1);
+        assert_false(program_goes(p) || program_goes(p));
+        assert_int_equal(program_close(p), 2);
+    }
+}
+
+static void test_a_sound_is_heard(void **state)
+{
+    char game[1200];
+    char *words[] = { "curtain", "sound", game, "back", "--play", NULL };
+
+    (void)state;
+    snprintf(game, sizeof game, "%s/roms/glasstide", repo);
+    char *list[] = { "curtain", "sound", game, "no such sound", NULL };
+    struct program *p = open_program(list);
+    assert_false(program_goes(p));
+    assert_int_equal(program_close(p), 2);
+    p = open_program(words);
+    assert_true(program_goes(p));
+    assert_true(at->open && at->shown == 1);
+    assert_int_equal(program_close(p), 0);
+    assert_false(at->open);
+    p = open_program(words);
+    for (int k = 0; k < 1200 && program_goes(p); k++)
+        ;
+    assert_false(program_goes(p)); /* over by itself */
+    assert_int_equal(program_close(p), 0);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_crash_is_its_own), /* reports are counted */
+        cmocka_unit_test(test_nothing_is_kept),
+        cmocka_unit_test(test_two_at_once),
+        cmocka_unit_test(test_endless_without_an_alarm),
+        cmocka_unit_test(test_endless_with_the_hosts_alarm),
+        cmocka_unit_test(test_the_program),
+        cmocka_unit_test(test_the_program_without_a_window),
+        cmocka_unit_test(test_a_sound_is_heard),
+    };
+    int failed = 0;
+
+    if (!getenv(TUNABLES)) { /* or what was freed would count as somebody's until it is used again */
+        setenv(TUNABLES, "glibc.malloc.tcache_count=0", 1);
+        execv(argv[0], argv);
+    }
+    if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "calls"))
+        return 2;
+    for (int i = 0; i < 2; i++)
+        load_folder(&games[i], names[i]);
+    if (chdir(root) != 0)
+        return 2;
+    setenv("XDG_DATA_HOME", root, 1);
+    setenv("XDG_CONFIG_HOME", root, 1);
+    setenv("HOME", root, 1);
+    if (argc > 1)
+        open_and_close(atoi(argv[1]), FEW);
+    else
+        failed = cmocka_run_group_tests(tests, NULL, NULL);
+    for (int i = 0; i < 2; i++)
+        rom_image_free(&games[i].image);
+    char command[sizeof root + 16];
+    snprintf(command, sizeof command, "rm -rf '%s'", root);
+    return chdir(repo) != 0 || system(command) != 0 ? 2 : failed;
+}

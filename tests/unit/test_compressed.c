@@ -1,0 +1,213 @@
+/* test_compressed.c - compressed.h, lzma.h and compress.h: what is compressed comes back, of all kinds of bytes; what
+ * is spoilt, cut short or too good to be true is refused in one sentence. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+#include "../../src/base/rng.h"
+#include "../../src/board/rom/lzma.h"
+#include "../../src/cab/pack/compress.h"
+#include "../repair.h"
+
+static struct rng dice;
+
+static uint32_t below(uint64_t n)
+{
+    return (uint32_t)rng_below(&dice, n);
+}
+
+/* Compressed, and back in memory of just that size. Returns how small it was; 0: it stays plain. */
+static size_t there_and_back(const uint8_t *bytes, size_t size)
+{
+    uint8_t *small, *again, *back = malloc(size + !size);
+    char err[256] = "";
+    size_t n, n_again;
+
+    assert_non_null(back);
+    assert_true(compress_rom(bytes, size, &small, &n));
+    if (!small) {
+        free(back);
+        return 0;
+    }
+    assert_true(n < size && compressed_is(small, n));
+    assert_int_equal(compressed_size(small, n, err, sizeof err), size);
+    assert_true(compressed_read(small, n, back, err, sizeof err));
+    assert_memory_equal(back, bytes, size);
+    assert_true(compress_rom(bytes, size, &again, &n_again));
+    assert_int_equal(n_again, n); /* the same each time */
+    assert_memory_equal(again, small, n);
+    free(again);
+    free(small);
+    free(back);
+    return n;
+}
+
+/* Like a ROM: texts of few letters, pieces that come again from near and far, runs, and noise. */
+static void some_bytes(uint8_t *p, size_t size)
+{
+    for (size_t at = 0; at < size;) {
+        size_t n = 1 + below(below(8) ? 60 : 3000);
+        n = n < size - at ? n : size - at;
+        const uint32_t kind = below(4);
+        const size_t from = at > 0 ? below(at) : 0;
+        const uint8_t byte = (uint8_t)below(256);
+        for (size_t i = 0; i < n; i++, at++)
+            p[at] = kind == 0   ? (uint8_t)('a' + below(5))
+                    : kind == 1 ? byte
+                    : kind == 2 ? p[from + i]
+                                : (uint8_t)below(256);
+    }
+}
+
+static void test_all_kinds(void **state)
+{
+    enum { MOST = 40000 };
+    uint8_t *bytes = malloc(MOST);
+    int smaller = 0;
+
+    (void)state;
+    assert_non_null(bytes);
+    rng_seed(&dice, 3);
+    for (int i = 0; i < 400; i++) {
+        const size_t size = below(below(4) ? 400 : MOST);
+        some_bytes(bytes, size);
+        smaller += there_and_back(bytes, size) > 0;
+    }
+    assert_true(smaller > 150);
+    for (size_t size = 0; size < MOST; size++)
+        bytes[size] = (uint8_t)below(256);
+    assert_int_equal(there_and_back(bytes, MOST), 0); /* noise stays plain */
+    assert_int_equal(there_and_back(bytes, 0), 0);
+    memset(bytes, 7, MOST);
+    assert_true(there_and_back(bytes, 2000) < 100);
+    free(bytes);
+}
+
+/* What no reader takes is not written: a thousand times as many bytes as the file has. */
+static void test_too_good(void **state)
+{
+    enum { MANY = 4 << 20 };
+    uint8_t *bytes = calloc(1, MANY);
+
+    (void)state;
+    assert_non_null(bytes);
+    assert_int_equal(there_and_back(bytes, MANY), 0);
+    for (int i = 0; i < MANY; i += 97)
+        bytes[i] = (uint8_t)below(256);
+    assert_true(there_and_back(bytes, MANY) > 0);
+    free(bytes);
+}
+
+static size_t a_file(uint8_t **small, uint8_t *bytes, size_t size)
+{
+    size_t n;
+
+    rng_seed(&dice, 11);
+    some_bytes(bytes, size);
+    memset(bytes, 'x', size / 2);
+    assert_true(compress_rom(bytes, size, small, &n));
+    assert_non_null(*small);
+    return n;
+}
+
+static void refused(const uint8_t *p, size_t n, const char *why)
+{
+    uint8_t *copy = malloc(n + !n), *out = malloc(4000);
+    char err[256] = "";
+
+    assert_true(copy && out);
+    memcpy(copy, p, n);
+    if (compressed_size(copy, n, err, sizeof err) > 0)
+        assert_false(compressed_read(copy, n, out, err, sizeof err));
+    assert_string_equal(err, why);
+    free(copy);
+    free(out);
+}
+
+static void test_refused(void **state)
+{
+    enum { SIZE = 4000 };
+    uint8_t bytes[SIZE], *p;
+    char why[256];
+    const size_t n = a_file(&p, bytes, SIZE);
+
+    (void)state;
+    refused(p, 8, "too short for a compressed ROM (8 bytes)");
+    for (size_t cut = COMPRESSED_HEADER; cut < n; cut++) {
+        snprintf(why, sizeof why, "%zu bytes long, but its header says %zu", cut, n);
+        refused(p, cut, why);
+    }
+    for (size_t at = 12; at < n; at++) {
+        p[at] ^= 1;
+        if (at / 4 != 5)
+            refused(p, n, "damaged: the checksum does not match");
+        p[at] ^= 1;
+    }
+    bytes_put32(p + 8, 2);
+    refused(p, n, "compressed in format 2, which is not known (this program reads 1)");
+    repair_compressed(p, n);
+    bytes_put32(p + 28, 1);
+    bytes_put32(p + 12, hash_crc32(p + 16, n - 16));
+    refused(p, n, "reserved header bytes are not zero");
+    const uint32_t sizes[] = { 0, (uint32_t)COMPRESSED_MOST + 1, UINT32_MAX, (uint32_t)n * COMPRESSED_TIMES + 1000 };
+    for (int i = 0; i < 4; i++) {
+        bytes_put32(p + 16, sizes[i]);
+        repair_compressed(p, n);
+        snprintf(why, sizeof why,
+                 "%zu bytes long, but its header says %u are in it: expected 1 to %d, and at most %d times as many as "
+                 "the file has",
+                 n, sizes[i], COMPRESSED_MOST, COMPRESSED_TIMES);
+        refused(p, n, why);
+    }
+    const uint32_t near[] = { SIZE - 1, 1 };
+    for (int i = 0; i < 2; i++) {
+        bytes_put32(p + 16, near[i]);
+        repair_compressed(p, n);
+        refused(p, n, "damaged: what is in it is not what was compressed");
+    }
+    free(p);
+}
+
+/* Streams with any byte changed, cut or grown, and no bytes behind what is claimed: they end, and write no further. */
+static void test_streams(void **state)
+{
+    enum { SIZE = 4000, TIMES = 30000 };
+    uint8_t bytes[SIZE], *p;
+    const size_t n = a_file(&p, bytes, SIZE) - COMPRESSED_HEADER;
+    int good = 0, other = 0;
+
+    (void)state;
+    for (int i = 0; i < TIMES; i++) {
+        const size_t cut = below(4) ? n : below(n), size = below(4) ? SIZE : below(SIZE);
+        uint8_t *in = malloc(cut + !cut), *out = malloc(size + !size);
+        assert_true(in && out);
+        memcpy(in, p + COMPRESSED_HEADER, cut);
+        for (uint32_t k = below(3); cut > 0 && k > 0; k--)
+            in[below(cut)] = (uint8_t)below(256);
+        if (lzma_read(in, cut, out, size)) {
+            good++;
+            other += size != SIZE || memcmp(out, bytes, SIZE) != 0;
+        }
+        free(in);
+        free(out);
+    }
+    assert_true(good > TIMES / 10 && good < TIMES / 2);
+    assert_true(other < good / 10); /* that the checksum of what came out is there for */
+    free(p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_kinds),
+        cmocka_unit_test(test_too_good),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_streams),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# ports.sh - make ports: tests every port whole, prints a table of them, and writes docs/ports.md.
+#
+#     OUT=build/release tools/ports/ports.sh
+#
+# A port is a row of `ports`: its name, its own files, what is built, and the tests it has; then words of those tests
+# by which it is told that they showed what a port must. All that a test said is in build/ports/NAME. Exit 1: a test
+# failed, or the page would not be true.
+set -u
+cd "$(dirname "$0")/../.." || exit 2
+export OUT=${OUT:-build/release}
+into=build/ports
+mkdir -p $into
+
+# NAME | over | files | built | tests | demos or hashes | frame 120 | pressed | sound
+ports='null|platform.h|platform/null.c|$OUT/curtain-null|tests/port.sh $OUT/curtain-null|the demo of|to the last pixel|pads that are pressed|the sound of
+SDL2|platform.h|platform/sdl2.c|$OUT/curtain|tests/port.sh $OUT/curtain;tests/machine/window.sh;tests/machine/window_sound.sh|the demo of|to the last pixel|keys start the game|what was played is what
+template|platform.h|platform/template.c||tests/cli/porting.sh||||
+example|curtain.h|ports/example/frames.c||tests/machine/library.sh|it plays a demo|its picture 000120||
+libretro|curtain.h|ports/libretro/*.c ports/libretro/*.h|$OUT/curtain_libretro.so|ports/libretro/test.sh|the test card after\|the game after|to the last pixel|with a pad that is pressed|the sound is that
+web|curtain.h|ports/web/web.c ports/web/no_host.c ports/web/*.html ports/web/*.css ports/web/player.js ports/web/worklet.js|build/web/player.html|ports/web/test.sh|the test card after\|the game after|to the last pixel|with keys that are pressed|the sound of'
+
+failed=0
+# showed FILE WORDS: yes when there are such tests, and all of them passed
+showed() {
+    [ -n "$2" ] || { echo ""; return; }
+    if grep -E '^not ok ' "$1" | grep -q -e "$2"; then echo "**no**"
+    elif grep -E '^ok ' "$1" | grep -q -e "$2"; then echo yes
+    else echo "**no test**"; fi
+}
+row() {
+    local name=$1 over=$2 files=$3 built=$4 tests=$5 log=$into/$1 test passed not size lines from=$SECONDS
+    : >"$log"
+    while IFS= read -r test; do
+        # shellcheck disable=SC2086
+        eval "set -- $test"
+        echo "# $*" >>"$log"
+        "$@" >>"$log" 2>&1 || failed=1
+    done <<<"${tests//;/$'\n'}"
+    passed=$(grep -c '^ok ' "$log") not=$(grep -c '^not ok ' "$log")
+    # shellcheck disable=SC2086
+    lines=$(cat $files | wc -l)
+    size=
+    [ -z "$built" ] || size=$(($(stat -c %s "$(eval echo "$built")") / 1024))
+    [ "$not" = 0 ] && [ "$passed" -gt 0 ] || failed=1
+    # shellcheck disable=SC2086
+    printf '| %s | `%s` | `%s` | %d | %s | %s | %s | %s | %s | %s |\n' "$name" "$over" \
+        "$(case $name in libretro | web | example) dirname $files | sort -u | head -n 1 ;; *) echo $files ;; esac)" \
+        "$lines" "$size" "$(showed "$log" "$6")" "$(showed "$log" "$7")" "$(showed "$log" "$8")" \
+        "$(showed "$log" "$9")" "$passed$([ "$not" = 0 ] || echo ", **$not failed**")"
+    echo "  $name: $passed passed, $not failed, $((SECONDS - from)) s  $log" >&2
+    grep -E '^not ok |^Bail out' "$log" | sed 's/^/    /' >&2
+}
+
+{
+    echo '| port | over | its own files | lines | KiB built | demos, hashes | frame 120 | pressed | sound | tests passed |'
+    echo '|---|---|---|---|---|---|---|---|---|---|'
+    while IFS= read -r line; do
+        IFS="|" read -r name over files built tests hashes picture pressed sound <<<"${line//\\|/$'\1'}"
+        row "$name" "$over" "$files" "$built" "$tests" "${hashes//$'\1'/\\|}" "$picture" "$pressed" "$sound"
+    done <<<"$ports"
+} >$into/table
+cat $into/table
+"$OUT/need" roms/glasstide roms/testcard examples/first roms/torture >$into/need || failed=1
+cat $into/need
+{
+    sed '/^@TABLE@$/,$d' tools/ports/ports.md
+    cat $into/table
+    sed '1,/^@TABLE@$/d; /^@SLOTS@$/,$d' tools/ports/ports.md
+    sed '/^$/,$d' $into/need
+    sed '1,/^@SLOTS@$/d; /^@GAMES@$/,$d' tools/ports/ports.md
+    sed '1,/^$/d' $into/need
+    sed '1,/^@GAMES@$/d' tools/ports/ports.md
+} >$into/page
+if [ $failed = 0 ]; then cp $into/page docs/ports.md; else echo "docs/ports.md is left as it is: something failed" >&2; fi
+exit $failed
