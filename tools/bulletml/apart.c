@@ -113,7 +113,9 @@ static void serve(int from, FILE *to, const struct side_setup *setup, enum side_
         .random = { side_random, &state },
         .loop = setup->loop,
         .most = SIDE_MOST + 1,
-        .root_y = REFERENCE_ROOT_Y, .box_x = INFINITY, .box_y = INFINITY,
+        .root_y = REFERENCE_ROOT_Y,
+        .box_x = INFINITY,
+        .box_y = INFINITY,
     };
     char err[SIDE_ERROR] = "";
     struct order order;
