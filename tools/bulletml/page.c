@@ -193,7 +193,7 @@ static bool rounding_row(const char *path, const struct all_result *r, int rank)
 
     for (int k = 1; k < SIDE_ROUNDINGS; k++) {
         const struct compared *c = &r->rounding[rank][k];
-        if (compared_alike(c) && !c->broke)
+        if (compared_alike(c))
             continue;
         snprintf(how + strlen(how), sizeof how - strlen(how), "%s%s", any ? ", " : "", side_rounding_name[k]);
         snprintf(first, sizeof first, "%s", *c->what ? c->what : report_string("%.3f px off", c->greatest));
