@@ -98,7 +98,7 @@ static enum result run(int argc, char **argv)
     case COMMAND_PALETTE:
         return art_run_palette(a.words[0], a.bank, a.out);
     case COMMAND_BULLETML:
-        return bulletml_command(&a);
+        return bulletml_command(a.words, a.n_words, a.lua);
     case COMMAND_HELP:
         return command_help(&a);
     case COMMAND_VERSION:

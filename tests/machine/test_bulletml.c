@@ -11,7 +11,7 @@ struct answer {
     const char *want; /* after 3, 10 and 25 frames: number, x, y of each bullet; the origin is in the field's middle */
 };
 
-/* The answers are those of libbulletml 0.0.6 (`make bulletml`), with the player at (0, 80) and the root at (0, -100). */
+/* The answers are those of libbulletml 0.0.6, with the player at (0, 80) and the root at (0, -100). */
 static const struct answer answers[] = {
     { "left operand first", "vertical",
       "<action label='top'><repeat><times>3</times><action><fire><direction "

@@ -22,5 +22,5 @@ test.expect(math.abs(run:live("bullets") - same:live("bullets")) < 4, "and it is
 -- What has ended begins anew, on an empty field.
 run = test.run { stage = "gallery", invincible = true, dips = { document = 13, rank = 0 }, frames = 600 }
 test.expect(run:live("bullets") > 20, "it is under way")
-test.expect(run:wait(function(r) return r:live("bullets") < 3 end, 900), "it ends")
-test.expect(run:wait(function(r) return r:live("bullets") > 20 end, 300), "and begins anew")
+test.expect(run:wait(function(r) return r:live("bullets") < 30 end, 900), "it ends")
+test.expect(run:wait(function(r) return r:live("bullets") > 100 end, 300), "and begins anew")

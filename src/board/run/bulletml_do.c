@@ -177,7 +177,8 @@ static void turn(struct work *w, enum ml_type type)
         begin_change(w, CHANGE_DIRECTION, now, ml_add(now, ml_multiply(v, term * ML_ONE)), term, term > 1 ? v : 0);
         return;
     }
-    const int64_t way = resolve_direction(w, type, v) - now, other = way > 0 ? way - ML_TURN_ROUND : way + ML_TURN_ROUND;
+    const int64_t way = resolve_direction(w, type, v) - now,
+                  other = way > 0 ? way - ML_TURN_ROUND : way + ML_TURN_ROUND;
     begin_change(w, CHANGE_DIRECTION, now, now + (int64_abs(way) < int64_abs(other) ? way : other), term, 0);
 }
 

@@ -4,8 +4,8 @@
  * Runners have their turns in the order in which they were made, before bullets move. In its turn a runner reads what
  * scripts wrote into its bullet, applies the changes that go on, does the commands that are due, and writes the
  * bullet's velocity. One that only waits costs a look at the clock; whether its bullet is still there is then asked in
- * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has its
- * own first turn, in the next frame.
+ * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has
+ * its own first turn, in the next frame.
  *
  * A document's directions are degrees, 0 up, clockwise: as it was written. How the root is turned, mirrored and scaled
  * comes in only where velocities are written and where directions of the board are read.
@@ -128,12 +128,12 @@ static inline struct flight flight(const struct ml_roots *o, uint32_t root, int6
 }
 
 /* The same with (vx, vy) beside it: one sum, rounded once. */
-static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed, int64_t vx,
-                                   int64_t vy)
+static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed,
+                                   int64_t vx, int64_t vy)
 {
     const ang turned = o->turned[root] - UP;
-    const int64_t v = scaled(speed, o->pace[root]), across = scaled(vx, o->pace[root]),
-                  y = scaled(vy, o->pace[root]), x = o->flags[root] & ROOT_MIRRORED ? -across : across;
+    const int64_t v = scaled(speed, o->pace[root]), across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
+                  x = o->flags[root] & ROOT_MIRRORED ? -across : across;
     struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
     int64_t c, s, more_x = x, more_y = y;
 
@@ -285,7 +285,7 @@ static int32_t appear(struct board *b, const struct ml_fired *f)
     return i;
 }
 
-void bulletml_let_go(struct board *b)
+void board_ml_let_go(struct board *b)
 {
     struct ml_fresh *fresh = &b->ml_fresh;
 
@@ -333,7 +333,7 @@ static inline void apply_change(struct ml_runners *r, const struct turn *t, int 
 
     of[t->body] = change == CHANGE_DIRECTION ? wrap_turn(r, c, v) : v;
     if (over)
-        r->flags[t->runner] &= (uint16_t)~(1u << change);
+        r->flags[t->runner] &= (uint16_t) ~(1u << change);
 }
 
 static void apply_changes(struct turn *t)
@@ -367,14 +367,14 @@ static void read_back(const struct turn *t, uint32_t bullet)
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
         r->direction[i] = from_board(o, t->root, s->dir[bullet]);
-        r->flags[i] &= (uint16_t)~(1u << CHANGE_DIRECTION);
+        r->flags[i] &= (uint16_t) ~(1u << CHANGE_DIRECTION);
     }
     if (s->speed[bullet] != r->put_speed[i]) {
         r->speed[i] = ml_divide((int64_t)s->speed[bullet] * (1 << 16), o->pace[t->root]);
-        r->flags[i] &= (uint16_t)~(1u << CHANGE_SPEED);
+        r->flags[i] &= (uint16_t) ~(1u << CHANGE_SPEED);
     }
     r->vx[i] = r->vy[i] = 0;
-    r->flags[i] &= (uint16_t)~(1u << CHANGE_X | 1u << CHANGE_Y);
+    r->flags[i] &= (uint16_t) ~(1u << CHANGE_X | 1u << CHANGE_Y);
     r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
     r->put_vx[i] = vx;
@@ -462,9 +462,9 @@ static inline bool glide(struct board *b, uint32_t i, uint32_t now)
     const size_t turn = (size_t)i * CHANGES + CHANGE_DIRECTION, pace = turn - CHANGE_DIRECTION + CHANGE_SPEED;
 
     if (flags & (1 << CHANGE_X | 1 << CHANGE_Y | RUNNER_TOP) || s->stands ||
-        !slots_has(&s->s, k, handle_gen(r->bullet[i])) || s->motion[k] || r->vx[i] | r->vy[i] |
-        (s->dir[k] ^ r->put_dir[i]) | (s->speed[k] ^ r->put_speed[i]) | (s->vx[k] ^ r->put_vx[i]) |
-        (s->vy[k] ^ r->put_vy[i]))
+        !slots_has(&s->s, k, handle_gen(r->bullet[i])) || s->motion[k] ||
+        r->vx[i] | r->vy[i] | (s->dir[k] ^ r->put_dir[i]) | (s->speed[k] ^ r->put_speed[i]) |
+            (s->vx[k] ^ r->put_vx[i]) | (s->vy[k] ^ r->put_vy[i]))
         return false;
     int64_t direction = r->direction[i], speed = r->speed[i];
     if (flags & 1 << CHANGE_DIRECTION) {
@@ -536,14 +536,14 @@ static bool run_top(struct turn *t)
 
 /* ---- roots ---- */
 
-void bulletml_stop(struct board *b, uint32_t i)
+void board_ml_stop(struct board *b, uint32_t i)
 {
     b->ml_roots.flags[i] |= ROOT_OVER;
 }
 
 static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
 
-void bulletml_set_handler(lua_State *L, uint32_t i)
+void board_ml_set_handler(lua_State *L, uint32_t i)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
         lua_pop(L, 1);
@@ -556,7 +556,7 @@ void bulletml_set_handler(lua_State *L, uint32_t i)
     lua_pop(L, 1);
 }
 
-void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
+void board_ml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
 {
     struct ml ml;
 
@@ -576,7 +576,7 @@ static void drop_root(struct board *b, uint32_t i)
 {
     if (b->ml_roots.flags[i] & ROOT_TELLS) {
         lua_pushnil(b->vm.running);
-        bulletml_set_handler(b->vm.running, i);
+        board_ml_set_handler(b->vm.running, i);
     }
     bulletml_let_list(b, b->ml_roots.given[i]);
     slots_drop(&b->ml_roots.s, i);
@@ -608,7 +608,7 @@ static void find_roots(struct board *b)
         if (o->flags[i] & ROOT_OVER && !o->runners[i])
             drop_root(b, i);
         else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
-            bulletml_stop(b, i);
+            board_ml_stop(b, i);
         else if (o->follow[i])
             find_place(b, i);
     }
@@ -663,11 +663,11 @@ static void end_roots(struct board *b)
 
     EACH_LIVE (i, &o->s) {
         if (o->flags[i] & ROOT_VANISHES)
-            bulletml_stop(b, i);
+            board_ml_stop(b, i);
         else if (!(o->flags[i] & ROOT_OVER))
             move_root(b, i);
         if (o->flags[i] & ROOT_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_OVER)) && all_ended(b, i))
-            bulletml_stop(b, i);
+            board_ml_stop(b, i);
     }
     slots_trim(&o->s);
 }
@@ -692,7 +692,7 @@ static bool run_turn(struct board *b, uint32_t i, uint32_t now, struct opened *o
     return b->ml_runners.flags[i] & RUNNER_TOP ? run_top(&t) : run_bullet(&t);
 }
 
-void bulletml_run(struct board *b)
+void board_ml_run(struct board *b)
 {
     struct ml_runners *r = &b->ml_runners;
     const uint32_t now = b->core.clock, n = r->n;
@@ -721,7 +721,7 @@ void bulletml_run(struct board *b)
     vm_charge(b->vm.running, 4 * (uint64_t)r->ran);
 }
 
-int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
+int32_t board_ml_begin(struct board *b, const struct bulletml_start *start)
 {
     struct ml_roots *o = &b->ml_roots;
     struct ml_runners *r = &b->ml_runners;
@@ -758,7 +758,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     for (uint32_t top = 0; top < ml.tops; top++) {
         const int32_t k = new_runner(b, (uint32_t)i, 0, ml_top(&ml, top), b->core.clock);
         if (k == NO_SLOT) {
-            bulletml_stop(b, (uint32_t)i);
+            board_ml_stop(b, (uint32_t)i);
             return NO_SLOT;
         }
         if (!top) {

@@ -176,14 +176,14 @@ static enum result look_at(const char *file, bool lua)
     return result;
 }
 
-enum result bulletml_command(const struct args *a)
+enum result bulletml_command(char *const *files, int n, bool lua)
 {
     enum result worst = RESULT_DONE;
 
-    if (a->lua && a->n_words > 1)
-        return report_line(RESULT_REFUSED, "bulletml: --lua prints one document, got %d", a->n_words);
-    for (int i = 0; i < a->n_words; i++) {
-        const enum result one = look_at(a->words[i], a->lua);
+    if (lua && n > 1)
+        return report_line(RESULT_REFUSED, "bulletml: --lua prints one document, got %d", n);
+    for (int i = 0; i < n; i++) {
+        const enum result one = look_at(files[i], lua);
         worst = one > worst ? one : worst;
     }
     return report_stdout(worst);

@@ -169,11 +169,11 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = NO_SLOT;
     if (api_place(L, b, ENTRY, v + P_PLACE, &s.x, &s.y) && tasks_owner_alive(b, s.owner)) {
         s.seed = seed_of(b, &v[P_SEED]);
-        i = bulletml_begin(b, &s);
+        i = board_ml_begin(b, &s);
     }
     if (i != NO_SLOT && v[P_ON_FIRE].given) {
         lua_pushvalue(L, v[P_ON_FIRE].at);
-        bulletml_set_handler(L, (uint32_t)i);
+        board_ml_set_handler(L, (uint32_t)i);
     }
     if (i != NO_SLOT)
         for (int k = 0; k < ML_KINDS; k++)
@@ -243,7 +243,7 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     if (board_alive(b, v[0].i))
-        bulletml_stop(b, handle_slot(v[0].i));
+        board_ml_stop(b, handle_slot(v[0].i));
     return 0;
 }
 
