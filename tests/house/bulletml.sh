@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bulletml.sh - docs/bulletml.md is a whole page of `make bulletml`: every document of the list is in its table, and none
-# is out. libbulletml is not needed for this; what single elements do is tested by tests/machine/test_answers.c.
+# bulletml.sh - docs/bulletml.md is a whole page of `make bulletml`: every document of the list is in its table, and
+# none is out. libbulletml is not needed for this; what single elements do is tested by tests/machine/test_answers.c.
 measured=bulletml
 . "$(dirname "$0")/../measured.sh"
 list=tools/bulletml/documents.list
@@ -15,15 +15,18 @@ END
 names() { # LIST: as the page has them
     grep '^/' "$1" | sed -E 's,^/usr/share/(games|doc)/,,; s/\.xml$//'
 }
+part() { # TITLE PAGE: what is below that heading
+    awk -v title="## $1" '/^## /{ in_it = $0 == title } in_it' "$2"
+}
 whole() { # PAGE
     diff "$scratch/sections" <(sed -n 's/^## //p' "$1") || return 1
-    diff <(names "$list") <(awk '/^## /{ in_it = /Every document/ } in_it' "$1" | sed -nE 's/^\| ([^ |]+) \| [0-9].*/\1/p') ||
-        return 1
+    diff <(names "$list") <(part "Every document" "$1" | sed -nE 's/^\| ([^ |]+) \| [0-9].*/\1/p') || return 1
     local n
     n=$(names "$list" | wc -l)
-    grep -qF "| documents within 1/16 px | **$n of $n** |" "$1" || { echo "not all of $n are within 1/16 px"; return 1; }
+    grep -qF "| documents within 1/16 px | **$n of $n** |" "$1" || { echo "not all of $n are within"; return 1; }
     ! grep -qF '**out**' "$1" || { echo "a document is out"; return 1; }
-    [ "$(awk '/^## /{ in_it = /Speed/ } in_it && /^\| .* \| [0-9,]+ \|/' "$1" | wc -l)" = 24 ] || { echo "times are missing"; return 1; }
+    n=$(part Speed "$1" | grep -cE '^\| .* \| [0-9,]+ \|')
+    [ "$n" = 24 ] || { echo "times are missing"; return 1; }
 }
 check "docs/bulletml.md has all documents, all within 1/16 px, and all times" whole "$page"
 planted "a document that is missing" "< noiz2sa/boss/beewinder" '/^| noiz2sa\/boss\/beewinder /d' whole

@@ -1,6 +1,6 @@
 /*
- * sheet.c - 64 of the documents on one picture: each in the frame in which most of its bullets are in the field, at half
- * the size, with its name under it.
+ * sheet.c - 64 of the documents on one picture: each in the frame in which most of its bullets are in the field, at
+ * half the size, with its name under it.
  */
 #include <stdio.h>
 #include <stdlib.h>
