@@ -449,37 +449,51 @@ static bool run_bullet(struct turn *t)
     return !(r->flags[i] & RUNNER_OVER) || r->flags[i] & RUNNER_CHANGES;
 }
 
+/* The value of a change that goes on; false: it ends in this frame, or its step is not known. */
+static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint32_t now, int64_t *v)
+{
+    if ((int32_t)(now - r->over[c]) >= 0 || !r->step[c])
+        return false;
+    *v = r->from[c] + ml_scale(r->step[c], now - r->begun[c], shift);
+    return true;
+}
+
+/* Is its bullet there, and as it was left? */
+static inline bool untouched(const struct ml_runners *r, const struct bullets *s, uint32_t i, uint32_t k)
+{
+    return slots_has(&s->s, k, handle_gen(r->bullet[i])) && !s->motion[k] &&
+           !((s->dir[k] ^ r->put_dir[i]) | (ang)(s->speed[k] ^ r->put_speed[i]) | (ang)(s->vx[k] ^ r->put_vx[i]) |
+             (ang)(s->vy[k] ^ r->put_vy[i]));
+}
+
 /*
- * A turn in which a bullet's runner has nothing due, and only its direction or speed change: the common one, done
- * without the rest. False: it is not such a turn.
+ * A turn in which a bullet's runner has nothing due, and only changes go on: the common one, done without the rest.
+ * False: it is not such a turn.
  */
 static inline bool glide(struct board *b, uint32_t i, uint32_t now)
 {
     struct ml_runners *r = &b->ml_runners;
+    const struct ml_roots *o = &b->ml_roots;
     struct bullets *s = &b->bullets;
     const unsigned flags = r->flags[i];
     const uint32_t k = handle_slot(r->bullet[i]), root = r->root[i];
-    const size_t turn = (size_t)i * CHANGES + CHANGE_DIRECTION, pace = turn - CHANGE_DIRECTION + CHANGE_SPEED;
+    const size_t c = (size_t)i * CHANGES;
+    int64_t direction = r->direction[i], speed = r->speed[i], vx = r->vx[i], vy = r->vy[i], turn = direction;
 
-    if (flags & (1 << CHANGE_X | 1 << CHANGE_Y | RUNNER_TOP) || s->stands ||
-        !slots_has(&s->s, k, handle_gen(r->bullet[i])) || s->motion[k] ||
-        r->vx[i] | r->vy[i] | (s->dir[k] ^ r->put_dir[i]) | (s->speed[k] ^ r->put_speed[i]) |
-            (s->vx[k] ^ r->put_vx[i]) | (s->vy[k] ^ r->put_vy[i]))
+    if (flags & RUNNER_TOP || s->stands || !untouched(r, s, i, k))
         return false;
-    int64_t direction = r->direction[i], speed = r->speed[i];
-    if (flags & 1 << CHANGE_DIRECTION) {
-        if ((int32_t)(now - r->over[turn]) >= 0 || !r->step[turn])
-            return false;
-        direction = wrap_turn(r, turn, r->from[turn] + ml_scale(r->step[turn], now - r->begun[turn], 12));
-        r->direction[i] = direction;
-    }
-    if (flags & 1 << CHANGE_SPEED) {
-        if ((int32_t)(now - r->over[pace]) >= 0 || !r->step[pace])
-            return false;
-        speed = r->from[pace] + ml_scale(r->step[pace], now - r->begun[pace], 20);
-        r->speed[i] = speed;
-    }
-    const struct flight f = flight(&b->ml_roots, root, direction, speed);
+    if ((flags & 1 << CHANGE_DIRECTION && !goes_on(r, c + CHANGE_DIRECTION, 12, now, &turn)) ||
+        (flags & 1 << CHANGE_SPEED && !goes_on(r, c + CHANGE_SPEED, 20, now, &speed)) ||
+        (flags & 1 << CHANGE_X && !goes_on(r, c + CHANGE_X, 20, now, &vx)) ||
+        (flags & 1 << CHANGE_Y && !goes_on(r, c + CHANGE_Y, 20, now, &vy)))
+        return false;
+    if (flags & 1 << CHANGE_DIRECTION)
+        r->direction[i] = direction = wrap_turn(r, c + CHANGE_DIRECTION, turn);
+    r->speed[i] = speed;
+    r->vx[i] = vx;
+    r->vy[i] = vy;
+    const struct flight f =
+        vx | vy ? flight_beside(o, root, direction, speed, vx, vy) : flight(o, root, direction, speed);
     const fx fast = fx_max(fx_abs(f.vx), fx_abs(f.vy));
     s->dir[k] = r->put_dir[i] = f.dir;
     s->speed[k] = r->put_speed[i] = f.speed;
