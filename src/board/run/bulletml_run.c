@@ -678,10 +678,12 @@ static void move_root(struct board *b, uint32_t i)
         return;
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
-    const struct flight beside = flight_beside(o, i, r->direction[k], 0, r->vx[k], r->vy[k]);
     const int64_t v = scaled(r->speed[k], o->pace[i]);
-    move_fine(&o->x[i], &o->x_more[i], beside.fine_x + ml_scale(v, trig_cos30(beside.dir), 30));
-    move_fine(&o->y[i], &o->y_more[i], beside.fine_y + ml_scale(v, trig_sin30(beside.dir), 30));
+    struct flight f = { .fine_x = ml_scale(v, trig_cos30(r->put_dir[k]), 30),
+                        .fine_y = ml_scale(v, trig_sin30(r->put_dir[k]), 30) };
+    fly_beside(&f, o, i, r->vx[k], r->vy[k]);
+    move_fine(&o->x[i], &o->x_more[i], f.fine_x);
+    move_fine(&o->y[i], &o->y_more[i], f.fine_y);
     if (o->follow[i]) {
         b->enemies.x[handle_slot(o->follow[i])] = in_world((int64_t)o->x[i] - o->dx[i]);
         b->enemies.y[handle_slot(o->follow[i])] = in_world((int64_t)o->y[i] - o->dy[i]);
