@@ -77,7 +77,7 @@ local function kelp(e)
       pattern.ring { from = e, dy = -4, kind = "rice", bank = k % 14 < 5 and 5 or 0, n = arms,
                      dir = 90 + 180 / arms + lean * angle.sin(t), speed = speed }
     end
-    wait(by(9, 7, 6, 7))
+    wait(by(12, 6, 6, 7))
   end
 end
 
@@ -90,13 +90,13 @@ function figures.again(e)
   task.go(kelp, e)
   task.go(function()
     while true do -- pearls that roll down the channels
-      wait(by(110, 84, 50, 44))
+      wait(by(209, 67, 50, 44))
       pattern.fan { from = e, dy = 10, kind = "pearl", bank = 3, aim = true, n = by(1, 2, 3, 5),
                     spread = by(0, 40, 36, 60), speed = by(1.4, 1.7, 1.9, 1.4), delay = 20 }
     end
   end)
   for k = 1, forever do
-    wait(by(120, 92, 74, 84))
+    wait(by(188, 79, 74, 84))
     pattern.rose { from = e, dy = -4, kind = "petal", bank = 1, petals = 5, dir = 37 * k,
                    aim = k % 2 == 0, n = by(15, 20, 30, 40),
                    speed = 2.4, speed_to = 1.3, motion = bloom }
