@@ -527,7 +527,7 @@ $(OUT)/bulletml: $(BULLETML_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.
 
 bulletml: deps-play-bulletml
 	@$(MAKE) --no-print-directory -j2 $(OUT)/bulletml
-	@$(OUT)/bulletml all $(ARGS)
+	@$(OUT)/bulletml $(ARGS)
 
 # ---- the proofs: every function of base is the correctly rounded one ----
 

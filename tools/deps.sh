@@ -1,11 +1,11 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [cross] [web]
+#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
 #
 # null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
-# too; ports: RetroArch, that the libretro core is tested in; web: what a page is built with, and tested in. Without
-# arguments: play, test, fuzz and bench. With --say
+# too; ports: RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are
+# run beside it; web: what a page is built with, and tested in. Without arguments: play, test, fuzz and bench. With --say
 # it installs nothing: it says, in one line to paste, what is missing, and exits with 3.
 set -eu
 say=""
@@ -101,6 +101,16 @@ for what; do
         have objcopy || need binutils
         have xz || need xz-utils
         ;;
+    bulletml)
+        have c++ || need g++
+        header bulletml/bulletmlrunner.h || need libbulletml-dev
+        [ -e /usr/share/games/mu-cade/barrage ] || need mu-cade-data
+        [ -e /usr/share/games/noiz2sa/boss ] || need noiz2sa-data
+        [ -e /usr/share/games/parsec47/large ] || need parsec47-data
+        [ -e /usr/share/games/rrootage/normal ] || need rrootage-data
+        [ -e /usr/share/games/torus-trooper/barrage ] || need torus-trooper-data
+        [ -e /usr/share/games/tumiki-fighters/barrage ] || need tumiki-fighters-data
+        ;;
     cross)
         have aarch64-linux-gnu-gcc || need gcc-aarch64-linux-gnu
         have arm-linux-gnueabihf-gcc || need gcc-arm-linux-gnueabihf
@@ -136,7 +146,7 @@ for what; do
         have identify || need imagemagick
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, cross, web" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml, cross, web" >&2
         exit 2
         ;;
     esac

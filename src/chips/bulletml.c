@@ -51,6 +51,8 @@ static const struct column runner_columns[] = {
     COLUMNS(ml_runners, step, CHANGES),
     COLUMNS(ml_runners, begun, CHANGES),
     COLUMNS(ml_runners, over, CHANGES),
+    DERIVED(ml_runners, cosine, "follows from put_dir"),
+    DERIVED(ml_runners, sine, "follows from put_dir"),
     COLUMN(ml_runners, put_dir),
     COLUMN(ml_runners, put_speed),
     COLUMN(ml_runners, put_vx),

@@ -85,7 +85,9 @@ struct ml_runners {
     int64_t *vx, *vy;                     /* of a body: what accel has made, beside it */
     int64_t *from, *to, *step;            /* CHANGES a runner; step: Q11.52 a frame, where it fits */
     uint32_t *begun, *over;               /* CHANGES a runner: the clock */
-    ang *put_dir;                         /* of a bullet's: what was put into its columns last; else a script wrote */
+    int32_t *cosine, *sine;               /* of `direction` on the board, Q30 */
+    ang *put_dir;                         /* `direction` on the board; with the next what was put into its bullet's
+                                           * columns last: what stands there else a script wrote */
     fx *put_speed, *put_vx, *put_vy;
     uint32_t serials; /* given out so far */
     uint32_t n;       /* in `order` */

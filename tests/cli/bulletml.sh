@@ -148,4 +148,19 @@ check "all of the language" alike all.xml 5
 same "a bullet that fires nothing has a motion program" "{ wait = 20 }, { turn = 4.5, over = 20 }, { wait = 10 }, \
 { aim = true }, { loop = 3, { speed = 0.5 * unit, over = 10 }, { accel = 1 * unit / 10, over = 10 }, { wait = 10 } }, \
 { die = true }" "$(sed -n 's/.*motion.def { \(.*\) }$/\1/p' pair/played.lua)"
+
+# ---- a build of a machine that has no expat ----
+
+"$curtain" pack "$gallery" -o gallery.rom
+cd "$repo" || exit 2
+# shellcheck disable=SC2046
+${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
+    src/cab/bulletml/document_xml.c $(find "$OUT/src" -name '*.o' ! -name document_xml.o) "$OUT"/fb/*.o \
+    "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o \
+    $(pkg-config --libs lua5.4) -lm -pthread -ldl
+cd "$scratch" || exit 2
+refuse "without expat a document is refused" "built without expat, which reads BulletML (Debian: libexpat1-dev, then" \
+    ./plain pack "$gallery" -o plain.rom
+same "what was packed elsewhere runs" "$("$curtain" hash gallery.rom --stage gallery --frames 200 --every 200)" \
+    "$(./plain hash gallery.rom --stage gallery --frames 200 --every 200)"
 finish

@@ -145,4 +145,33 @@ edited 100 'sed -i "s/tide = {/deep = {/" g/rom.lua' --record five.demo
 same 'a piece that a script still names: the old game goes on' "$(played five.demo 2)" \
     "$("$curtain" verify before five.demo)"
 check '... with file and line' grep -q 'not taken in: main.lua:[0-9]*: music.play: "tide" is not in rom.lua' err
+
+# A document of BulletML, which is changed, and is then none.
+rm -rf g before
+game g <<'LUA'
+bullet.def("dot", { sprite = "dot", hit = "none", graze = false })
+task.go(function()
+  bullet.ml { name = "fall", x = 30, y = 10, kind = "dot", loop = true }
+  wait(forever)
+end)
+LUA
+sed -i 's/screen = { w = 64, h = 64/screen = { w = 256, h = 128/; s/board = { /&bulletml = 16, /' g/rom.lua
+mkdir g/bulletml
+cat >g/bulletml/fall.xml <<'XML'
+<bulletml><action label="top"><fire><direction type="absolute">120</direction><speed>1</speed><bullet/></fire>
+<wait>9</wait></action></bulletml>
+XML
+cp -R g before
+pressed | ./player play g --seed 5 >straight 2>err
+cp -R g changed2
+sed -i 's/120/150/' changed2/bulletml/fall.xml
+pressed | ./player play changed2 --seed 5 >other 2>err
+check 'the two differ' test "$(part straight 180 250)" != "$(part other 180 250)"
+edited 100 'sed -i s/120/150/ g/bulletml/fall.xml'
+same 'a document changes' "$(part other 180 250)" "$(part out 181 251)"
+same '... which is told' 'curtain: g: reloaded' "$(cat err)"
+back
+edited 100 'sed -i "s,</wait>,</waits>," g/bulletml/fall.xml'
+same 'one that is wrong is told with its place' \
+    'curtain: not taken in: g: bulletml/fall.xml:2:10: <wait>, which begins in line 2: mismatched tag' "$(cat err)"
 finish

@@ -1,6 +1,6 @@
 /*
  * test_answers.c - the documents of tests/bulletml on a board, beside what libbulletml makes of them, which is written
- * down in NAME.out (tools/bulletml/answer.c): every bullet in every frame, within 1/16 px, made and gone in the same one.
+ * down in NAME.out (tools/bulletml/answer.c): every bullet in every frame, within 1/16 px, made and gone in the same.
  */
 #include <dirent.h>
 #include <math.h>

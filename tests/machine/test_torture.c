@@ -91,14 +91,15 @@ static void same(const char *name, uint32_t frame, struct rig *a, struct rig *b)
 }
 
 /* calm is left alone; hurt is saved, spoilt and restored after each frame. demo NULL: pads by hand. */
-static void every_frame(const char *name, const struct rig_game *g, const struct demo *d, uint32_t frames)
+static void every_frame_from(const char *name, const struct rig_game *g, const struct board_start *start,
+                             const struct demo *d, uint32_t frames)
 {
     struct rig calm, hurt;
     struct rng rng;
     uint16_t pads[PADS] = { 0 };
 
-    rig_power(&calm, g, d ? &d->start : NULL);
-    rig_power(&hurt, g, d ? &d->start : NULL);
+    rig_power(&calm, g, start);
+    rig_power(&hurt, g, start);
     rng_seed(&rng, 11);
     for (uint32_t f = 0; f < frames; f++) {
         rig_spoil(&hurt);
@@ -115,6 +116,11 @@ static void every_frame(const char *name, const struct rig_game *g, const struct
     same(name, frames, &calm, &hurt);
     rig_free(&calm);
     rig_free(&hurt);
+}
+
+static void every_frame(const char *name, const struct rig_game *g, const struct demo *d, uint32_t frames)
+{
+    every_frame_from(name, g, d ? &d->start : NULL, d, frames);
 }
 
 static uint32_t most(uint32_t brief, uint32_t full)
@@ -169,6 +175,27 @@ static void test_whole(void **state)
     assert_true(demo_load(&d, path, err, sizeof err));
     every_frame("whole", &g, &d, d.frames);
     demo_free(&d);
+    rig_game_free(&g);
+}
+
+/* Documents of BulletML, one after the other as the pads by hand ask for them: titles, ranks and seeds change, too. */
+static void test_gallery(void **state)
+{
+    struct board_start start = { .seed = 3, .dip = { 1, 70, 1, 100 }, .difficulty = -1 };
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    snprintf(start.practice.section, sizeof start.practice.section, "gallery");
+    rig_folder(&g, "examples/bulletml");
+    rig_power(&r, &g, &start);
+    rig_run(&r, 100);
+    assert_true(r.b->bullets.s.live > 20);
+    rig_free(&r);
+    for (int i = 1; i <= (int)most(3, 16); i++) {
+        start.dip[0] = i;
+        every_frame_from("gallery", &g, &start, NULL, most(200, 1500));
+    }
     rig_game_free(&g);
 }
 
@@ -353,9 +380,9 @@ static void test_sizes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_torture), cmocka_unit_test(test_glasstide),    cmocka_unit_test(test_lua_only),
-        cmocka_unit_test(test_whole),   cmocka_unit_test(test_back_torture), cmocka_unit_test(test_back_glasstide),
-        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_torture),        cmocka_unit_test(test_glasstide), cmocka_unit_test(test_gallery),
+        cmocka_unit_test(test_lua_only),       cmocka_unit_test(test_whole),     cmocka_unit_test(test_back_torture),
+        cmocka_unit_test(test_back_glasstide), cmocka_unit_test(test_sizes),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

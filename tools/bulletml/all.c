@@ -134,7 +134,7 @@ void all_free(struct all_result *r, int n)
 bool all_rounded_otherwise(const struct all_result *r, int rank)
 {
     for (int k = 1; k < SIDE_ROUNDINGS; k++)
-        if (!compared_alike(&r->rounding[rank][k]) || r->rounding[rank][k].broke)
+        if (!compared_alike(&r->rounding[rank][k]))
             return true;
     return false;
 }

@@ -1,6 +1,6 @@
 /*
- * answer.c - what libbulletml makes of the documents of tests/bulletml: NAME.out beside NAME.xml. Its first line says for
- * how many frames, and whether the root begins anew; then comes a line a bullet and frame: frame, number, place,
+ * answer.c - what libbulletml makes of the documents of tests/bulletml: NAME.out beside NAME.xml. Its first line says
+ * for how many frames, and whether the root begins anew; then comes a line a bullet and frame: frame, number, place,
  * direction, speed. The last line is a sentence where libbulletml gave up.
  */
 #include <dirent.h>

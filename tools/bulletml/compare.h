@@ -36,7 +36,7 @@ void compare_sides(struct side *a, struct side *b, int32_t frames, struct compar
 /* Are the two alike? */
 static inline bool compared_alike(const struct compared *c)
 {
-    return !c->alone && !c->failed && c->greatest <= COMPARE_MOST;
+    return !c->alone && !c->broke && !c->failed && c->greatest <= COMPARE_MOST;
 }
 
 #endif

@@ -176,6 +176,8 @@ bool reference::step(Bullet &b)
         if (!b.root && b.runner->isEnd())
             b.runner.reset(); /* as a host would that wants to be fast */
     }
+    if (setup.plain)
+        b.steer();
     b.x += b.go_x + b.add_x;
     b.y += b.go_y + b.add_y;
     return b.root || !(std::fabs(b.x) > setup.box_x || std::fabs(b.y) > setup.box_y);

@@ -38,6 +38,7 @@ struct reference_setup {
     int32_t most; /* bullets alive; a further one is not made */
     double root_x, root_y;
     double box_x, box_y; /* beyond them a bullet leaves */
+    bool plain;          /* sine and cosine of every bullet in each frame; else when direction or speed change */
 };
 
 struct reference_bullet {

@@ -1,10 +1,8 @@
 /*
  * speed.c - how long a frame takes, on the board and in libbulletml: the same documents from the same places, in one
- * process, a frame of the one and a frame of the other by turns.
+ * process, some frames of the one and some of the other by turns.
  *
- * A frame of the board is all of its tick, hits included; one of libbulletml is its runners, and the moves. What it is
- * given is what a host can do for speed: a runner that has ended is dropped, and a bullet's velocity is worked out when
- * its direction or speed change.
+ * A frame of the board is all of its tick, hits included; one of libbulletml is its runners, and the moves.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,105 +30,111 @@ static const struct timed {
 enum { DOCUMENTS = sizeof documents / sizeof *documents, SIZES = 4, STRAIGHT_ROOTS = 50 };
 static const int sizes[SIZES] = { 1000, 4000, 16000, 64000 };
 
-/* Both, and what they took. */
+/* The hosts of libbulletml: one that works sine and cosine of every bullet out in each frame, as is plain, and one that
+ * keeps velocities. And the board. */
+enum { PLAIN, QUICK, HOSTS, BOARD = HOSTS, RUNNERS, BLOCK = 10 /* frames */ };
+
 struct race {
-    struct reference *r;
+    struct reference *r[HOSTS];
     struct board_game g;
-    uint32_t stream;
-    struct reference_counts last;
-    struct samples library, board;
-    double bullets, scripted, library_bullets, library_scripted; /* sums over the frames */
+    uint32_t stream[HOSTS];
+    struct samples took[RUNNERS];
+    double last, bullets, scripted; /* ns of the board's last frame; sums over the frames */
     char err[SIDE_ERROR];
 };
 
 enum { EDGE_X = 160 + 1024, EDGE_Y = 120 + 1024, PLACES_X = 20, PLACES_Y = 10, APART = 10, FIRST_X = -95 };
 
-static bool open_race(struct race *c, const char *path, int roots)
+static bool open_host(struct race *c, int host, const char *path, int roots)
 {
-    const struct side_setup setup = { path, 0.5, TOOL_SEED, false };
-
-    *c = (struct race){ .stream = TOOL_SEED };
     const struct reference_setup s = { .file = path,
                                        .rank = 0.5,
-                                       .random = { side_random, &c->stream },
+                                       .random = { side_random, &c->stream[host] },
                                        .most = 1 << 18,
                                        .root_x = FIRST_X,
                                        .root_y = REFERENCE_ROOT_Y,
                                        .box_x = EDGE_X,
-                                       .box_y = EDGE_Y };
-    c->r = reference_open(&s, c->err, sizeof c->err);
-    if (!c->r || !board_game_open(&c->g, "crowd", &setup, roots, c->err, sizeof c->err))
-        return false;
-    for (int i = 1; i < roots; i++)
-        reference_root(c->r, FIRST_X + i % PLACES_X * APART, REFERENCE_ROOT_Y + i / PLACES_X % PLACES_Y * APART);
-    return true;
+                                       .box_y = EDGE_Y,
+                                       .plain = host == PLAIN };
+
+    c->stream[host] = TOOL_SEED;
+    c->r[host] = reference_open(&s, c->err, sizeof c->err);
+    for (int i = 1; c->r[host] && i < roots; i++)
+        reference_root(c->r[host], FIRST_X + i % PLACES_X * APART, REFERENCE_ROOT_Y + i / PLACES_X % PLACES_Y * APART);
+    return c->r[host];
+}
+
+static bool open_race(struct race *c, const char *path, int roots)
+{
+    const struct side_setup setup = { path, 0.5, TOOL_SEED, false };
+
+    *c = (struct race){ 0 };
+    return open_host(c, PLAIN, path, roots) && open_host(c, QUICK, path, roots) &&
+           board_game_open(&c->g, "crowd", &setup, roots, c->err, sizeof c->err);
 }
 
 static void close_race(struct race *c)
 {
-    if (c->r)
-        reference_close(c->r);
+    for (int i = 0; i < HOSTS; i++)
+        if (c->r[i])
+            reference_close(c->r[i]);
     board_game_close(&c->g);
-    samples_free(&c->library);
-    samples_free(&c->board);
+    for (int i = 0; i < RUNNERS; i++)
+        samples_free(&c->took[i]);
 }
 
-static bool library_frame(struct race *c, int f, bool timed)
+/* A frame of one of them. */
+static bool frame_of(struct race *c, int runner, int f, bool timed)
 {
-    struct reference_counts now;
+    const int32_t x = side_player_x(f), y = side_player_y(f);
     const double from = bench_now();
-    const bool fine = reference_frame(c->r, side_player_x(f), side_player_y(f), c->err, sizeof c->err);
+    const bool fine = runner == BOARD ? board_game_tick(&c->g, x, y, c->err, sizeof c->err)
+                                      : reference_frame(c->r[runner], x, y, c->err, sizeof c->err);
     const double took = bench_since(from);
 
-    reference_count(c->r, &now);
-    if (timed) {
-        samples_add(&c->library, took);
-        c->library_bullets += (double)(now.moved - c->last.moved);
-        c->library_scripted += (double)(now.ran - c->last.ran);
-    }
-    c->last = now;
+    if (timed)
+        samples_add(&c->took[runner], took);
+    if (runner == BOARD)
+        c->last = took;
     return fine;
 }
 
-static bool board_frame_of(struct race *c, int f, bool timed)
-{
-    const double from = bench_now();
-    const bool fine = board_game_tick(&c->g, side_player_x(f), side_player_y(f), c->err, sizeof c->err);
-    const double took = bench_since(from);
-
-    if (timed) {
-        samples_add(&c->board, took);
-        c->bullets += c->g.b->bullets.s.live;
-        c->scripted += c->g.b->ml_runners.s.live;
-    }
-    return fine;
-}
-
+/* Some frames of each by turns, so that each finds its own in the caches as it would without the others. */
 static bool run_race(struct race *c, int from, int frames)
 {
-    for (int f = 0; f < from + frames; f++) {
-        const bool timed = f >= from;
-        if (f & 1 ? !(library_frame(c, f, timed) && board_frame_of(c, f, timed))
-                  : !(board_frame_of(c, f, timed) && library_frame(c, f, timed)))
-            return false;
-    }
+    for (int f = 0; f < from; f++)
+        for (int k = 0; k < RUNNERS; k++)
+            if (!frame_of(c, k, f, false))
+                return false;
+    bench_clock_for(c->last);
+    for (int block = from; block < from + frames; block += BLOCK)
+        for (int k = 0; k < RUNNERS; k++)
+            for (int f = block; f < block + BLOCK; f++) {
+                const int runner = (block / BLOCK + k) % RUNNERS;
+                if (!frame_of(c, runner, f, true))
+                    return false;
+                c->bullets += runner == BOARD ? c->g.b->bullets.s.live : 0;
+                c->scripted += runner == BOARD ? c->g.b->ml_runners.s.live : 0;
+            }
     return true;
 }
 
 /* A row of the table. */
-static void tell(const struct race *c, const char *what, int frames, double *ratio)
+static void tell(const struct race *c, const char *what, int frames, double ratio[HOSTS])
 {
-    const double library = samples_median(&c->library), board = samples_median(&c->board);
     const double n = c->bullets / frames, scripted = c->scripted / frames;
+    double ns[RUNNERS];
 
-    *ratio = library / board;
-    report_row(0, what, report_count((int64_t)n), report_count((int64_t)scripted),
-               report_string("%.1f", library / 1000), report_string("%.1f", board / 1000),
-               report_string("%.1f", library / (c->library_bullets / frames)), report_string("%.1f", board / n),
-               report_string("%.1f", *ratio), NULL);
+    for (int i = 0; i < RUNNERS; i++)
+        ns[i] = samples_median(&c->took[i]);
+    for (int i = 0; i < HOSTS; i++)
+        ratio[i] = ns[i] / ns[BOARD];
+    report_row(0, what, report_count((int64_t)n), report_count((int64_t)scripted), report_string("%.1f", ns[PLAIN] / n),
+               report_string("%.1f", ns[QUICK] / n), report_string("%.1f", ns[BOARD] / n),
+               report_string("%.1f", ratio[PLAIN]), report_string("%.1f", ratio[QUICK]), NULL);
 }
 
-static bool race(const char *path, const char *what, int roots, int from, int frames, double *ratio)
+static bool race(const char *path, const char *what, int roots, int from, int frames, double ratio[HOSTS])
 {
     struct race c;
     const bool fine = open_race(&c, path, roots) && run_race(&c, from, frames);
@@ -143,20 +147,14 @@ static bool race(const char *path, const char *what, int roots, int from, int fr
     return fine;
 }
 
-static const char columns[] = "document|bullets>|of them scripted>|libbulletml, us a frame>|board>|"
-                              "ns a bullet>|board>|times as fast>";
+static const char columns[] = "document|bullets>|of them scripted>|plain host, ns a bullet>|quick host>|board>|"
+                              "times as fast as plain>|as quick>";
 
 static int by_size(const void *a, const void *b)
 {
     const double p = *(const double *)a, q = *(const double *)b;
 
     return (p > q) - (p < q);
-}
-
-static double median(double *v, int n)
-{
-    qsort(v, (size_t)n, sizeof *v, by_size);
-    return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
 }
 
 /* Bullets without actions, n of them from some roots, at once. */
@@ -174,7 +172,7 @@ static bool write_straight(const char *path, int n)
     return fclose(f) == 0;
 }
 
-static bool straight(double ratio[SIZES])
+static bool straight(double ratio[SIZES][HOSTS])
 {
     char path[] = "/tmp/curtain-straight-XXXXXX";
     const int fd = mkstemp(path);
@@ -185,44 +183,53 @@ static bool straight(double ratio[SIZES])
     report_table("Bullets without actions", columns);
     for (int k = 0; k < SIZES && fine; k++)
         fine = write_straight(path, sizes[k] / STRAIGHT_ROOTS) &&
-               race(path, "straight", STRAIGHT_ROOTS, 20, 100, &ratio[k]);
+               race(path, "straight", STRAIGHT_ROOTS, 20, 100, ratio[k]);
     report_table_end();
     unlink(path);
     return fine;
 }
 
-bool tool_speed(double *scripted, double *straight_on)
+static bool scripted(double ratio[DOCUMENTS * SIZES][HOSTS])
 {
-    double ratio[DOCUMENTS * SIZES], line[SIZES];
     int n = 0;
 
-    report_section("Speed");
-    report_text("%s", report_machine());
     report_table("Bullets with actions", columns);
     for (int i = 0; i < DOCUMENTS; i++)
         for (int k = 0; k < SIZES; k++) {
             const struct timed *t = &documents[i];
             if (!race(t->path, report_string("%s (%s)", list_name(t->path), t->what), sizes[k] / t->scripted, t->from,
-                      t->frames, &ratio[n++]))
+                      t->frames, ratio[n++]))
                 return false;
         }
     report_table_end();
-    if (!straight(line))
-        return false;
-    *scripted = median(ratio, n);
-    *straight_on = median(line, SIZES);
     return true;
 }
 
-int tool_speed_alone(int argc, char **argv)
+static double median(double (*ratio)[HOSTS], int n, int host)
 {
-    double scripted, straight_on;
+    double v[DOCUMENTS * SIZES];
 
-    (void)argc;
-    (void)argv;
-    report_begin(&(struct report){ .program = "bulletml", .echo = true });
-    if (!tool_speed(&scripted, &straight_on))
-        return 1;
-    printf("medians: %.1f times, straight %.1f times\n", scripted, straight_on);
-    return 0;
+    for (int i = 0; i < n; i++)
+        v[i] = ratio[i][host];
+    qsort(v, (size_t)n, sizeof *v, by_size);
+    return n % 2 ? v[n / 2] : (v[n / 2 - 1] + v[n / 2]) / 2;
+}
+
+bool tool_speed(struct tool_times *out)
+{
+    double ratio[DOCUMENTS * SIZES][HOSTS], line[SIZES][HOSTS];
+
+    report_section("Speed");
+    report_text("%s", report_machine());
+    report_text("The same documents from the same places in one process, so often that 1,000 to 64,000 bullets have "
+                "something to do; ten frames of the board and ten of each host by turns, medians of 100. A frame of "
+                "the board is all of its tick, hits and leaving included, and one of libbulletml is its runners, the "
+                "moves, and a box. libbulletml says a bullet's direction and speed, and it is its host that makes a "
+                "velocity of them: the plain one does so in each frame, the quick one when they change. Both drop a "
+                "runner that has ended. A host with many more bullets than its caches hold waits for memory.");
+    if (!scripted(ratio) || !straight(line))
+        return false;
+    *out = (struct tool_times){ median(ratio, DOCUMENTS * SIZES, PLAIN), median(ratio, DOCUMENTS * SIZES, QUICK),
+                                median(line, SIZES, PLAIN), median(line, SIZES, QUICK) };
+    return true;
 }

@@ -29,12 +29,14 @@ GROUPS = [
                       "docs/from.md", "docs/features.md", "docs/music.md"]),
     ("The engine", ["docs/design.md", "CONTRIBUTING.md", "docs/porting.md", "docs/demos.md", "docs/determinism.md",
                     "CHANGELOG.md", "LICENSE"]),
-    ("Measured", ["docs/speed.md", "docs/accuracy.md", "docs/pacing.md", "docs/sound.md", "docs/proof.txt"]),
+    ("Measured", ["docs/speed.md", "docs/accuracy.md", "docs/pacing.md", "docs/sound.md",
+                  "docs/bulletml.md", "docs/proof.txt"]),
 ]
 NAMES = {"README.md": "Curtain", "docs/manual.md": "The manual", "docs/api.md": "The Lua API",
          "docs/from.md": "From other engines", "docs/features.md": "What authors expect",
          "docs/music.md": "The music of Glass Tide", "docs/design.md": "Design", "docs/demos.md": "Demo files",
          "docs/determinism.md": "Same run everywhere", "docs/accuracy.md": "Accuracy", "docs/pacing.md": "Pacing",
+         "docs/bulletml.md": "BulletML",
          "docs/speed.md": "Speed", "docs/sound.md": "Sound", "docs/proof.txt": "The proofs", "LICENSE": "Licence"}
 TYPES = {".png": "image/png", ".svg": "image/svg+xml", ".gif": "image/gif"}
 LEXERS = {"lua": "lua", "c": "c", "sh": "bash", "make": "make"}

@@ -87,9 +87,14 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *what)
 
 /* What a polar speed and an extra velocity of a document come to on the board. */
 struct flight {
-    ang dir;
     fx speed, vx, vy;
     int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
+};
+
+/* A direction on the board, and its parts in Q30. */
+struct heading {
+    ang dir;
+    int32_t cosine, sine;
 };
 
 static int64_t in_speed(int64_t v)
@@ -113,28 +118,45 @@ static inline fx nearest(int64_t v)
     return (fx)((v + (1 << 15)) >> 16);
 }
 
-static inline struct flight flight(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed)
+static inline __attribute__((always_inline)) struct heading heading_of(const struct ml_roots *o, uint32_t root,
+                                                                       int64_t direction)
 {
-    const int64_t v = scaled(speed, o->pace[root]);
-    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    struct heading h = { .dir = to_board(o, root, direction) };
     int64_t c, s;
 
-    trig_direction(f.dir, &c, &s);
-    f.fine_x = ml_scale(v, c, 40);
-    f.fine_y = ml_scale(v, s, 40);
-    f.vx = nearest(f.fine_x);
-    f.vy = nearest(f.fine_y);
-    return f;
+    trig_direction(h.dir, &c, &s);
+    h.cosine = (int32_t)((c + (1 << 9)) >> 10);
+    h.sine = (int32_t)((s + (1 << 9)) >> 10);
+    return h;
 }
 
-/* The same with (vx, vy) beside it: one sum, rounded once. */
-static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed,
-                                   int64_t vx, int64_t vy)
+/* A body has another direction. */
+static inline __attribute__((always_inline)) void head_for(struct ml_runners *r, const struct ml_roots *o,
+                                                           uint32_t root, uint32_t body, int64_t direction)
+{
+    const struct heading h = heading_of(o, root, direction);
+
+    r->direction[body] = direction;
+    r->put_dir[body] = h.dir;
+    r->cosine[body] = h.cosine;
+    r->sine[body] = h.sine;
+}
+
+static inline __attribute__((always_inline)) struct flight flight(const struct ml_roots *o, uint32_t root,
+                                                                  int32_t cosine, int32_t sine, int64_t speed)
+{
+    const int64_t v = scaled(speed, o->pace[root]);
+    const int64_t x = ml_scale(v, cosine, 30), y = ml_scale(v, sine, 30);
+
+    return (struct flight){ nearest(v), nearest(x), nearest(y), x, y };
+}
+
+/* Adds a velocity of the document's: one sum, rounded once. */
+static void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
 {
     const ang turned = o->turned[root] - UP;
-    const int64_t v = scaled(speed, o->pace[root]), across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
+    const int64_t across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
                   x = o->flags[root] & ROOT_MIRRORED ? -across : across;
-    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
     int64_t c, s, more_x = x, more_y = y;
 
     if (turned) {
@@ -142,20 +164,21 @@ static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int6
         more_x = ml_scale(x, c, 40) - ml_scale(y, s, 40);
         more_y = ml_scale(x, s, 40) + ml_scale(y, c, 40);
     }
-    trig_direction(f.dir, &c, &s);
-    f.fine_x = in_speed(ml_scale(v, c, 40) + more_x);
-    f.fine_y = in_speed(ml_scale(v, s, 40) + more_y);
-    f.vx = nearest(f.fine_x);
-    f.vy = nearest(f.fine_y);
-    return f;
+    f->fine_x = in_speed(f->fine_x + more_x);
+    f->fine_y = in_speed(f->fine_y + more_y);
+    f->vx = nearest(f->fine_x);
+    f->vy = nearest(f->fine_y);
 }
 
 /* What a body's state comes to. */
-static inline struct flight flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
+static inline __attribute__((always_inline)) struct flight
+flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
 {
+    struct flight f = flight(o, root, r->cosine[i], r->sine[i], r->speed[i]);
+
     if (r->vx[i] | r->vy[i])
-        return flight_beside(o, root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
-    return flight(o, root, r->direction[i], r->speed[i]);
+        fly_beside(&f, o, root, r->vx[i], r->vy[i]);
+    return f;
 }
 
 /* ---- runners ---- */
@@ -187,6 +210,7 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
         r->begun[c] = r->over[c] = 0;
     }
     r->put_dir[i] = 0;
+    r->cosine[i] = r->sine[i] = 0;
     r->put_speed[i] = r->put_vx[i] = r->put_vy[i] = 0;
     b->ml_roots.runners[root]++;
     return i;
@@ -219,7 +243,8 @@ static void drop_runner(struct board *b, uint32_t i)
 /* ---- firing ---- */
 
 /* A runner for what is fired, the bullet of which comes later; returns its slot + 1, or 0. */
-static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, struct given *given)
+static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, const struct heading *h,
+                      struct given *given)
 {
     struct ml_runners *r = &t->b->ml_runners;
 
@@ -235,7 +260,9 @@ static uint32_t equip(const struct turn *t, const struct fired *f, const struct 
     r->given[i] = given->list;
     r->direction[i] = f->direction;
     r->speed[i] = f->speed;
-    r->put_dir[i] = way->dir;
+    r->put_dir[i] = h->dir;
+    r->cosine[i] = h->cosine;
+    r->sine[i] = h->sine;
     r->put_speed[i] = way->speed;
     r->put_vx[i] = way->vx;
     r->put_vy[i] = way->vy;
@@ -252,18 +279,19 @@ void bulletml_fire(const struct turn *t, const struct fired *f, struct given *gi
         emit_refuse(t->b, false, 1);
         return;
     }
-    const struct flight way = flight(o, t->root, f->direction, f->speed);
+    const struct heading h = heading_of(o, t->root, f->direction);
+    const struct flight way = flight(o, t->root, h.cosine, h.sine, f->speed);
     fresh->at[fresh->n++] = (struct ml_fired){
         .x = t->x,
         .y = t->y,
         .vx = way.vx,
         .vy = way.vy,
         .speed = way.speed,
-        .dir = way.dir,
+        .dir = h.dir,
         .kind = known ? o->kinds[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
         .root = t->root,
         .label = f->label,
-        .runner = f->at ? equip(t, f, &way, given) : 0,
+        .runner = f->at ? equip(t, f, &way, &h, given) : 0,
     };
 }
 
@@ -331,7 +359,10 @@ static inline void apply_change(struct ml_runners *r, const struct turn *t, int 
     const bool over = (int32_t)(t->now - r->over[c]) >= 0;
     const int64_t v = over ? r->to[c] : changed(r, c, change, t->now);
 
-    of[t->body] = change == CHANGE_DIRECTION ? wrap_turn(r, c, v) : v;
+    if (change == CHANGE_DIRECTION)
+        head_for(r, &t->b->ml_roots, t->root, t->body, wrap_turn(r, c, v));
+    else
+        of[t->body] = v;
     if (over)
         r->flags[t->runner] &= (uint16_t) ~(1u << change);
 }
@@ -366,7 +397,7 @@ static void read_back(const struct turn *t, uint32_t bullet)
         vy == r->put_vy[i])
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
-        r->direction[i] = from_board(o, t->root, s->dir[bullet]);
+        head_for(r, o, t->root, i, from_board(o, t->root, s->dir[bullet]));
         r->flags[i] &= (uint16_t) ~(1u << CHANGE_DIRECTION);
     }
     if (s->speed[bullet] != r->put_speed[i]) {
@@ -375,7 +406,6 @@ static void read_back(const struct turn *t, uint32_t bullet)
     }
     r->vx[i] = r->vy[i] = 0;
     r->flags[i] &= (uint16_t) ~(1u << CHANGE_X | 1u << CHANGE_Y);
-    r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
     r->put_vx[i] = vx;
     r->put_vy[i] = vy;
@@ -404,7 +434,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     const uint32_t i = t->runner;
     const struct flight f = flight_of(&t->b->ml_roots, r, t->root, i);
 
-    s->dir[bullet] = r->put_dir[i] = f.dir;
+    s->dir[bullet] = r->put_dir[i];
     s->speed[bullet] = r->put_speed[i] = f.speed;
     r->put_vx[i] = f.vx;
     r->put_vy[i] = f.vy;
@@ -449,39 +479,52 @@ static bool run_bullet(struct turn *t)
     return !(r->flags[i] & RUNNER_OVER) || r->flags[i] & RUNNER_CHANGES;
 }
 
+/* The value of a change that goes on; false: it ends in this frame, or its step is not known. */
+static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint32_t now, int64_t *v)
+{
+    if ((int32_t)(now - r->over[c]) >= 0 || !r->step[c])
+        return false;
+    *v = r->from[c] + ml_scale(r->step[c], now - r->begun[c], shift);
+    return true;
+}
+
+/* Is its bullet there, and as it was left? */
+static inline bool untouched(const struct ml_runners *r, const struct bullets *s, uint32_t i, uint32_t k)
+{
+    return slots_has(&s->s, k, handle_gen(r->bullet[i])) && !s->motion[k] &&
+           !((s->dir[k] ^ r->put_dir[i]) | (ang)(s->speed[k] ^ r->put_speed[i]) | (ang)(s->vx[k] ^ r->put_vx[i]) |
+             (ang)(s->vy[k] ^ r->put_vy[i]));
+}
+
 /*
- * A turn in which a bullet's runner has nothing due, and only its direction or speed change: the common one, done
- * without the rest. False: it is not such a turn.
+ * A turn in which a bullet's runner has nothing due, and only changes go on: the common one, done without the rest.
+ * False: it is not such a turn.
  */
 static inline bool glide(struct board *b, uint32_t i, uint32_t now)
 {
     struct ml_runners *r = &b->ml_runners;
+    const struct ml_roots *o = &b->ml_roots;
     struct bullets *s = &b->bullets;
     const unsigned flags = r->flags[i];
     const uint32_t k = handle_slot(r->bullet[i]), root = r->root[i];
-    const size_t turn = (size_t)i * CHANGES + CHANGE_DIRECTION, pace = turn - CHANGE_DIRECTION + CHANGE_SPEED;
+    const size_t c = (size_t)i * CHANGES;
+    int64_t direction = 0, speed = r->speed[i], vx = r->vx[i], vy = r->vy[i];
 
-    if (flags & (1 << CHANGE_X | 1 << CHANGE_Y | RUNNER_TOP) || s->stands ||
-        !slots_has(&s->s, k, handle_gen(r->bullet[i])) || s->motion[k] ||
-        r->vx[i] | r->vy[i] | (s->dir[k] ^ r->put_dir[i]) | (s->speed[k] ^ r->put_speed[i]) |
-            (s->vx[k] ^ r->put_vx[i]) | (s->vy[k] ^ r->put_vy[i]))
+    if (flags & RUNNER_TOP || s->stands || !untouched(r, s, i, k))
         return false;
-    int64_t direction = r->direction[i], speed = r->speed[i];
-    if (flags & 1 << CHANGE_DIRECTION) {
-        if ((int32_t)(now - r->over[turn]) >= 0 || !r->step[turn])
-            return false;
-        direction = wrap_turn(r, turn, r->from[turn] + ml_scale(r->step[turn], now - r->begun[turn], 12));
-        r->direction[i] = direction;
-    }
-    if (flags & 1 << CHANGE_SPEED) {
-        if ((int32_t)(now - r->over[pace]) >= 0 || !r->step[pace])
-            return false;
-        speed = r->from[pace] + ml_scale(r->step[pace], now - r->begun[pace], 20);
-        r->speed[i] = speed;
-    }
-    const struct flight f = flight(&b->ml_roots, root, direction, speed);
+    if ((flags & 1 << CHANGE_DIRECTION && !goes_on(r, c + CHANGE_DIRECTION, 12, now, &direction)) ||
+        (flags & 1 << CHANGE_SPEED && !goes_on(r, c + CHANGE_SPEED, 20, now, &speed)) ||
+        (flags & 1 << CHANGE_X && !goes_on(r, c + CHANGE_X, 20, now, &vx)) ||
+        (flags & 1 << CHANGE_Y && !goes_on(r, c + CHANGE_Y, 20, now, &vy)))
+        return false;
+    if (flags & 1 << CHANGE_DIRECTION)
+        head_for(r, o, root, i, wrap_turn(r, c + CHANGE_DIRECTION, direction));
+    r->speed[i] = speed;
+    r->vx[i] = vx;
+    r->vy[i] = vy;
+    const struct flight f = flight_of(o, r, root, i);
     const fx fast = fx_max(fx_abs(f.vx), fx_abs(f.vy));
-    s->dir[k] = r->put_dir[i] = f.dir;
+    s->dir[k] = r->put_dir[i];
     s->speed[k] = r->put_speed[i] = f.speed;
     s->vx[k] = r->put_vx[i] = f.vx;
     s->vy[k] = r->put_vy[i] = f.vy;
@@ -635,10 +678,12 @@ static void move_root(struct board *b, uint32_t i)
         return;
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
-    const struct flight beside = flight_beside(o, i, r->direction[k], 0, r->vx[k], r->vy[k]);
     const int64_t v = scaled(r->speed[k], o->pace[i]);
-    move_fine(&o->x[i], &o->x_more[i], beside.fine_x + ml_scale(v, trig_cos30(beside.dir), 30));
-    move_fine(&o->y[i], &o->y_more[i], beside.fine_y + ml_scale(v, trig_sin30(beside.dir), 30));
+    struct flight f = { .fine_x = ml_scale(v, trig_cos30(r->put_dir[k]), 30),
+                        .fine_y = ml_scale(v, trig_sin30(r->put_dir[k]), 30) };
+    fly_beside(&f, o, i, r->vx[k], r->vy[k]);
+    move_fine(&o->x[i], &o->x_more[i], f.fine_x);
+    move_fine(&o->y[i], &o->y_more[i], f.fine_y);
     if (o->follow[i]) {
         b->enemies.x[handle_slot(o->follow[i])] = in_world((int64_t)o->x[i] - o->dx[i]);
         b->enemies.y[handle_slot(o->follow[i])] = in_world((int64_t)o->y[i] - o->dy[i]);
@@ -763,7 +808,7 @@ int32_t board_ml_begin(struct board *b, const struct bulletml_start *start)
         }
         if (!top) {
             o->body[i] = (uint32_t)k;
-            r->direction[k] = 180 * ML_ONE;
+            head_for(r, o, (uint32_t)i, (uint32_t)k, 180 * ML_ONE);
         }
         r->body[k] = o->body[i];
         r->given[k] = o->given[i];

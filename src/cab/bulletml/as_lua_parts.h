@@ -1,6 +1,7 @@
 /*
  * as_lua_parts.h - what the files of `curtain bulletml --lua` share: as_lua.c (elements), as_lua_value.c (numbers),
- * as_lua_motion.c (motion programs), as_lua_helpers.c (functions that the script brings along).
+ * as_lua_motion.c (motion programs), as_lua_head.c (the first lines), as_lua_helpers.c (functions that the script brings
+ * along).
  * floor: cab
  */
 #ifndef CAB_BULLETML_AS_LUA_PARTS_H
@@ -45,5 +46,8 @@ bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
 
 /* Adds those of the functions that the script brings along which the text calls, and which these call. */
 void as_lua_helpers(struct lua_text *t, const char *body);
+
+/* The first lines of a script with that body. */
+void as_lua_head(struct lua_text *t, const struct document *d, const char *file, const char *body);
 
 #endif

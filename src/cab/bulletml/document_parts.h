@@ -1,6 +1,6 @@
 /*
  * document_parts.h - what the files of the reader of documents share: document.c (the tree), document_xml.c (expat),
- * document_check.c (what must be where), document_warn.c (what is hardly meant).
+ * document_attributes.c (labels, types), document_check.c (what must be where), document_warn.c (what is hardly meant).
  * floor: cab
  */
 #ifndef CAB_BULLETML_DOCUMENT_PARTS_H
@@ -40,6 +40,10 @@ bool document_has_number(enum document_element element);
 
 /* What a ref's label is one of. */
 enum document_element document_meant(enum document_element ref);
+
+/* Reads the attributes of a node, name and value in turn, up to a NULL. foreign: of a document whose letters beyond ASCII
+ * are not known. */
+void document_attributes(struct document_reader *r, int32_t node, const char **attributes, bool foreign);
 
 /* XML to the tree. */
 void document_xml(struct document_reader *r, const char *bytes, size_t n);

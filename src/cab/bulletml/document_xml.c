@@ -11,7 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../base/edit.h"
 
 #if defined __has_include && !defined WITHOUT_LIBRARIES
 #if __has_include(<expat.h>)
@@ -125,108 +124,6 @@ static const char *name_of(const struct reader *x, int32_t node)
     return document_element_name(x->r->d->node[node].element);
 }
 
-/* ---- attributes ---- */
-
-static void read_label(struct reader *x, struct document_node *node, const char *value)
-{
-    const char *name = document_element_name(node->element);
-    const size_t n = strlen(value);
-
-    for (size_t i = 0; x->foreign && i < n; i++)
-        if (value[i] & 0x80) {
-            document_bad(x->r, node->line, node->column,
-                         "<%s>: its label has letters beyond ASCII; save the document as UTF-8", name);
-            return;
-        }
-    if (n > DOCUMENT_LABEL) {
-        document_bad(x->r, node->line, node->column, "<%s>: expected a label of at most %d bytes, got %zu", name,
-                     (int)DOCUMENT_LABEL, n);
-        return;
-    }
-    const char *kept = document_keep(x->r, value, n + 1);
-    if (kept)
-        node->label = kept;
-}
-
-/* The types an element may have, and the one that was meant, if any. */
-static void bad_type(struct reader *x, const struct document_node *node, const char *const *names, int n,
-                     const char *value)
-{
-    char list[80] = "";
-    const char *near = NULL;
-    int best = EDIT_FAR;
-
-    for (int i = 0; i < n; i++) {
-        const size_t at = strlen(list);
-        const int far = edit_distance(value, names[i]);
-        snprintf(list + at, sizeof list - at, "%s%s", i == 0 ? "" : i == n - 1 ? " or " : ", ", names[i]);
-        if (far < best) {
-            best = far;
-            near = names[i];
-        }
-    }
-    document_bad(x->r, node->line, node->column, "<%s>: type: expected %s, got \"%.40s\"%s%s%s",
-                 document_element_name(node->element), list, value, near ? " (did you mean \"" : "", near ? near : "",
-                 near ? "\"?)" : "");
-}
-
-static void read_type(struct reader *x, struct document_node *node, const char *value)
-{
-    static const char *const names[] = { "aim", "absolute", "relative", "sequence" };
-    static const char *const ways[] = { "none", "vertical", "horizontal" };
-    const bool root = node->element == NODE_BULLETML, turns = node->element == NODE_DIRECTION;
-
-    for (int i = 0; root && i < 3; i++)
-        if (strcmp(value, ways[i]) == 0) {
-            x->r->d->horizontal = i == 2;
-            return;
-        }
-    for (int i = 0; !root && i < 4; i++)
-        if (strcmp(value, names[i]) == 0) {
-            node->type = (enum document_type)(NODE_AIM + i);
-            if (node->type != NODE_AIM || turns)
-                return;
-            node->type = NODE_ABSOLUTE;
-            document_told(x->r, (int32_t)(node - x->r->d->node), "type \"aim\" is the same as absolute here");
-            return;
-        }
-    if (root)
-        bad_type(x, node, ways, 3, value);
-    else
-        bad_type(x, node, names + !turns, turns ? 4 : 3, value);
-}
-
-static bool has_type(enum document_element element)
-{
-    return element == NODE_BULLETML || (element >= NODE_DIRECTION && element <= NODE_VERTICAL);
-}
-
-static bool has_label(enum document_element element)
-{
-    return (element >= NODE_BULLET && element <= NODE_FIRE) || (element >= NODE_BULLET_REF && element <= NODE_FIRE_REF);
-}
-
-/* Names that other programs put on the root, for their readers. */
-static bool known_elsewhere(enum document_element element, const char *name)
-{
-    return strncmp(name, "xml", 3) == 0 ||
-           (element == NODE_BULLETML && (strcmp(name, "name") == 0 || strcmp(name, "description") == 0));
-}
-
-static void read_attributes(struct reader *x, int32_t at, const char **attributes)
-{
-    struct document_node *node = &x->r->d->node[at];
-
-    for (int i = 0; attributes[i] && !x->r->failed; i += 2) {
-        if (strcmp(attributes[i], "label") == 0 && has_label(node->element))
-            read_label(x, node, attributes[i + 1]);
-        else if (strcmp(attributes[i], "type") == 0 && has_type(node->element))
-            read_type(x, node, attributes[i + 1]);
-        else if (!known_elsewhere(node->element, attributes[i]))
-            document_told(x->r, at, "its attribute \"%.40s\" says nothing here", attributes[i]);
-    }
-}
-
 /* ---- elements ---- */
 
 static void bad_element(struct reader *x, const char *name, const char *near)
@@ -265,7 +162,7 @@ static void XMLCALL begin_element(void *user, const XML_Char *name, const XML_Ch
         x->open = at;
         x->n = 0;
         x->closed = x->told = false;
-        read_attributes(x, at, attributes);
+        document_attributes(x->r, at, attributes, x->foreign);
     }
     go_on(x);
 }

@@ -12,7 +12,7 @@ task.go(function()
   bullet.ml { name = "document", x = 160, y = 20, kind = "dot", rank = run.rank, seed = run.seed, loop = run.loop,
     on_fire = function(b)
       n = n + 1
-      b.ones, b.thousands = n % 1000, n // 1000
+      b.ones, b.thousands, b.bank = n % 1000, n // 1000, n % 8
     end }
   wait(forever)
 end)

@@ -34,7 +34,7 @@ static const struct api_param params[] = {
     { "kinds", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "rank", A_NUM, OPT, 0, 1, NULL, "0.5" },
     { "seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0" },
-    { "speed", A_NUM, OPT, 1.0 / 65536, FASTEST, "px/frame", "1" },
+    { "speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1" },
     { "angle", A_DIR, OPT, 0, 0, NULL, "0" },
     { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "params", A_TABLE, OPT, 0, 0, NULL, NULL },
@@ -252,7 +252,7 @@ static const struct api_entry entries[] = {
       "runs the BulletML document bulletml/NAME.xml at a place, or where a thing is (with steer, it moves that enemy): "
       "its bullets are of a kind, or by label of one in kinds; speed is px a frame of its speed 1, angle turns it; "
       "on_fire(b, label) is called for each bullet; it ends with its owner, as a task does" },
-    { "bullet.documents", documents, NULL, 0, 0, 0, "table",
+    { "bullet.documents", documents, NULL, 0, 0, 0, "list",
       "a list of the game's BulletML documents, each { name = \"..\", labels = { .. } }: the labels of bullets that it "
       "fires" },
     API_VERB("bulletml:stop", stop, self, 1, NULL, "the document fires no more; its bullets go on with their actions"),
