@@ -3,7 +3,7 @@
 bullet.def("orb", { sprite = "dot", hit = { circle = 2.25 } })
 bullet.def("rice", { sprite = "dart", hit = { box = { 4, 2 } }, turns = true })
 shot.def("bolt", { sprite = "dart", hit = { box = { 3, 5 } }, turns = true })
-enemy.def("wisp", { sprite = "dot", hit = { box = { 9, 7 } }, hp = 900 })
+enemy.def("wisp", { sprite = "dot", hit = { box = { 8, 7 } }, hp = 900 })
 player.def("ship", { sprite = "dot", hit = { circle = 1.5 }, speed = 2, focus = 1,
   run = function(p)
     while true do
