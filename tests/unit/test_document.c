@@ -235,6 +235,7 @@ static void test_bad_expressions(void **state)
     refused("$randy", 1, "expected rand, rank or 1 to 9 behind \"$\", got \"r\"");
     refused("$12", 2, "expected + - * / or the end, got \"2\"");
     refused("$", 1, "expected rand, rank or 1 to 9 behind \"$\", got the end");
+    refused("$\n1", 1, "expected rand, rank or 1 to 9 behind \"$\", got a blank");
     refused("2 \xc3\x97 3", 2, "expected + - * / or the end, got \"\xc3\x97\"");
     refused("", 0, "expected a number, $rand, $rank, $1 to $9, - or (, got the end");
     memset(deep, '-', sizeof deep);

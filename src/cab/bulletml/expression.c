@@ -29,7 +29,9 @@ static void fail(struct parser *p, const char *what)
         return;
     p->failed = true;
     p->error->at = p->at;
-    if (p->at < p->n) {
+    if (p->at < p->n && (uint8_t)p->text[p->at] <= ' ') {
+        snprintf(got, sizeof got, "a blank");
+    } else if (p->at < p->n) {
         size_t n = 1; /* a whole character */
         while (n < 4 && p->at + n < p->n && ((uint8_t)p->text[p->at + n] & 0xc0) == 0x80)
             n++;
