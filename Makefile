@@ -229,11 +229,10 @@ VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host
 build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-CORE_PORT := ports/libretro/core.c ports/libretro/inside.c src/cab/share/mark.c
-$(OUT)/curtain_libretro.so: $(CORE_PORT) $(wildcard ports/libretro/*.h) src/cab/share/mark.h src/board/board.h \
-		src/lib/curtain.h $(OUT)/libcurtain.a
+RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,ports/libretro/core ports/libretro/inside src/cab/share/mark)
+$(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $(CORE_PORT) $(OUT)/libcurtain.a \
+	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
 		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
@@ -329,6 +328,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
+$(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 
 # A fuzz target that takes what it is given from files, and no more: for valgrind.
@@ -343,7 +343,8 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
 programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
-          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(UNIT) $(MACHINE)
+          $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
+          $(UNIT) $(MACHINE)
 
 test: deps-play-test-ports-web
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs $(OUT)/curtain_libretro.so $(WEB)/player.html
@@ -516,7 +517,8 @@ compare: deps-null
 # ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
 
 CXX       ?= c++
-BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
+                $(OUT)/tools/bench/measure.o
 
 $(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
 	@mkdir -p $(@D)

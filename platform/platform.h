@@ -242,10 +242,10 @@ struct plat_file {
 int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
 
 /* From now on, when the program is about to die of a fault of its own (desktop: SIGSEGV, SIGBUS, SIGFPE, SIGILL,
- * SIGABRT), fn is called with context and what it was, as "SIGSEGV", and may write a file by handing out its bytes: STEM-N.txt,
- * with the first N from 1 on that is free. Then a line says where that is, and the program dies as it would have. fn
- * runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that of a file; fn
- * NULL: no more. The last call holds. False: the host has nothing like it. */
+ * SIGABRT), fn is called with context and what it was, as "SIGSEGV", and may write a file by handing out its bytes:
+ * STEM-N.txt, with the first N from 1 on that is free. Then a line says where that is, and the program dies as it
+ * would have. fn runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that
+ * of a file; fn NULL: no more. The last call holds. False: the host has nothing like it. */
 bool plat_crash(const char *stem, void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
                 void *context);
 

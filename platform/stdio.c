@@ -207,9 +207,13 @@ DEFAULT bool plat_program(char *name, size_t size)
 #ifndef PLAT_OWN_BESIDE
 DEFAULT bool plat_beside(const char *path, char *name, size_t size)
 {
-#ifdef POSIX
+#ifdef PROCESSES
     char program[256], *real = plat_program(program, sizeof program) ? realpath(program, NULL) : NULL;
     char *end = real ? strrchr(real, '/') : NULL;
+    for (; end && strncmp(path, "../", 3) == 0; path += 3) {
+        *end = '\0';
+        end = strrchr(real, '/');
+    }
     const int n = end ? snprintf(name, size, "%.*s/%s", (int)(end - real), real, path) : -1;
     free(real);
     return n >= 0 && n < (int)size;
@@ -901,12 +905,23 @@ static void crashes(int sig)
     raise(sig); /* once this has returned */
 }
 
+/* Is it what is armed already? It is asked each frame. */
+static bool crash_is(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
+                     const void *context)
+{
+    char path[CRASH_PATH];
+    return crash.armed && fn == crash.fn && context == crash.context && plat_path(stem, path, sizeof path - 32) &&
+           strlen(path) == crash.stem && memcmp(path, crash.path, crash.stem) == 0;
+}
+
 DEFAULT bool plat_crash(const char *stem,
                         void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
                         void *context)
 {
     stack_t stack = { .ss_sp = crash.stack, .ss_size = sizeof crash.stack };
     struct sigaction act = { 0 };
+    if (fn && crash_is(stem, fn, context))
+        return true;
     crash_disarm();
     if (!fn || !plat_path(stem, crash.path, sizeof crash.path - 32) || sigaltstack(&stack, 0) != 0)
         return !fn;

@@ -4,7 +4,8 @@
 #     DESTDIR=... PREFIX=/usr/local tools/install.sh install|uninstall
 #
 # One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own. The
-# documents as one file are there after `make docs` only, the library after `make library`.
+# documents as one file are there after `make docs` only, the library after `make library`, the player that
+# `curtain export --web` makes pages of after `make web`.
 set -eu
 cd "$(dirname "$0")/.."
 root=${DESTDIR:-}${PREFIX:-/usr/local}
@@ -40,6 +41,11 @@ list_library() {
     echo "644 ports/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
 }
 
+# What make web made.
+list_web() {
+    echo "644 build/web/player.html $data/player.html"
+}
+
 # What desktops look up is made anew: here, and not where a package is made, whose installation does it.
 look_up() {
     [ -z "${DESTDIR:-}" ] || return 0
@@ -54,6 +60,7 @@ install)
     {
         list
         [ ! -e build/curtain_libretro.so ] || list_library
+        [ ! -e build/web/player.html ] || list_web
     } | while read -r mode file target; do
         [ "$file" != build/curtain.html ] || [ -e "$file" ] || continue
         install -d "$root/${target%/*}"
@@ -68,6 +75,7 @@ uninstall)
     {
         list
         list_library
+        list_web
     } | while read -r mode file target; do
         rm -f "$root/$target"
     done

@@ -42,6 +42,6 @@ bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
     const bool room = *rom != NULL;
     free(*rom);
     *rom = NULL;
-    return refuse(err, err_size, info.dli_fname, room ? "the core is cut short: its game is not all there"
-                                                      : "there is too little memory");
+    return refuse(err, err_size, info.dli_fname,
+                  room ? "the core is cut short: its game is not all there" : "there is too little memory");
 }

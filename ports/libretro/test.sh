@@ -82,6 +82,28 @@ arch torn torn.rom --max-frames=10
 check 'a game that is cut short is refused, with a sentence' \
     grep -q "90000 bytes long, but its header says $(stat -c %s glasstide.rom)" torn/log
 
+# ---- a core with its game inside, beside the other ----
+
+check 'a core of the game is exported' "$curtain" export "$repo/roms/glasstide" --libretro -o cores/tide_libretro.so
+check 'and its description' grep -qx 'corename = "Glass Tide"' cores/tide_libretro.info
+settings inside 'run_ahead_enabled = "true"' 'run_ahead_frames = "1"' 'run_ahead_secondary_instance = "false"'
+alone() { # NAME CORE OPTION...: without content
+    local name=$1 core=$2
+    shift 2
+    HOME=$scratch/$name XDG_CONFIG_HOME=$scratch/$name retroarch -v -c "$name/cfg" -L "cores/$core" "$@" \
+        >"$name/log" 2>&1
+}
+alone inside tide_libretro.so --max-frames=600
+same 'it plays without content, as natively' "$(native glasstide.rom 600)" "$(told inside)"
+check 'and with run-ahead, for its description says that it may' [ "$(loads inside)" -ge 500 ]
+check 'its save RAM has its name' [ -s "inside/saves/Glass Tide.srm" ]
+check 'its demo holds' "$curtain" verify glasstide.rom inside/saves/glasstide.demo
+size=$(stat -c %s cores/tide_libretro.so)
+head -c $((size - 1000)) cores/tide_libretro.so >cores/cut_libretro.so
+settings cut
+alone cut cut_libretro.so --max-frames=10
+check 'one that is cut short says so' grep -q 'the core is cut short: its game is not all there' cut/log
+
 # ---- a pad, and going back in time ----
 
 ahead() { # SECOND

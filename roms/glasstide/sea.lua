@@ -15,6 +15,12 @@ function sea.flow(list) parts = list end
 -- The flow reaches this speed gently.
 function sea.speed(v) wanted = v end
 
+-- A background comes, within so many frames or as bg.show has it, and flows so fast.
+function sea.scene(name, v, over)
+  bg.show(name, over and { over = over })
+  sea.speed(v)
+end
+
 -- local still <close> = sea.still(): it stands until that block ends, however it ends.
 function sea.still()
   still = true

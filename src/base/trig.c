@@ -98,6 +98,23 @@ int32_t trig_cos30(ang a)
     return trig_sin30(a + 0x40000000);
 }
 
+/* The sine in Q56 by a quadratic, off by less than 2^29.4; and half an fx, so that cut it is rounded. */
+static inline int64_t sine_guess(ang a)
+{
+    const uint32_t i = a >> 23;
+    const int64_t f = a & 0x7fffff;
+
+    return SINE.base[i] + SINE.slope[i] * f + SINE.bend[i] * (f * f >> 23);
+}
+
+void trig_direction(ang a, int64_t *cosine, int64_t *sine)
+{
+    const int64_t half = (int64_t)1 << 39;
+
+    *cosine = (sine_guess(a + 0x40000000) - half + (1 << 15)) >> 16;
+    *sine = (sine_guess(a) - half + (1 << 15)) >> 16;
+}
+
 FX_COLD static fx sine_by_series(ang a)
 {
     return rounded(sine(a), 16, a);
@@ -107,8 +124,7 @@ FX_COLD static fx sine_by_series(ang a)
 fx trig_sin(ang a)
 {
     const uint64_t doubt = 800000000;
-    uint32_t i = a >> 23;
-    int64_t f = a & 0x7fffff, v = SINE.base[i] + SINE.slope[i] * f + SINE.bend[i] * (f * f >> 23);
+    const int64_t v = sine_guess(a);
 
     if (!FX_USUAL(((uint64_t)v + doubt) << 24 > doubt << 25))
         return sine_by_series(a);

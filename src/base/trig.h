@@ -16,6 +16,9 @@
 int32_t trig_sin30(ang a);
 int32_t trig_cos30(ang a);
 
+/* Both in Q40, off by less than 2^-26: for what is rounded to an fx afterwards, in a fraction of the time. */
+void trig_direction(ang a, int64_t *cosine, int64_t *sine);
+
 fx trig_sin(ang a);
 fx trig_cos(ang a);
 

@@ -104,7 +104,7 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)                                                            \
     PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_ROOTS), 0)                                                   \
     PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
-    PART(ml_frames_chip, ml_frames, ML_FRAMES *m->bulletml, 0)                                                         \
+    PART(ml_frames_chip, ml_frames, ML_FRAMES * m->bulletml, 0)                                                        \
     PART(ml_params_chip, ml_params, m->bulletml, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
@@ -467,7 +467,7 @@ void board_move(struct board *b)
     enemies_move(&b->enemies, &b->keep, &we);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     if (b->ml_roots.s.live)
-        bulletml_run(b);
+        board_ml_run(b);
     hit_queries(b, query);
     bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     if (b->items.s.top)
@@ -491,7 +491,7 @@ static int move_and_hit(lua_State *L)
     phase_done(b, PHASE_MOTION);
     hit_run(b);
     if (b->ml_fresh.n)
-        bulletml_let_go(b);
+        board_ml_let_go(b);
     vm_charge(L, WORK_FIRE * emit_run(b));
     return 0;
 }

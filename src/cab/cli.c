@@ -1,5 +1,6 @@
 /*
- * cli.c - see cli.h, and platform.h for the program by calls. What the words mean is in line/; what is done is in each command's room, and in the files here.
+ * cli.c - see cli.h, and platform.h for the program by calls. What the words mean is in line/; what is done is in each
+ * command's room, and in the files here.
  */
 #include "cli.h"
 
@@ -14,7 +15,6 @@
 #include "command.h"
 #include "headless.h"
 #include "host/report.h"
-#include "host/running.h"
 #include "line/args.h"
 #include "listen/listen.h"
 #include "measure/bench.h"
@@ -107,7 +107,7 @@ static enum result run(struct program *p, int argc, char **argv)
     case COMMAND_PALETTE:
         return art_run_palette(a->words[0], a->bank, a->out);
     case COMMAND_BULLETML:
-        return bulletml_command(a);
+        return bulletml_command(a->words, a->n_words, a->lua);
     case COMMAND_HELP:
         return command_help(a);
     case COMMAND_VERSION:

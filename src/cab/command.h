@@ -8,11 +8,10 @@
 #define CAB_COMMAND_H
 
 #include "host/result.h"
-#include "host/running.h"
 #include "line/args.h"
 
-/* Plays a game, and then those that are dropped on its window: *running is to be called, if there is one. a must last as
- * long. named: the word play was there. */
+/* Plays a game, and then those that are dropped on its window: *running is to be called, if there is one. a must last
+ * as long. named: the word play was there. */
 enum result command_play(const struct args *a, bool named, struct running *running);
 
 /* A folder to a ROM; what is in one, or the replays of it; its lumps as files; a program of it. */

@@ -4,16 +4,28 @@
 #include "bulletml.h"
 
 static const struct column root_columns[] = {
-    COLUMN(ml_roots, owner),  COLUMN(ml_roots, follow),
-    COLUMN(ml_roots, x),      COLUMN(ml_roots, y),
-    COLUMN(ml_roots, x_more), COLUMN(ml_roots, y_more),
-    COLUMN(ml_roots, program), COLUMN(ml_roots, body),
-    COLUMN(ml_roots, kind),   COLUMN(ml_roots, tag),
-    COLUMNS(ml_roots, kinds, ML_KINDS), COLUMN(ml_roots, bank),
-    COLUMN(ml_roots, flags),  COLUMN(ml_roots, runners),
-    COLUMN(ml_roots, by),     COLUMN(ml_roots, stream),
-    COLUMN(ml_roots, given),  COLUMN(ml_roots, rank),
-    COLUMN(ml_roots, pace),   COLUMN(ml_roots, turned),
+    COLUMN(ml_roots, owner),
+    COLUMN(ml_roots, follow),
+    COLUMN(ml_roots, dx),
+    COLUMN(ml_roots, dy),
+    COLUMN(ml_roots, x),
+    COLUMN(ml_roots, y),
+    COLUMN(ml_roots, x_more),
+    COLUMN(ml_roots, y_more),
+    COLUMN(ml_roots, program),
+    COLUMN(ml_roots, body),
+    COLUMN(ml_roots, kind),
+    COLUMN(ml_roots, tag),
+    COLUMNS(ml_roots, kinds, ML_KINDS),
+    COLUMN(ml_roots, bank),
+    COLUMN(ml_roots, flags),
+    COLUMN(ml_roots, runners),
+    COLUMN(ml_roots, by),
+    COLUMN(ml_roots, stream),
+    COLUMN(ml_roots, given),
+    COLUMN(ml_roots, rank),
+    COLUMN(ml_roots, pace),
+    COLUMN(ml_roots, turned),
 };
 
 static const struct column runner_columns[] = {

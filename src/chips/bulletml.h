@@ -17,10 +17,10 @@
 #include "slots.h"
 
 enum {
-    ML_ROOTS = 256,  /* documents at once */
+    ML_ROOTS = 4096, /* documents at once */
     ML_KINDS = 64,   /* labels of a document for which a kind can be given */
     ML_VALUES = 9,   /* of a parameter list */
-    ML_FRAMES = 4   /* frames there is room for, a runner */
+    ML_FRAMES = 4    /* frames there is room for, a runner */
 };
 
 /* Flags of a root. */
@@ -28,21 +28,21 @@ enum {
     ROOT_LOOPS = 1 << 0,
     ROOT_STEERS = 1 << 1, /* moves the thing it follows */
     ROOT_MIRRORED = 1 << 2,
-    ROOT_TELLS = 1 << 3,  /* it has an on_fire */
-    ROOT_BANK = 1 << 4,   /* bullets have its bank, not their kind's */
-    ROOT_ENDED = 1 << 5,  /* one of its tops has ended */
+    ROOT_TELLS = 1 << 3, /* it has an on_fire */
+    ROOT_BANK = 1 << 4,  /* bullets have its bank, not their kind's */
+    ROOT_ENDED = 1 << 5, /* one of its tops has ended */
     ROOT_VANISHES = 1 << 6,
-    ROOT_OVER = 1 << 7    /* for scripts it is gone; it stays until its bullets' runners have ended */
+    ROOT_OVER = 1 << 7 /* for scripts it is gone; it stays until its bullets' runners have ended */
 };
 
 struct ml_roots {
     struct slots s;
-    int64_t *owner;  /* handle, 0: the board */
-    int64_t *follow; /* the thing where it is, 0: none */
-    fx *x, *y;
-    int16_t *x_more, *y_more; /* 16 more bits of them: x and y are the nearest fx */
-    uint16_t *program; /* of the ROM's */
-    uint32_t *body;    /* the first of its own runners */
+    int64_t *owner;           /* handle, 0: the board */
+    int64_t *follow;          /* the thing where it is, 0: none */
+    fx *x, *y, *dx, *dy;      /* dx, dy: from what it follows */
+    int16_t *x_more, *y_more; /* 16 more bits of x and y, which are the nearest fx */
+    uint16_t *program;        /* of the ROM's */
+    uint32_t *body;           /* the first of its own runners */
     uint16_t *kind, *tag;
     uint16_t *kinds; /* ML_KINDS a root: the kind of bullets with that label */
     uint8_t *bank, *flags;
@@ -70,13 +70,13 @@ enum {
 
 struct ml_runners {
     struct slots s;
-    int64_t *bullet;  /* 0: it is of the root */
-    uint32_t *serial; /* in the order in which they were made */
-    uint32_t *root;   /* slots */
-    uint32_t *body;   /* the runner that has direction, speed and velocity: itself, or the first of the root's */
-    uint32_t *order;  /* two columns' worth: the live runners, oldest first */
-    uint32_t *at;     /* place in the program */
-    uint32_t *wake;   /* the clock at which its next command is due */
+    int64_t *bullet;         /* 0: it is of the root */
+    uint32_t *serial;        /* in the order in which they were made */
+    uint32_t *root;          /* slots */
+    uint32_t *body;          /* the runner that has direction, speed and velocity: itself, or the first of the root's */
+    uint32_t *order;         /* two columns' worth: the live runners, oldest first */
+    uint32_t *at;            /* place in the program */
+    uint32_t *wake;          /* the clock at which its next command is due */
     uint32_t *frame, *given; /* the innermost frame, and the parameter list, + 1; 0: none */
     uint16_t *depth;         /* frames it has */
     uint16_t *flags;

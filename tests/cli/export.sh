@@ -174,4 +174,98 @@ same '... of this path' "$PWD/${icon//\\/\\\\}" "$(sed -n 's/^Icon=//p' "$entry"
 bad 'beside files of somebody' 'new.png: is already there: remove it first' \
     export lanterns -o "$(touch new.png && echo new)" --desktop
 check '... and nothing was written' test ! -e new
+
+# ---- pages and cores: what they are made of stands beside the program, or in its installation ----
+
+mkdir -p tree/bin tree/share/curtain tree/lib/libretro
+cp "$null" tree/bin/curtain-null
+tool=$PWD/tree/bin/curtain-null
+bad() { # NAME LINE ARGUMENT...: of that program
+    local name=$1 line=$2
+    shift 2
+    says "$name" 2 "curtain: $line" "$tool" "$@"
+}
+made='of its installation:'
+bad 'no player' "export: there is no player.html beside this program, nor in share/curtain $made make web makes it, \
+where Curtain is built" export lanterns --web
+bad 'no core' "export: there is no curtain_libretro.so beside this program, nor in lib/libretro $made make library \
+makes it, where Curtain is built" export lanterns --libretro
+check '... and nothing was written' test ! -e lanterns.html -a ! -e lanterns_libretro.so
+version=$("$tool" version | sed -n '1s/.*(core \([0-9]*\),.*/\1/p')
+player=$PWD/tree/share/curtain/player.html
+page() { # CORE [ROM-MARK]
+    printf '<meta name="generator" content="Curtain, core %s">\n<title>@TITLE@</title>\n<h1>@TITLE@</h1>\n' "$1"
+    printf '<script>%s</script>\n@ROM' "${2-@ROM@}"
+}
+sed -i 's/title = "[^"]*"/title = "Sun \& <Sea> @ROM@"/' lanterns/rom.lua
+page "$version" >"$player"
+says 'a page is made, by a program without a window too' 0 '' "$tool" export lanterns --web
+same 'with its title' '<title>Sun &amp; &lt;Sea> &#64;ROM&#64;</title>
+<h1>Sun &amp; &lt;Sea> &#64;ROM&#64;</h1>' "$(sed -n 2,3p lanterns.html)"
+same 'and all that was there' "@ROM$(page "$version" | head -1)" "$(tail -n 1 lanterns.html)$(head -1 lanterns.html)"
+sed -n 's,^<script>\(.*\)</script>$,\1,p' lanterns.html | base64 -d >in.rom
+"$tool" pack lanterns -o lanterns.rom
+check 'and its game, compressed' cmp in.rom lanterns.rom
+says 'a page is replaced' 0 '' "$tool" export lanterns --web -o lanterns.html
+cp "$player" mine.html
+bad 'what is none is not' 'mine.html: is already there, and is no exported page: remove it first' \
+    export lanterns --web -o mine.html
+bad 'nor is a program' 'game: is already there, and is no exported page: remove it first' export lanterns --web -o game
+page $((version + 1)) >"$player"
+bad 'a player of another core version' \
+    "$player: is of core version $((version + 1)), this program of $version: make web makes it anew" \
+    export lanterns --web -o new.html
+for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
+    printf '%s' "$wrong" >"$player"
+    bad "what is no player: ${#wrong} bytes" "$player: is no player to put a game into: make web makes one" \
+        export lanterns --web -o new.html
+done
+check '... and nothing was written' test ! -e new.html
+
+cp "$OUT/curtain_libretro.so" tree/lib/libretro/ || not_ok 'the core is there'
+core=$PWD/tree/lib/libretro/curtain_libretro.so
+says 'a core is made' 0 '' "$tool" export lanterns --libretro
+same 'and what front ends read of it' 'display_name = "Sun & <Sea> @ROM@"
+supports_no_game = "true"
+savestate_features = "deterministic"' \
+    "$(grep -E '^(display_name|supports_no_game|savestate_features)' lanterns_libretro.info)"
+called() { # CORE: what it calls itself, and what files it takes
+    python3 - "$1" <<'END'
+import ctypes, sys
+class Info(ctypes.Structure):
+    _fields_ = [("name", ctypes.c_char_p), ("version", ctypes.c_char_p), ("ends", ctypes.c_char_p),
+                ("path", ctypes.c_bool), ("block", ctypes.c_bool)]
+core, info = ctypes.CDLL(sys.argv[1]), Info()
+core.retro_get_system_info(ctypes.byref(info))
+print(info.name.decode(), info.ends.decode())
+END
+}
+same 'it has the name of its game' 'Sun & <Sea> @ROM@ ' "$(called ./lanterns_libretro.so)"
+same 'and one without a game its own' 'Curtain rom' "$(called "$core")"
+says 'a core is replaced' 0 '' "$tool" export lanterns --libretro
+touch mine.info
+bad 'beside files of somebody' 'mine.info: is already there: remove it first' export lanterns --libretro -o mine.so
+bad 'what is none is not replaced' 'run.demo.so: is already there, and is no exported core: remove it first' \
+    export lanterns --libretro -o "$(cp run.demo run.demo.so && echo run.demo.so)"
+bad 'a name that front ends pass over' '--libretro: expected -o with a name that ends in .so, got "lanterns.core"' \
+    export lanterns --libretro -o lanterns.core
+head -c 5000 "$OUT/curtain_libretro.so" >"$core"
+bad 'a core that is none' "$core: is no core to put a game into: make library makes one" \
+    export lanterns --libretro -o new.so
+python3 - "$OUT/curtain_libretro.so" "$core" <<'END'
+import sys
+b = bytearray(open(sys.argv[1], "rb").read())
+b[b.index(b"<a game may stand behind curtain") + 60] += 1
+open(sys.argv[2], "wb").write(b)
+END
+bad 'a core of another core version' \
+    "$core: is of core version $((version + 1)), this program of $version: make library makes it anew" \
+    export lanterns --libretro -o new.so
+check '... and nothing was written' test ! -e new.so -a ! -e new.info
+bad 'both at once' '--libretro does not go with --web: export twice' export lanterns --web --libretro
+bad 'a page with keys' '--keys does not go with --web' export lanterns --web --keys
+bad 'a core with an entry' '--desktop does not go with --libretro' export lanterns --libretro --desktop
+bad 'an option of it elsewhere' '--web does not go with pack (it goes with export)' pack lanterns --web
+says 'where nothing can be written' 3 'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
+    "$tool" export lanterns --web -o "$(page "$version" >"$player"; echo /proc/none/a.html)"
 finish

@@ -20,7 +20,7 @@ plain() { (cd "$1" && find . -type f ! -name '.*' | sort | while read -r f; do
     echo "$f"
     sed -E '1,4s/id = "[^"]*"/id/; 1,4s/title = "([^"\\]|\\.)*"/title/; 1s/^# .*/#/' "$f" | cksum
 done); }
-for from in first pattern shooter; do
+for from in first pattern shooter bulletml; do
     check "a new $from" "$curtain" new "$from" --from "$from"
     check "it is examples/$from" diff <(plain "$repo/examples/$from") <(plain "$from")
     check "there is nothing to say about it" "$curtain" check "$from"

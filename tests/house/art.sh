@@ -32,9 +32,9 @@ icons() { # WHAT
     done
 }
 
-for picture in "$repo"/examples/pattern/art/*.png; do
-    name=$(basename "$picture")
-    check "pattern's $name is the shooter's" cmp "$picture" "$repo/examples/shooter/art/$name"
+for picture in "$repo"/examples/{pattern,bulletml}/art/*.png; do
+    name=$(basename "$picture") game=${picture%/art/*}
+    check "${game##*/}'s $name is the shooter's" cmp "$picture" "$repo/examples/shooter/art/$name"
 done
 for cc in gcc clang; do
     opt=-O2

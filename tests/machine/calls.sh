@@ -6,5 +6,6 @@ command -v valgrind >/dev/null || not_ok 'valgrind is there'
 sandbox
 cd "$repo" || exit 2
 check '40 cabinets lose nothing' env GLIBC_TUNABLES=glibc.malloc.tcache_count=0 valgrind -q --error-exitcode=1 \
-    --suppressions=tests/valgrind.supp --leak-check=full --show-leak-kinds=definite,indirect,possible "$OUT/machine/test_calls" 40
+    --suppressions=tests/valgrind.supp --leak-check=full --show-leak-kinds=definite,indirect,possible \
+    "$OUT/machine/test_calls" 40
 finish

@@ -22,6 +22,7 @@
 #include "../../fb/blit.h"
 #include "../../src/board/api.h"
 #include "../../src/board/machine.h"
+#include "../../src/cab/bulletml/compile.h"
 #include "../../src/cab/demo/demo.h"
 #include "../../src/cab/mml/mml.h"
 #include "../../src/cab/pack/pack.h"
@@ -131,7 +132,7 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
         0, 0, 72, 0, 0, 0, 5, 5, 1,   0xff, 7, 0, 0,  0, 15, 0, 15, 0, 0, 0, 0, 0, 3, 3, 3,    [81] = 3,
     };
 
-    const size_t manifest_size = manifest_pack(&own, manifest);
+    const uint32_t manifest_size = manifest_pack(&own, manifest);
     for (int i = 0; i < CART_PALETTE; i++)
         palette[i] = (uint8_t)(i * 37 + i / 3);
     for (int i = 0; i < 96 * CART_GLYPH; i++)
@@ -296,6 +297,45 @@ static inline void rig_sounds(struct rig_game *g)
     while (k-- > 0)
         free(made[k]);
     free(had.image.bytes);
+}
+
+/* Compiles a BulletML document; what is wrong with it is in err. */
+static inline bool rig_compile(const char *xml, uint8_t **out, size_t *size, char *err, size_t err_size)
+{
+    struct document d;
+    const bool good = document_read(&d, xml, strlen(xml), "test.xml", NULL, NULL, err, err_size) &&
+                      bulletml_compile(&d, "test.xml", out, size, err, err_size);
+
+    document_close(&d);
+    return good;
+}
+
+/* Puts a lump into a game. */
+static inline void rig_lump(struct rig_game *g, const char *name, const uint8_t *data, size_t size)
+{
+    struct rig_game had = *g;
+    struct lump lumps[RIG_LUMPS];
+    int n = (int)had.image.rom.count;
+
+    for (int i = 0; i < n; i++)
+        rom_lump(&had.image.rom, i, &lumps[i]);
+    lumps[n++] = (struct lump){ name, data, (uint32_t)size };
+    rig_write(g, lumps, n);
+    free(had.image.bytes);
+}
+
+/* Puts a BulletML document into a game: bulletml/NAME. */
+static inline void rig_document(struct rig_game *g, const char *name, const char *xml)
+{
+    char lump[80], err[256];
+    uint8_t *out;
+    size_t size;
+
+    if (!rig_compile(xml, &out, &size, err, sizeof err))
+        fail_msg("%s: %s", name, err);
+    snprintf(lump, sizeof lump, "bulletml/%s", name);
+    rig_lump(g, lump, out, size);
+    free(out);
 }
 
 /* Packs roms/NAME. */

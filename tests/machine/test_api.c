@@ -98,6 +98,7 @@ static const char things[] =
     "  t[#t + 1] = task.go(function() wait(forever) end)\n"
     "  string.rays(t, i)\n"
     "  t[#t + 1] = player.get(i % 2 + 1)\n"
+    "  t[#t + 1] = bullet.ml { name = 'main', kind = 'dot', x = 60, y = 30 * i, loop = i == 2 }\n"
     "  t[#t + 1] = motion.def { { wait = i } }\n"
     "  t[#t + 1] = bullet.group(i == 1 and 't' or nil)\n"
     "  item.drop { kind = i == 1 and 'husk' or 'gem', x = 30 * i, y = 100, tag = 't' }\n"
@@ -1183,11 +1184,16 @@ static int setup(void **state)
     m.lasers = 12;
     m.curve_points = 512;
     m.options = 12;
+    m.bulletml = 24;
     snprintf(script, sizeof script, "%s%s%s", rays, world, things);
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);
     rig_maps(&g);
     rig_sounds(&g);
+    rig_document(&g, "main",
+                 "<bulletml><action label='top'><repeat><times>9</times><action><fire><bullet label='a'><action>"
+                 "<changeSpeed><speed>$1</speed><term>$rank*50</term></changeSpeed><wait>$rand*9</wait></action>"
+                 "</bullet></fire><wait>4</wait></action></repeat></action></bulletml>");
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 3);
     rig_save(&rig);

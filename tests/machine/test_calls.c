@@ -31,7 +31,7 @@ static struct window {
     uint64_t now;
     struct rng rng;
     bool busy; /* keys are pressed, of all kinds */
-    bool quit, open;
+    bool quit, open, text;
     uint8_t key;
     int hold, polls, shown, logged;
     char title[64];
@@ -47,6 +47,7 @@ static volatile sig_atomic_t interrupts;
 bool plat_open(const struct plat_want *want)
 {
     at->open = true;
+    at->text = want->text;
     snprintf(at->title, sizeof at->title, "%s", want->title);
     return true;
 }
@@ -72,6 +73,8 @@ void plat_poll(struct plat_input *in)
     }
     if (at->busy)
         in->keys[at->key >> 3] |= (uint8_t)(1u << (at->key & 7));
+    if (at->busy && at->text) /* the console runs a line */
+        snprintf(in->text, sizeof in->text, "%d", 1);
 }
 
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])

@@ -58,6 +58,10 @@ static const struct home homes[] = {
     HOME("music", "chips/sound/seq.h", seq),
     HOME("cues", "chips/sound/seq.h", cues),
     HOME("voices", "chips/sound/voices.h", voices),
+    HOME("bulletml", "chips/bulletml.h", ml_roots),
+    HOME("ml_runners", "chips/bulletml.h", ml_runners),
+    HOME("ml_frames", "chips/bulletml.h", ml_frames),
+    HOME("ml_params", "chips/bulletml.h", ml_params),
 };
 
 /* A file without its comments. */
@@ -383,7 +387,16 @@ static const char scene[] = SCENE(
     "    item.drop { kind = 'gem', x = 50 + i, y = 30, speed = 0.5, tag = 'gem' .. i % 2 }\n",
     "  task.go(function() wait(12) item.group('gem0'):remove() end)\n"
     "  bg.lines(2, { 1, 2, 3 })\n"
-    "  bg.plane().fog = { to = 0, far = 9 }\n");
+    "  bg.plane().fog = { to = 0, far = 9 }\n"
+    "  for i = 1, 6 do\n"
+    "    local d = bullet.ml { name = 'doc', kind = 'dot', x = 100, y = 20 * i }\n"
+    "    task.go(function() wait(i) if i % 2 == 0 then d:stop() end end)\n"
+    "  end\n");
+static const char document[] =
+    "<bulletml><action label='top'><repeat><times>9</times><action><fire><bulletRef label='b'><param>$rand*90</param>"
+    "</bulletRef></fire><wait>1</wait></action></repeat></action><bullet label='b'><speed>0.3</speed><action><repeat>"
+    "<times>3</times><action><changeDirection><direction type='sequence'>$1</direction><term>50</term>"
+    "</changeDirection><wait>3+$rand*9</wait></action></repeat><vanish/></action></bullet></bulletml>";
 static const char without_items[] = SCENE("", "", "");
 
 static void test_flips(void **state)
@@ -404,8 +417,10 @@ static void test_flips(void **state)
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
     m.sound = 1;
+    m.bulletml = 192;
     rig_script(&g, &m, scene);
     rig_sounds(&g);
+    rig_document(&g, "doc", document);
     rig_power(&r, &g, &start);
     rig_run(&r, 26);
     assert_true(has_room(r.b));
@@ -444,8 +459,10 @@ static void test_groups(void **state)
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
     all.hp = all.around = all.frozen = all.meet = all.bg = all.bodies = all.pierce = 1;
     all.items = 64;
+    all.bulletml = 64;
     rig_script(&few, &m, without_items);
     rig_script(&many, &all, scene);
+    rig_document(&many, "doc", document);
     rig_power(&a, &few, &start);
     rig_power(&b, &many, &start);
     const struct sums was = sums_of(a.b);
@@ -491,7 +508,9 @@ static void test_derived(void **state)
     m.lasers = 128;
     m.curve_points = 4096;
     m.options = 64;
+    m.bulletml = 64;
     rig_script(&g, &m, scene);
+    rig_document(&g, "doc", document);
     rig_power(&a, &g, &start);
     rig_power(&b, &g, &start);
     for (int f = 0; f < 120; f++) {

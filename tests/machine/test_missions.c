@@ -2,10 +2,7 @@
  * test_missions.c - missions: from the title's list to the result, what is kept, what ends them; ships that have forms,
  * for one player and two, and practised by name; what of both is refused.
  */
-#include "rig.h"
-
-static struct rig_game g;
-static struct rig r;
+#include "pages.h"
 
 static const char kinds[] =
     "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
@@ -25,59 +22,6 @@ static void open_game(const char *text)
     snprintf(full, sizeof full, "%s%s", kinds, text);
     rig_script(&g, NULL, full);
     rig_power_any(&r, &g, NULL);
-}
-
-static void close_game(void)
-{
-    if (rig_fault(&r))
-        fail_msg("%s", rig_fault(&r)->message);
-    rig_free(&r);
-    rig_game_free(&g);
-}
-
-/* Does the text stand anywhere in the cells? */
-static bool at(const char *text)
-{
-    const struct fix *f = &r.b->fix;
-    char row[128];
-
-    for (uint32_t y = 0; y < f->rows; y++) {
-        for (uint32_t x = 0; x < f->cols; x++)
-            row[x] = (char)(f->code[y * f->cols + x] > 32 ? f->code[y * f->cols + x] : ' ');
-        row[f->cols] = 0;
-        if (strstr(row, text))
-            return true;
-    }
-    return false;
-}
-
-static void frames(int n)
-{
-    static const uint16_t none[PADS];
-
-    for (; n > 0 && !rig_fault(&r); n--)
-        board_tick(r.b, none);
-}
-
-static void press(uint16_t first, uint16_t second)
-{
-    if (rig_fault(&r))
-        fail_msg("%s", rig_fault(&r)->message);
-    const uint16_t down[PADS] = { first, second };
-
-    rig_tick(&r, down);
-    rig_tick(&r, down);
-    frames(2);
-}
-
-static void soon(const char *text, int most)
-{
-    for (int i = 0; !at(text); i++) {
-        if (i == most || rig_fault(&r))
-            fail_msg("frame %u: no \"%s\"%s%s", board_frame(r.b), text, rig_fault(&r) ? ": " : "",
-                     rig_fault(&r) ? rig_fault(&r)->message : "");
-        frames(1);
-    }
 }
 
 static int32_t reg(const char *name)
@@ -131,7 +75,7 @@ static void test_done(void **state)
     press(PAD_FIRE, 0);
     soon("MISSION CLEAR", 60);
     soon("BEST: TIME 0.43", 60); /* as good is no new best */
-    assert_false(at("NEW BEST"));
+    assert_true(at("NEW BEST") < 0);
     close_game();
 }
 

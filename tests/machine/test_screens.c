@@ -3,10 +3,7 @@
  * fields of several sizes; those that a game puts in their place, with what they are given and what they answer; what
  * is refused.
  */
-#include "rig.h"
-
-static struct rig_game g;
-static struct rig r;
+#include "pages.h"
 
 /* A game of two modes, difficulties, stages and ships, with all that boot.run can show. Every thing that dies or clears
  * stands in the pads. */
@@ -45,58 +42,6 @@ static void open_sized(const char *text, int w, int h, int field_w, int players)
 static void open_game(const char *text)
 {
     open_sized(text, 240, 320, 240, 1);
-}
-
-static void close_game(void)
-{
-    if (rig_fault(&r))
-        fail_msg("%s", rig_fault(&r)->message);
-    rig_free(&r);
-    rig_game_free(&g);
-}
-
-/* Where in the cells the text stands: its first column plus 1000 a row; -1: nowhere. */
-static int at(const char *text)
-{
-    const struct fix *f = &r.b->fix;
-    char row[128];
-
-    for (uint32_t y = 0; y < f->rows; y++) {
-        for (uint32_t x = 0; x < f->cols; x++)
-            row[x] = (char)(f->code[y * f->cols + x] > 32 ? f->code[y * f->cols + x] : ' ');
-        row[f->cols] = 0;
-        if (strstr(row, text))
-            return (int)(1000 * y) + (int)(strstr(row, text) - row);
-    }
-    return -1;
-}
-
-static void frames(int n)
-{
-    static const uint16_t none[PADS];
-
-    for (; n > 0 && !rig_fault(&r); n--)
-        board_tick(r.b, none);
-}
-
-static void press(uint16_t first, uint16_t second)
-{
-    const uint16_t down[PADS] = { first, second };
-
-    rig_tick(&r, down);
-    rig_tick(&r, down);
-    frames(2);
-}
-
-/* Is shown within so many frames. */
-static void soon(const char *text, int most)
-{
-    for (int i = 0; at(text) < 0; i++) {
-        if (i == most || rig_fault(&r))
-            fail_msg("frame %u: no \"%s\"%s%s", board_frame(r.b), text, rig_fault(&r) ? ": " : "",
-                     rig_fault(&r) ? rig_fault(&r)->message : "");
-        rig_run(&r, 1);
-    }
 }
 
 static void gone(const char *text)
@@ -623,6 +568,42 @@ static void test_answers(void **state)
 
 /* ---- pages of the game's own, and grades ---- */
 
+/* The row of a text. */
+static int row_of(const char *text)
+{
+    return at(text) < 0 ? -1 : at(text) / 1000;
+}
+
+/* A list that is longer than the title has room for keeps its empty rows, and scrolls to what was not seen. */
+static void test_long_title(void **state)
+{
+    static const char own[] = "local pages = {} for i = 1, 16 do pages[i] = { name = 'page_' .. string.char(64 + i),\n"
+                              "  show = function() wait(forever) end } end\n"
+                              "boot.run { stages = { 'one' }, players = { 'heron' }, pages = pages }";
+    static const struct {
+        int w, h;
+    } sizes[] = { { 240, 320 }, { 320, 240 } };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        open_sized(own, sizes[i].w, sizes[i].h, sizes[i].w, 1);
+        soon("PRESS START", 5);
+        press(PAD_START, 0);
+        soon("PAGE B", 20);
+        assert_int_equal(row_of("PAGE B") - row_of("PAGE A"), 2);
+        gone("SETTINGS");
+        press(PAD_UP, 0); /* the last one */
+        soon("SETTINGS", 20);
+        soon("REPLAYS", 20);
+        assert_int_equal(row_of("SETTINGS") - row_of("REPLAYS"), 2);
+        assert_in_range(row_of("SETTINGS"), 1, sizes[i].h / 8 - 3);
+        gone("PAGE A");
+        press(PAD_DOWN, 0);
+        soon("PAGE A", 20);
+        close_game();
+    }
+}
+
 static const char with_pages[] =
     "boot.run { stages = { 'one', 'two' }, players = { 'heron' },\n"
     "  pages = { { name = 'how_to', show = function(row, rows)\n"
@@ -718,13 +699,13 @@ static void test_snapshots(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),      cmocka_unit_test(test_back),
-                                        cmocka_unit_test(test_leaving),  cmocka_unit_test(test_asks),
-                                        cmocka_unit_test(test_continue), cmocka_unit_test(test_puts_back),
-                                        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),
-                                        cmocka_unit_test(test_opening),  cmocka_unit_test(test_mistakes),
-                                        cmocka_unit_test(test_pages),    cmocka_unit_test(test_page_mistakes),
-                                        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
+        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
+        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
+        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title)
+    };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,14 +82,17 @@ static void test_commands(void **state)
     assert_string_equal(a.from, "first");
     reads("export game -o g --keys --desktop");
     assert_true(a.command == COMMAND_EXPORT && a.keys && a.desktop && !a.full);
+    reads("bulletml a.xml b.xml --lua");
+    assert_true(a.command == COMMAND_BULLETML && a.lua && a.n_words == 2);
+    refuses("play game --lua", "--lua does not go with play (it goes with bulletml)");
     reads("licences --full");
     assert_true(a.command == COMMAND_LICENCES && a.full && !a.keys);
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
-    static const char *const names[COMMANDS] = { "play",   "render",  "capture", "hash",    "verify",
-                                                 "test",   "pack",    "list",    "unpack",  "new",
-                                                 "export", "check",   "bench",   "survive", "sound",
-                                                 "art",    "palette", "help",    "version", "licences" };
+    static const char *const names[COMMANDS] = { "play",  "render",  "capture", "hash", "verify",  "test",
+                                                 "pack",  "list",    "unpack",  "new",  "export",  "check",
+                                                 "bench", "survive", "sound",   "art",  "palette", "bulletml",
+                                                 "help",  "version", "licences" };
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(args_command(names[i]), i);
     assert_int_equal(args_command("Play"), -1);

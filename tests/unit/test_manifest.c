@@ -596,8 +596,9 @@ static void test_pack(void **state)
     char err[256] = "";
 
     (void)state;
-    manifest_pack(&r->m, bytes);
-    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    const uint32_t size = manifest_pack(&r->m, bytes);
+    assert_int_equal(size, 5252);
+    assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_string_equal(m.title, "Paper Lanterns");
     assert_int_equal(m.lua_kib, 512);
     assert_int_equal(m.dips[2].lo, -1);
@@ -619,12 +620,13 @@ static void test_unpack_old(void **state)
 
     (void)state;
     assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.around && r->m.frozen);
-    manifest_pack(&r->m, bytes);
-    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    const uint32_t size = manifest_pack(&r->m, bytes);
+    assert_int_equal(size, 5252);
+    assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
     assert_int_equal(m.registers, 64);
     bytes[0] = 3;
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_false(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_true(manifest_unpack(bytes, 5232, &m, err, sizeof err));
     assert_int_equal(m.registers, 1024);
     r->m.registers = 1024; /* as many as a ship could have then */
@@ -708,18 +710,25 @@ static void test_unpack_refuses(void **state)
     char err[256] = "";
 
     (void)state;
-    manifest_pack(&r->m, bytes);
-    assert_false(manifest_unpack(bytes, sizeof bytes - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5251 bytes long, expected 5252");
+    const uint32_t size = manifest_pack(&r->m, bytes);
+    assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
+    assert_string_equal(err, "5251 bytes long, expected 5256");
     for (int format = 0; format < 7; format++) {
         bytes[0] = (uint8_t)format;
-        assert_int_equal(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err), format == 4);
+        assert_int_equal(manifest_unpack(bytes, size, &m, err, sizeof err), format == 4);
         assert_int_equal(manifest_unpack(bytes, 5232, &m, err, sizeof err), format == 3);
         assert_int_equal(manifest_unpack(bytes, 5204, &m, err, sizeof err), format == 2);
         assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
         if (format > 4)
             assert_string_equal(err, "its format is not known");
     }
+    bytes[0] = 5; /* which only a game has that runs documents */
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_string_equal(err, "board.bulletml: 0, which a manifest of format 4 says");
+    r->m.bulletml = 300;
+    assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
+    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_int_equal(m.bulletml, 300);
     free(r);
 }
 
@@ -754,8 +763,8 @@ static void unpack_refused(const struct manifest *m, const char *line)
     struct manifest back;
     char err[256] = "";
 
-    manifest_pack(m, bytes);
-    assert_false(manifest_unpack(bytes, sizeof bytes, &back, err, sizeof err));
+    const uint32_t size = manifest_pack(m, bytes);
+    assert_false(manifest_unpack(bytes, size, &back, err, sizeof err));
     assert_string_equal(err, line);
 }
 
@@ -824,6 +833,7 @@ static void test_unpack_mutations(void **state)
     int good = 0;
 
     (void)state;
+    r->m.bulletml = 300; /* the format with all numbers */
     manifest_pack(&r->m, bytes);
     rng_seed(&rng, 3);
     for (int at = 0; at < MANIFEST_BYTES; at++) {

@@ -103,7 +103,7 @@ static void test_kept(void **state)
     (void)state;
     art_default_palette(rgb);
     manifest_default(&m);
-    const size_t manifest_size = manifest_pack(&m, manifest);
+    const uint32_t manifest_size = manifest_pack(&m, manifest);
     for (int with = 0; with < 3; with++) {
         struct lump lumps[] = { { "manifest", manifest, manifest_size },
                                 { "palette/main", rgb, sizeof rgb },

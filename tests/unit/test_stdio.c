@@ -394,6 +394,27 @@ static void a_crash_is_told(void **state)
     assert_true(plat_crash("user:none", tell, NULL) && plat_crash("user:none", NULL, NULL));
 }
 
+/* From the program's own folder, upwards too; further than the root there is nothing. */
+static void what_is_beside(void **state)
+{
+    char program[512], path[512], up[600], tight[8];
+    (void)state;
+    const ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
+    assert_true(n > 0);
+    program[n] = 0;
+    char *const file = strrchr(program, '/') + 1;
+    assert_true(plat_beside(file, path, sizeof path));
+    assert_string_equal(path, program);
+    file[-1] = 0;
+    *strrchr(program, '/') = 0;
+    snprintf(up, sizeof up, "%s/share/curtain/a.html", program);
+    assert_true(plat_beside("../share/curtain/a.html", path, sizeof path));
+    assert_string_equal(path, up);
+    assert_false(plat_beside("a file", tight, sizeof tight));
+    assert_false(
+        plat_beside("../../../../../../../../../../../../../../../../../../../../../../../a", path, sizeof path));
+}
+
 static void count(void *user, const struct plat_file *file)
 {
     int *seen = user;
@@ -517,6 +538,7 @@ int main(void)
         cmocka_unit_test(the_users_pictures),
         cmocka_unit_test(about),
         cmocka_unit_test(a_crash_is_told),
+        cmocka_unit_test(what_is_beside),
         cmocka_unit_test(listing),
         cmocka_unit_test(another_name),
         cmocka_unit_test(programs),

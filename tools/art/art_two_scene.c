@@ -223,26 +223,13 @@ struct sheet art_two_street(void)
     return s;
 }
 
-enum { SKY = 80, HAZE = 64 };
+enum { SKY = 80 };
 
-/* The dark in which the street ends: whole at its top, then ever thinner. */
-static void haze(struct sheet *s, int y0)
-{
-    static const int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    for (int y = 0; y < HAZE; y++)
-        for (int x = 0; x < WIDE; x++) {
-            double thin = (y - 16.0) / (HAZE - 16);
-            if (order[y % 4][x % 4] >= 16 * thin)
-                sheet_set(s, x, y0 + y, 1);
-        }
-}
-
-/* Sheds and chimneys where the street ends; the windows are lit. And the haze before them. */
+/* Sheds and chimneys where the street ends; the windows are lit. */
 struct sheet art_two_skyline(void)
 {
     static const struct mat shed = { MATTE, 2, 6, 0 }, smoke = { MATTE, 1, 4, -0.05 };
-    struct sheet s = sheet_new(WIDE, SKY + HAZE, 13);
+    struct sheet s = sheet_new(WIDE, SKY, 13);
     struct paint *p = paint_new(WIDE, SKY);
     uint32_t seed = 41;
     for (int i = 0; i < 9; i++) {
@@ -259,7 +246,6 @@ struct sheet art_two_skyline(void)
             paint_limb(p, HOT, x - 8 + 7 * k, top + 14, 1.2, x - 8 + 7 * k, top + 18, 1.2);
     }
     paint_done(p, &s, 0, 0, 1, 0);
-    haze(&s, SKY);
     return s;
 }
 

@@ -14,8 +14,9 @@ extern const double all_rank[ALL_RANKS];
 /* Of a document. */
 struct all_result {
     struct compared board[ALL_RANKS];
-    bool asked;                                        /* is the next there? */
-    struct compared rounding[ALL_RANKS][SIDE_ROUNDINGS]; /* libbulletml beside itself rounding otherwise; [0] is unused */
+    bool asked; /* is the next there? */
+    struct compared rounding[ALL_RANKS]
+                            [SIDE_ROUNDINGS]; /* libbulletml beside itself rounding otherwise; [0] is unused */
 };
 
 enum all_what {

@@ -1,44 +1,83 @@
 /*
- * answer.c - what libbulletml makes of a document: of each frame all bullets, to six digits.
+ * answer.c - what libbulletml makes of the documents of tests/bulletml: NAME.out beside NAME.xml. Its first line says for
+ * how many frames, and whether the root begins anew; then comes a line a bullet and frame: frame, number, place,
+ * direction, speed. The last line is a sentence where libbulletml gave up.
  */
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "tool.h"
 
-static int print_frames(struct side *s, int32_t frames)
+enum { FRAMES = 12, PATH = 512 };
+
+static void write_frames(FILE *out, struct side *s, int frames)
 {
     const struct side_bullet *b;
 
-    for (int32_t f = 0; f < frames; f++) {
-        const int32_t n = s->frame(s, 0, 80, &b);
+    for (int f = 0; f < frames; f++) {
+        const int32_t n = s->frame(s, side_player_x(f), side_player_y(f), &b);
         if (n < 0) {
-            printf("%s\n", s->error);
-            return 1;
+            fprintf(out, "%s\n", s->error);
+            return;
         }
-        printf("frame %d\n", f);
         for (int32_t i = 0; i < n; i++)
-            printf("%d %.6f %.6f %.6f %.6f\n", b[i].id, b[i].x, b[i].y, b[i].dir, b[i].speed);
+            fprintf(out, "%d %d %.6f %.6f %.6f %.6f\n", f, b[i].id, b[i].x, b[i].y, b[i].dir, b[i].speed);
         s->leave(s, NULL, 0);
     }
-    return 0;
 }
 
-int tool_answer(int argc, char **argv)
+static bool answer(const struct side_setup *setup, int frames, const char *path)
 {
-    const struct side_setup setup = {
-        .file = argv[0],
-        .rank = argc > 2 ? atof(argv[2]) : 0.5,
-        .seed = argc > 3 ? (uint32_t)strtoul(argv[3], NULL, 10) : TOOL_SEED,
-        .loop = argc > 4,
-    };
     struct side s;
-    int failed;
+    FILE *out = fopen(path, "w");
 
-    if (!side_apart(&s, &setup, ROUND_NEAREST)) {
-        fprintf(stderr, "bulletml: %s\n", s.error);
-        return 2;
+    if (!out)
+        return false;
+    fprintf(out, "%d frames%s\n", frames, setup->loop ? ", looped" : "");
+    if (side_apart(&s, setup, ROUND_NEAREST)) {
+        write_frames(out, &s, frames);
+        s.close(&s);
     }
-    failed = print_frames(&s, argc > 1 ? atoi(argv[1]) : 60);
-    s.close(&s);
-    return failed;
+    return fclose(out) == 0;
+}
+
+static bool answer_one(const char *name)
+{
+    char document[PATH], path[PATH], first[64] = "";
+    FILE *had;
+
+    snprintf(document, sizeof document, "%s/%s.xml", TOOL_TESTS, name);
+    snprintf(path, sizeof path, "%s/%s.out", TOOL_TESTS, name);
+    had = fopen(path, "r");
+    if (had && !fgets(first, sizeof first, had))
+        *first = 0;
+    if (had)
+        fclose(had);
+    const int frames = atoi(first);
+    const struct side_setup setup = { document, 0.5, TOOL_SEED, strstr(first, "looped") };
+    return answer(&setup, frames > 0 ? frames : FRAMES, path);
+}
+
+int tool_answers(int argc, char **argv)
+{
+    DIR *dir = opendir(TOOL_TESTS);
+    struct dirent *e;
+    int n = 0;
+
+    while (dir && (e = readdir(dir))) {
+        char *end = strstr(e->d_name, ".xml");
+        if (!end || end[4] || (argc > 0 && !strstr(e->d_name, argv[0])))
+            continue;
+        *end = 0;
+        if (!answer_one(e->d_name)) {
+            fprintf(stderr, "bulletml: %s/%s.out: cannot be written\n", TOOL_TESTS, e->d_name);
+            return 2;
+        }
+        n++;
+    }
+    if (dir)
+        closedir(dir);
+    printf("%d documents of %s\n", n, TOOL_TESTS);
+    return n ? 0 : 2;
 }

@@ -4,6 +4,7 @@
  */
 #include <errno.h>
 #include <fenv.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -107,8 +108,14 @@ static void serve(int from, FILE *to, const struct side_setup *setup, enum side_
     uint32_t state = setup->seed;
     /* the root is one of the bullets there */
     const struct reference_setup s = {
-        .file = setup->file,       .rank = setup->rank,       .random = { side_random, &state },
-        .loop = setup->loop,       .most = SIDE_MOST + 1,     .root_y = REFERENCE_ROOT_Y,
+        .file = setup->file,
+        .rank = setup->rank,
+        .random = { side_random, &state },
+        .loop = setup->loop,
+        .most = SIDE_MOST + 1,
+        .root_y = REFERENCE_ROOT_Y,
+        .box_x = INFINITY,
+        .box_y = INFINITY,
     };
     char err[SIDE_ERROR] = "";
     struct order order;

@@ -11,11 +11,11 @@
 #include <unistd.h>
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack/pack.h"
-#include "side.h"
+#include "board.h"
 
 enum { MIDDLE_X = 160, MIDDLE_Y = 120, RAM_ALIGN = 64, THOUSAND = 1000, PATH = 1024 };
 
-static const char GAME[] = "tools/bulletml/game/", ART[] = "roms/bench/art/";
+static const char TOOLS[] = "tools/bulletml/", ART[] = "roms/bench/art/";
 
 struct seen {
     struct side_bullet b;
@@ -23,9 +23,7 @@ struct seen {
 };
 
 struct on_board {
-    struct rom_image image;
-    void *ram;
-    struct board *b;
+    struct board_game game;
     struct seen *seen;
     struct side_bullet *told;
     int32_t n;
@@ -48,27 +46,31 @@ static bool copy(const char *from, const char *to)
     return (!out || fclose(out) == 0) && fine;
 }
 
-static bool write_run(const char *path, const struct side_setup *setup)
+static bool write_run(const char *path, const struct side_setup *setup, int roots)
 {
     FILE *f = fopen(path, "w");
 
     if (!f)
         return false;
-    fprintf(f, "return { rank = %.17g, seed = %u, loop = %s }\n", setup->rank, setup->seed,
-            setup->loop ? "true" : "false");
+    fprintf(f, "return { rank = %.17g, seed = %u, loop = %s, roots = %d }\n", setup->rank, setup->seed,
+            setup->loop ? "true" : "false", roots);
     return fclose(f) == 0;
 }
 
 /* What the folder has: where from (NULL: it is written), where to. */
 static const char *const files[][2] = {
-    { "game/rom.lua", "rom.lua" },        { "game/main.lua", "main.lua" },       { "art/discs.png", "art/discs.png" },
-    { "art/font.png", "art/font.png" },   { "art/palette.png", "art/palette.png" },
-    { "document", "bulletml/document.xml" }, { NULL, "run.lua" },
+    { "game/rom.lua", "rom.lua" },
+    { "game/main.lua", "main.lua" },
+    { "art/discs.png", "art/discs.png" },
+    { "art/font.png", "art/font.png" },
+    { "art/palette.png", "art/palette.png" },
+    { "document", "bulletml/document.xml" },
+    { NULL, "run.lua" },
 };
 static const char *const folders[] = { "art", "bulletml" };
 enum { FILES = sizeof files / sizeof *files, FOLDERS = sizeof folders / sizeof *folders };
 
-static bool fill_folder(const char *dir, const struct side_setup *setup)
+static bool fill_folder(const char *dir, const char *game, const struct side_setup *setup, int roots)
 {
     char from[PATH], to[PATH];
 
@@ -81,14 +83,15 @@ static bool fill_folder(const char *dir, const struct side_setup *setup)
         const char *what = files[i][0];
         snprintf(to, sizeof to, "%s/%s", dir, files[i][1]);
         if (!what) {
-            if (!write_run(to, setup))
+            if (!write_run(to, setup, roots))
                 return false;
             continue;
         }
         if (!strcmp(what, "document"))
             snprintf(from, sizeof from, "%s", setup->file);
         else
-            snprintf(from, sizeof from, "%s%s", *what == 'g' ? GAME : ART, strchr(what, '/') + 1);
+            snprintf(from, sizeof from, "%s%s%s", *what == 'g' ? TOOLS : ART, *what == 'g' ? game : "",
+                     strchr(what, '/') + (*what != 'g'));
         if (!copy(from, to))
             return false;
     }
@@ -110,7 +113,8 @@ static void remove_folder(const char *dir)
     rmdir(dir);
 }
 
-static bool pack(struct rom_image *image, const struct side_setup *setup, char *err, size_t err_size)
+static bool pack(struct rom_image *image, const char *game, const struct side_setup *setup, int roots, char *err,
+                 size_t err_size)
 {
     char dir[] = "/tmp/curtain-bulletml-XXXXXX";
     bool fine;
@@ -119,14 +123,63 @@ static bool pack(struct rom_image *image, const struct side_setup *setup, char *
         snprintf(err, err_size, "/tmp: no folder can be made: %s", strerror(errno));
         return false;
     }
-    fine = fill_folder(dir, setup);
+    fine = fill_folder(dir, game, setup, roots);
     if (!fine)
         snprintf(err, err_size, "%s: the game cannot be put together: %s", setup->file, strerror(errno));
     fine = fine && rom_image_load(dir, false, image, err, err_size);
     remove_folder(dir);
-    bool temp_lump(struct rom_image *image, const char *file, char *err, size_t err_size);
-    fine = fine && temp_lump(image, setup->file, err, err_size);
     return fine;
+}
+
+static bool power(struct board_game *g, char *err, size_t err_size)
+{
+    const struct board_start start = { .seed = 1, .difficulty = -1 };
+    size_t size;
+
+    if (!board_size(&g->image.rom, &size, err, err_size))
+        return false;
+    g->ram = aligned_alloc(RAM_ALIGN, (size + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN);
+    if (!g->ram) {
+        snprintf(err, err_size, "no memory");
+        return false;
+    }
+    g->b = board_power(g->ram, size, &g->image.rom, &start, false, err, err_size);
+    if (!g->b)
+        return false;
+    if (board_last(g->b)->fault) {
+        snprintf(err, err_size, "%.190s", board_last(g->b)->fault->message);
+        return false;
+    }
+    player_join(&g->b->player, &g->b->player_kinds, 0, 0, fx_int(MIDDLE_X), fx_int(MIDDLE_Y));
+    return true;
+}
+
+bool board_game_open(struct board_game *g, const char *game, const struct side_setup *setup, int roots, char *err,
+                     size_t err_size)
+{
+    *g = (struct board_game){ 0 };
+    if (pack(&g->image, game, setup, roots, err, err_size) && power(g, err, err_size))
+        return true;
+    board_game_close(g);
+    return false;
+}
+
+void board_game_close(struct board_game *g)
+{
+    rom_image_free(&g->image);
+    free(g->ram);
+    *g = (struct board_game){ 0 };
+}
+
+bool board_game_tick(struct board_game *g, int32_t player_x, int32_t player_y, char *err, size_t err_size)
+{
+    const uint16_t pads[PADS] = { 0 };
+
+    player_place(&g->b->player, 0, fx_int(player_x + MIDDLE_X), fx_int(player_y + MIDDLE_Y));
+    const struct board_out *after = board_tick(g->b, pads);
+    if (after->fault)
+        snprintf(err, err_size, "%.190s", after->fault->message);
+    return !after->fault;
 }
 
 /* ---- frames ---- */
@@ -145,7 +198,7 @@ static int by_number(const void *a, const void *b)
 
 static void look(struct on_board *o)
 {
-    const struct bullets *b = &o->b->bullets;
+    const struct bullets *b = &o->game.b->bullets;
 
     o->n = 0;
     for (uint32_t i = 0; i < b->s.top; i++) {
@@ -164,14 +217,9 @@ static void look(struct on_board *o)
 static int32_t frame(struct side *s, int32_t player_x, int32_t player_y, const struct side_bullet **out)
 {
     struct on_board *o = s->own;
-    const uint16_t pads[PADS] = { 0 };
 
-    player_place(&o->b->player, 0, fx_int(player_x + MIDDLE_X), fx_int(player_y + MIDDLE_Y));
-    const struct board_out *after = board_tick(o->b, pads);
-    if (after->fault) {
-        snprintf(s->error, sizeof s->error, "%.190s", after->fault->message);
+    if (!board_game_tick(&o->game, player_x, player_y, s->error, sizeof s->error))
         return -1;
-    }
     look(o);
     *out = o->told;
     return o->n;
@@ -185,7 +233,7 @@ static bool leave(struct side *s, const int32_t *ids, int32_t n)
         const struct seen wanted = { .b = { .id = ids[i] } };
         const struct seen *found = bsearch(&wanted, o->seen, (size_t)o->n, sizeof *o->seen, by_number);
         if (found)
-            bullets_drop(&o->b->bullets, found->slot);
+            bullets_drop(&o->game.b->bullets, found->slot);
     }
     return true;
 }
@@ -194,37 +242,22 @@ static void close_board(struct side *s)
 {
     struct on_board *o = s->own;
 
-    rom_image_free(&o->image);
-    free(o->ram);
+    board_game_close(&o->game);
     free(o->seen);
     free(o->told);
     free(o);
     s->own = NULL;
 }
 
-static bool power(struct on_board *o, char *err, size_t err_size)
+static bool open_board(struct on_board *o, const struct side_setup *setup, char *err, size_t err_size)
 {
-    const struct board_start start = { .seed = 1, .difficulty = -1 };
-    size_t size;
-
-    if (!board_size(&o->image.rom, &size, err, err_size))
+    if (!board_game_open(&o->game, "game", setup, 1, err, err_size))
         return false;
-    o->ram = aligned_alloc(RAM_ALIGN, (size + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN);
     o->seen = calloc(SIDE_MOST, sizeof *o->seen);
     o->told = calloc(SIDE_MOST, sizeof *o->told);
-    if (!o->ram || !o->seen || !o->told) {
+    if (!o->seen || !o->told)
         snprintf(err, err_size, "no memory");
-        return false;
-    }
-    o->b = board_power(o->ram, size, &o->image.rom, &start, false, err, err_size);
-    if (!o->b)
-        return false;
-    if (board_last(o->b)->fault) {
-        snprintf(err, err_size, "%.190s", board_last(o->b)->fault->message);
-        return false;
-    }
-    player_join(&o->b->player, &o->b->player_kinds, 0, 0, fx_int(MIDDLE_X), fx_int(MIDDLE_Y));
-    return true;
+    return o->seen && o->told;
 }
 
 bool side_board(struct side *s, const struct side_setup *setup)
@@ -232,7 +265,7 @@ bool side_board(struct side *s, const struct side_setup *setup)
     struct on_board *o = calloc(1, sizeof *o);
 
     *s = (struct side){ .frame = frame, .leave = leave, .close = close_board, .own = o };
-    if (o && pack(&o->image, setup, s->error, sizeof s->error) && power(o, s->error, sizeof s->error))
+    if (o && open_board(o, setup, s->error, sizeof s->error))
         return true;
     if (o)
         close_board(s);

@@ -16,16 +16,16 @@
 #define COMPARE_MOST (1.0 / 16) /* px that a bullet may be off */
 
 struct compared {
-    int32_t frames;   /* compared */
-    int32_t bullets;  /* that appeared */
-    int64_t places;   /* compared: a bullet in a frame */
-    double greatest;  /* distance, px */
+    int32_t frames;              /* compared */
+    int32_t bullets;             /* that appeared */
+    int64_t places;              /* compared: a bullet in a frame */
+    double greatest;             /* distance, px */
     int32_t at_frame, at_bullet; /* where it was */
-    bool alone;       /* a bullet was on one side only: nothing was compared after it */
-    bool broke;       /* the reference crashed, or had no end, after so many frames */
-    bool failed;      /* the other side had an error */
-    int32_t most;     /* bullets alive at once */
-    int64_t left;     /* bullets that went too far; those that the second side would have sent in another frame */
+    bool alone;                  /* a bullet was on one side only: nothing was compared after it */
+    bool broke;                  /* the reference crashed, or had no end, after so many frames */
+    bool failed;                 /* the other side had an error */
+    int32_t most;                /* bullets alive at once */
+    int64_t left; /* bullets that went too far; those that the second side would have sent in another frame */
     int64_t otherwise;
     char what[SIDE_ERROR + 60]; /* a sentence, with alone, broke and failed */
 };

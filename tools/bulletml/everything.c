@@ -27,9 +27,13 @@ int tool_all(int argc, char **argv)
         fprintf(stderr, "bulletml: %s\n", err);
         return 2;
     }
-    const struct all_setup setup = {
-        ALL_BOARD, &documents, &exceptions, argc > 0 ? argv[0] : NULL, TOOL_SEED, argc > 1, 3
-    };
+    const struct all_setup setup = { ALL_BOARD,
+                                     &documents,
+                                     &exceptions,
+                                     argc > 0 ? argv[0] : NULL,
+                                     argc > 2 ? (uint32_t)atoi(argv[2]) : TOOL_SEED,
+                                     argc > 1 && *argv[1],
+                                     3 };
     struct all_result *r = all_compare(&setup);
     int alike = 0, ran = 0;
     for (int i = 0; r && i < documents.n; i++) {

@@ -1,7 +1,7 @@
 /*
  * main.c - BulletML documents on the board, beside libbulletml.
  *
- *     bulletml answer DOCUMENT [FRAMES [RANK [SEED [loop]]]]   what libbulletml makes of one
+ *     bulletml answers [TEXT]   what libbulletml makes of the documents of tests/bulletml
  *     bulletml rounding [TEXT]                                 documents that the last bit of a double decides
  */
 #include <signal.h>
@@ -15,9 +15,8 @@ static const struct command {
     int least;
     int (*run)(int argc, char **argv);
 } commands[] = {
-    { "answer", "DOCUMENT [FRAMES [RANK [SEED [loop]]]]", 1, tool_answer },
-    { "one", "DOCUMENT [RANK [SEED [FRAMES [loop]]]]", 1, tool_one },
-    { "all", "[TEXT]", 0, tool_all },
+    { "answers", "[TEXT]", 0, tool_answers },   { "one", "DOCUMENT [RANK [SEED [FRAMES [loop]]]]", 1, tool_one },
+    { "all", "[TEXT]", 0, tool_all },           { "speed", "", 0, tool_speed_alone },
     { "rounding", "[TEXT]", 0, tool_rounding },
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };

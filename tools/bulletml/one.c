@@ -22,7 +22,7 @@ int tool_one(int argc, char **argv)
         return 2;
     }
     compare_sides(&a, &b, argc > 3 ? atoi(argv[3]) : 1500, &c);
-    printf("%d frames, %d bullets, %lld places, greatest distance %.6f px (frame %d, bullet %d), most %d; %s\n", c.frames,
-           c.bullets, (long long)c.places, c.greatest, c.at_frame, c.at_bullet, c.most, c.what);
+    printf("%d frames, %d bullets, %lld places, greatest distance %.6f px (frame %d, bullet %d), most %d; %s\n",
+           c.frames, c.bullets, (long long)c.places, c.greatest, c.at_frame, c.at_bullet, c.most, c.what);
     return !compared_alike(&c);
 }

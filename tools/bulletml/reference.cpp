@@ -25,10 +25,19 @@ const double TURN = 360, RADIAN = M_PI / 180;
 class Runner;
 
 struct Bullet {
-    int32_t id;
     double x, y, dir, speed, add_x, add_y;
-    bool gone, root;
+    double go_x, go_y; /* a frame, by direction and speed */
     std::unique_ptr<Runner> runner;
+    int32_t id;
+    bool gone, root;
+
+    Bullet(int32_t number, double at_x, double at_y, double way, double pace);
+    ~Bullet();
+    void steer()
+    {
+        go_x = std::sin(dir * RADIAN) * speed;
+        go_y = -std::cos(dir * RADIAN) * speed;
+    }
 };
 
 double in_turn(double degrees)
@@ -73,8 +82,16 @@ public:
     double getBulletSpeedY() override { return b_.add_y; }
     int getTurn() override { return r_.turn; }
     void doVanish() override { b_.gone = true; }
-    void doChangeDirection(double dir) override { b_.dir = in_turn(dir); }
-    void doChangeSpeed(double speed) override { b_.speed = speed; }
+    void doChangeDirection(double dir) override
+    {
+        b_.dir = in_turn(dir);
+        b_.steer();
+    }
+    void doChangeSpeed(double speed) override
+    {
+        b_.speed = speed;
+        b_.steer();
+    }
     void doAccelX(double add) override { b_.add_x = add; }
     void doAccelY(double add) override { b_.add_y = add; }
 
@@ -116,6 +133,14 @@ private:
     Bullet &b_;
 };
 
+Bullet::Bullet(int32_t number, double at_x, double at_y, double way, double pace)
+    : x(at_x), y(at_y), dir(way), speed(pace), add_x(0), add_y(0), id(number), gone(false), root(false)
+{
+    steer();
+}
+
+Bullet::~Bullet() {}
+
 } // namespace
 
 void reference::ask()
@@ -132,12 +157,12 @@ Bullet *reference::add(double x, double y, double dir, double speed)
         counts.dropped++;
         return NULL;
     }
-    born.emplace_back(new Bullet{ next++, x, y, in_turn(dir), speed, 0, 0, false, false, NULL });
+    born.emplace_back(new Bullet(next++, x, y, in_turn(dir), speed));
     counts.made++;
     return born.back().get();
 }
 
-/* False: it has vanished. */
+/* False: it has vanished, or left. */
 bool reference::step(Bullet &b)
 {
     counts.moved++;
@@ -148,12 +173,12 @@ bool reference::step(Bullet &b)
         b.runner->run();
         if (b.gone)
             return false;
-        if (b.id == 0 && counts.root_end < 0 && b.runner->isEnd())
-            counts.root_end = turn;
+        if (!b.root && b.runner->isEnd())
+            b.runner.reset(); /* as a host would that wants to be fast */
     }
-    b.x += std::sin(b.dir * RADIAN) * b.speed + b.add_x;
-    b.y += -std::cos(b.dir * RADIAN) * b.speed + b.add_y;
-    return true;
+    b.x += b.go_x + b.add_x;
+    b.y += b.go_y + b.add_y;
+    return b.root || !(std::fabs(b.x) > setup.box_x || std::fabs(b.y) > setup.box_y);
 }
 
 void reference::frame()
@@ -176,8 +201,9 @@ void reference::frame()
 
 extern "C" void reference_root(struct reference *r, double x, double y)
 {
-    r->born.emplace_back(new Bullet{ r->next++, x, y, TURN / 2, 0, 0, 0, false, true, NULL });
+    r->born.emplace_back(new Bullet(r->next++, x, y, TURN / 2, 0));
     Bullet &root = *r->born.back();
+    root.root = true;
     root.runner.reset(new Runner(r->parser.get(), *r, root));
     r->alive.push_back(std::move(r->born.back()));
     r->born.pop_back();
@@ -188,7 +214,6 @@ extern "C" struct reference *reference_open(const struct reference_setup *setup,
     std::unique_ptr<reference> r(new reference());
 
     r->setup = *setup;
-    r->counts.root_end = -1;
     try {
         r->parser.reset(new BulletMLParserTinyXML(setup->file));
         r->parser->build();

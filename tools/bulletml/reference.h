@@ -7,7 +7,7 @@
  *
  * A frame: each bullet that was there before it, oldest first, runs its document, if it has one, and then moves; one
  * that has vanished is gone without moving. A new bullet appears at its shooter's place before the shooter's move, and
- * neither runs nor moves in that frame. Nothing leaves by itself: who goes too far is the caller's to say.
+ * neither runs nor moves in that frame. Who goes too far may be the caller's to say.
  *
  * A document can crash libbulletml, or keep it forever: run each in a process of its own (apart.h).
  */
@@ -34,9 +34,10 @@ struct reference_setup {
     const char *file;
     double rank;
     struct reference_random random;
-    bool loop;          /* a root that has come to its end starts anew */
-    int32_t most;       /* bullets alive; a further one is not made */
+    bool loop;    /* a root that has come to its end starts anew */
+    int32_t most; /* bullets alive; a further one is not made */
     double root_x, root_y;
+    double box_x, box_y; /* beyond them a bullet leaves */
 };
 
 struct reference_bullet {
@@ -46,10 +47,9 @@ struct reference_bullet {
 
 /* What a run was made of, so far. */
 struct reference_counts {
-    int64_t made, dropped;         /* bullets; those that had no room */
-    int64_t draws, expressions;    /* of $rand; numbers that were worked out */
-    int64_t moved, ran;            /* bullets moved, one a frame; of these, with a document to run */
-    int32_t root_end;              /* the frame in which the root's document had come to its end; -1: not yet */
+    int64_t made, dropped;      /* bullets; those that had no room */
+    int64_t draws, expressions; /* of $rand; numbers that were worked out */
+    int64_t moved, ran;         /* bullets moved, one a frame; of these, with a document to run */
 };
 
 struct reference;

@@ -19,7 +19,7 @@ struct side_setup {
 
 /* A bullet where the reference has it: the origin in the middle of the field, in px. */
 struct side_bullet {
-    int32_t id; /* numbered by creation, from 1 */
+    int32_t id;              /* numbered by creation, from 1 */
     double x, y, dir, speed; /* degrees and px a frame; the reference's alone */
 };
 

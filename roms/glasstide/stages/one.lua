@@ -7,6 +7,7 @@ local hatches = require "stages/one/hatches"
 local scene = require "stages/one/scene"
 local fx = require "fx"
 local sea = require "sea"
+local waves = require "waves"
 
 local swoop = path.def {
   { x = -16, y = 30 }, { x = 60, y = 92, over = 50, ease = "out" },
@@ -43,14 +44,7 @@ local berth = path.def {
   { x = 120, y = -30 }, { x = 120, y = 62, over = 80, ease = "out" }, { wait = 400 },
   { x = 276, y = 90, over = 90, ease = "in" } }
 
-local wave = stage.wave
-
--- The same wave from both sides.
-local function both(w)
-  wave(w)
-  w.mirror = true
-  wave(w)
-end
+local wave, both = stage.wave, waves.both
 
 local function reef()
   stage.at(90)   wave { kind = "krill", n = 8, every = 14, path = swoop, run = habits.spit }
@@ -101,8 +95,7 @@ local function deep()
 end
 
 stage.def("one", function()
-  bg.show("shallows", { over = 0 })
-  sea.speed(1.6)
+  sea.scene("shallows", 1.6, 0)
   reef()
   stage.mark("wreck")
   wreck()

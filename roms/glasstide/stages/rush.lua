@@ -28,8 +28,7 @@ local function provide()
 end
 
 local function fight(who)
-  bg.show(who[2], { over = who == ORDER[1] and 0 or 20 })
-  sea.speed(0.8)
+  sea.scene(who[2], 0.8, who == ORDER[1] and 0 or 20)
   stage.mark(who[1])
   wait(50)
   boss.fight(who[1])

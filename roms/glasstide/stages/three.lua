@@ -6,6 +6,7 @@ local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
 local moon = require "stages/moon"
 local sea = require "sea"
+local waves = require "waves"
 local fx = require "fx"
 
 local swoop = path.def {
@@ -37,14 +38,7 @@ local dart = path.def {
   { x = 120, y = -140, over = 90, ease = "in" } }
 
 local ROSE <const> = 1 -- the other glass
-local wave = stage.wave
-
--- The same wave from both sides.
-local function both(w)
-  wave(w)
-  w.mirror = true
-  wave(w)
-end
+local wave, both = stage.wave, waves.both
 
 local function lone(w)
   w.n, w.every = 1, 1
@@ -119,27 +113,22 @@ end
 
 stage.def("three", function()
   palette.load("three")
-  bg.show("abyss", { over = 0 })
-  sea.speed(1.6)
+  sea.scene("abyss", 1.6, 0)
   descent()
   stage.at(1595)
   stage.mark("trench")
-  bg.show("trench")
-  sea.speed(3.6)
+  sea.scene("trench", 3.6)
   trench()
   stage.mark("angler")
-  sea.speed(0.7)
-  bg.show("lightless", { over = 60 })
+  sea.scene("lightless", 0.7, 60)
   wait(70)
   boss.fight("angler")
   wait(100) -- its light goes out
-  bg.show("abyss", { over = 50 })
-  sea.speed(2.2)
+  sea.scene("abyss", 2.2, 50)
   stage.at(2745)
   stage.mark("deep")
   deep()
-  bg.show("court", { over = 60 })
-  sea.speed(0.5)
+  sea.scene("court", 0.5, 60)
   stage.mark("queen")
   task.go(omen)
   wait(180)

@@ -1,6 +1,7 @@
 -- stages/two.lua - the drowned glassworks, where the furnace still burns.
 local habits = require "stages/two/habits"
 local sea = require "sea"
+local waves = require "waves"
 require "stages/two/creatures"
 require "stages/two/bellows"
 require "stages/two/eels"
@@ -36,14 +37,7 @@ local berth = path.def {
   { x = 120, y = -40 }, { x = 120, y = 70, over = 90, ease = "out" }, { wait = 440 },
   { x = 120, y = -60, over = 90, ease = "in" } }
 
-local wave = stage.wave
-
--- The same wave from both sides.
-local function both(w)
-  wave(w)
-  w.mirror = true
-  wave(w)
-end
+local wave, both = stage.wave, waves.both
 
 -- The wall of arches: who works here.
 local function arches()
@@ -71,14 +65,14 @@ end
 -- The street: everything comes faster, and in formation.
 local function street()
   stage.at(1740) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 22,
-                        run = habits.cork }
+                        run = habits.shaken }
   stage.at(1880) both { kind = "drone", n = 6, every = 9, path = sweep, run = habits.blink }
   stage.at(2000) wave { kind = "bottle", n = 6, every = 0, path = rush, formation = "line",
                         gap = 34,
-                        run = habits.cork }
+                        run = habits.shaken }
   stage.at(2120) wave { kind = "gear_ray", n = 1, every = 1, path = glide, run = habits.mesh }
   stage.at(2260) wave { kind = "bottle", n = 9, every = 0, path = rush, formation = "v", gap = 20,
-                        run = habits.cork }
+                        run = habits.shaken }
   stage.at(2360) both { kind = "drone", n = 6, every = 9, path = hook, run = habits.beads }
   stage.at(2480)
   stage.clear(200)
@@ -105,30 +99,25 @@ local function halls()
 end
 
 stage.def("two", function()
-  bg.show("works", { over = 0 })
-  sea.speed(1.6)
+  sea.scene("works", 1.6, 0)
   text.put { col = 15, row = 16, text = "The Drowned Glassworks", align = "center", bank = 0 }
   wait(70)
   text.clear { col = 0, row = 16, w = 30, h = 1 }
   arches()
   stage.at(1690)
   stage.mark("street")
-  bg.show("street")
-  sea.speed(2.6)
+  sea.scene("street", 2.6)
   street()
   stage.mark("bellows")
-  bg.show("hearth")
-  sea.speed(1)
+  sea.scene("hearth", 1)
   wait(40)
   boss.fight("bellows")
-  bg.show("works")
-  sea.speed(1.9)
+  sea.scene("works", 1.9)
   stage.at(2780)
   stage.mark("halls")
   halls()
   stage.mark("eels")
-  bg.show("hearth")
-  sea.speed(0.6)
+  sea.scene("hearth", 0.6)
   wait(60)
   boss.fight("eels")
   sea.speed(2.2)

@@ -11,10 +11,9 @@
 #include "api_parts.h"
 
 const char *const api_thing_names[HANDLES] = {
-    NULL,       "a bullet", "a shot",           "an enemy",           "a player", "a sprite",         "a task",
-    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",  "a group of items", "a line of text",
-    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option",
-    "a document"
+    NULL,       "a bullet", "a shot",           "an enemy",           "a player",  "a sprite",         "a task",
+    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",   "a group of items", "a line of text",
+    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document"
 };
 
 /* Handles are whole numbers (handle.h), and Lua has no way to refuse arithmetic with these. But what it makes of one

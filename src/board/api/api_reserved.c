@@ -60,7 +60,7 @@ static const struct {
     { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
     { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
     { "option", offsetof(struct manifest, options), "board = { options = 16 }" },
-    { "bullet.ml bulletml", offsetof(struct manifest, bulletml), "board = { bulletml = 1024 }" },
+    { "bullet.ml bullet.documents bulletml", offsetof(struct manifest, bulletml), "board = { bulletml = 1024 }" },
     { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
     { "sound music", offsetof(struct manifest, sound), "sounds = { ... } or music = { ... }" },
 };

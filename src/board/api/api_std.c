@@ -400,10 +400,10 @@ static const struct api_module api_std = { entries, sizeof entries / sizeof *ent
 extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_body, api_item, api_player, api_screen,
     api_rng, api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option, api_boss,
     api_sound, api_bulletml;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet, &api_value, &api_enemy,  &api_body,
-                                                 &api_player, &api_screen, &api_rng,   &api_query,  &api_save,
-                                                 &api_board,  &api_sys,    &api_std,   &api_item,   &api_line,
-                                                 &api_bg,     &api_laser,  &api_bomb,  &api_option, &api_boss,
+const struct api_module *const api_modules[] = { &api_time,   &api_bullet,  &api_value, &api_enemy,  &api_body,
+                                                 &api_player, &api_screen,  &api_rng,   &api_query,  &api_save,
+                                                 &api_board,  &api_sys,     &api_std,   &api_item,   &api_line,
+                                                 &api_bg,     &api_laser,   &api_bomb,  &api_option, &api_boss,
                                                  &api_sound,  &api_bulletml };
 const int api_module_count = sizeof api_modules / sizeof *api_modules;
 

@@ -1,29 +1,32 @@
 /*
- * bulletml.c - see bulletml.h. A command's words have ML_COMMAND and no others do, so one pass over them knows whether a
- * place is that of a command; and a value begins where the step before it is STEP_DONE.
+ * bulletml.c - see bulletml.h. A command's words have ML_COMMAND and no others do, so one pass over them knows whether
+ * a place is that of a command; and a value begins where the step before it is STEP_DONE.
  */
 #include "bulletml.h"
 #include <inttypes.h>
 #include "../../base/err.h"
 
 const char *const ml_operands[ML_OPS] = {
-    [ML_END] = "",           [ML_NEXT] = "",       [ML_WAIT] = "v",  [ML_REPEAT] = "v",         [ML_AGAIN] = "p",
-    [ML_CALL] = "pn*",       [ML_GO] = "pn*",      [ML_LEAVE] = "pn*", [ML_RETURN] = "",        [ML_FIRE] = "",
-    [ML_FIRE_REF] = "pn*",   [ML_FIRED] = "",      [ML_SHOT_SPEED] = "v", [ML_SHOT_DIRECTION] = "v",
-    [ML_BULLET_REF] = "pn*", [ML_BULLET] = "lp",   [ML_VANISH] = "", [ML_TURN] = "vv",          [ML_SPEED] = "vv",
-    [ML_ACCEL] = "vvv",
+    [ML_END] = "",         [ML_NEXT] = "",   [ML_WAIT] = "v",       [ML_REPEAT] = "v",         [ML_AGAIN] = "p",
+    [ML_CALL] = "pn*",     [ML_GO] = "pn*",  [ML_LEAVE] = "pn*",    [ML_RETURN] = "",          [ML_FIRE] = "",
+    [ML_FIRE_REF] = "pn*", [ML_FIRED] = "",  [ML_SHOT_SPEED] = "v", [ML_SHOT_DIRECTION] = "v", [ML_BULLET_REF] = "pn*",
+    [ML_BULLET] = "lp",    [ML_VANISH] = "", [ML_TURN] = "vv",      [ML_SPEED] = "vv",         [ML_ACCEL] = "vvv",
 };
 
 /* The pieces of the lump, without a look at what stands in them. */
 static uint64_t layout(struct ml *m, const uint8_t *data)
 {
-    const uint64_t n[] = { bytes_get32(data + 8), bytes_get32(data + 12), bytes_get32(data + 16), bytes_get32(data + 20),
-                           bytes_get32(data + 24), bytes_get32(data + 28) };
+    const uint64_t n[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
+                           bytes_get32(data + 20), bytes_get32(data + 24), bytes_get32(data + 28) };
     const uint64_t number = ML_HEADER, top = number + 8 * n[2], label = top + 4 * n[0], word = label + 4 * n[1],
                    step = word + 4 * n[3], text = step + 4 * n[4];
 
-    *m = (struct ml){ .tops = (uint32_t)n[0],   .labels = (uint32_t)n[1], .numbers = (uint32_t)n[2],
-                      .words = (uint32_t)n[3],  .steps = (uint32_t)n[4],  .bytes = (uint32_t)n[5],
+    *m = (struct ml){ .tops = (uint32_t)n[0],
+                      .labels = (uint32_t)n[1],
+                      .numbers = (uint32_t)n[2],
+                      .words = (uint32_t)n[3],
+                      .steps = (uint32_t)n[4],
+                      .bytes = (uint32_t)n[5],
                       .horizontal = bytes_get32(data + 4) };
     m->number = data + number;
     m->top = data + top;

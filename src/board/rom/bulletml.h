@@ -1,5 +1,6 @@
 /*
- * bulletml.h - a BulletML document as it stands in a ROM, lump bulletml/NAME: a program for bullets, and its arithmetic.
+ * bulletml.h - a BulletML document as it stands in a ROM, lump bulletml/NAME: a program for bullets, and its
+ * arithmetic.
  * floor: board
  *
  * Little endian:
@@ -33,10 +34,10 @@
 #define ML_WORKED_OUT 0x40000000u
 
 enum {
-    ML_HEADER = 32,       /* bytes */
-    ML_STACK = 16,        /* numbers that a value takes at once */
-    ML_PARAMS = 9,        /* $1 to $9 */
-    ML_MOST_PARAMS = 64,  /* that a reference may give: all are worked out */
+    ML_HEADER = 32,      /* bytes */
+    ML_STACK = 16,       /* numbers that a value takes at once */
+    ML_PARAMS = 9,       /* $1 to $9 */
+    ML_MOST_PARAMS = 64, /* that a reference may give: all are worked out */
     ML_MAX_TOPS = 64,
     ML_MAX_LABELS = 4096,
     ML_MAX_NUMBERS = 1 << 20,
@@ -48,26 +49,27 @@ enum {
 enum ml_type { ML_NONE, ML_AIM, ML_ABSOLUTE, ML_RELATIVE, ML_SEQUENCE, ML_TYPES };
 
 enum ml_op {
-    ML_END,            /* no more actions */
-    ML_NEXT,           /* a bullet's next action follows, and begins in the next frame */
-    ML_WAIT,           /* v */
-    ML_REPEAT,         /* v: what follows is done so often, up to its ML_AGAIN; at least once */
-    ML_AGAIN,          /* p */
-    ML_CALL,           /* p n v..: n values are $1 to $n there, up to ML_RETURN */
-    ML_GO,             /* p n v..: the same, at the end of an action: nothing is left to come back to */
-    ML_LEAVE,          /* p n v..: the same, and nothing that was begun is gone back to: of an action that is a top */
-    ML_RETURN,         /* with nothing to go back to it is ML_END */
-    ML_FIRE,           /* a shot is prepared: neither speed nor direction are set */
-    ML_FIRE_REF,       /* p n v..: as ML_CALL, of a fire */
-    ML_FIRED,          /* the end of a fire that has a label: back to where ML_FIRE_REF stood, if one led here */
-    ML_SHOT_SPEED,     /* v, ML_TYPE of it */
-    ML_SHOT_DIRECTION, /* v, ML_TYPE of it */
-    ML_BULLET_REF,     /* p n v..: as ML_CALL, of a bullet */
-    ML_BULLET,         /* l p: it is fired; p where its actions begin, 0: it has none. After it what followed ML_BULLET_REF */
+    ML_END,              /* no more actions */
+    ML_NEXT,             /* a bullet's next action follows, and begins in the next frame */
+    ML_AGAIN,            /* p: the end of a repeat's body */
+    ML_RETURN,           /* with nothing to go back to it is ML_END */
+    ML_ENDS = ML_RETURN, /* up to this one no command is an element: they are done with the element before them */
+    ML_WAIT,             /* v */
+    ML_REPEAT,           /* v: what follows is done so often, up to its ML_AGAIN; at least once */
+    ML_CALL,             /* p n v..: n values are $1 to $n there, up to ML_RETURN */
+    ML_GO,               /* p n v..: the same, at the end of an action: nothing is left to come back to */
+    ML_LEAVE,            /* p n v..: the same, and nothing that was begun is gone back to: of an action that is a top */
+    ML_FIRE,             /* a shot is prepared: neither speed nor direction are set */
+    ML_FIRE_REF,         /* p n v..: as ML_CALL, of a fire */
+    ML_FIRED,            /* the end of a fire that has a label: back to where ML_FIRE_REF stood, if one led here */
+    ML_SHOT_SPEED,       /* v, ML_TYPE of it */
+    ML_SHOT_DIRECTION,   /* v, ML_TYPE of it */
+    ML_BULLET_REF,       /* p n v..: as ML_CALL, of a bullet */
+    ML_BULLET, /* l p: it is fired; p where its actions begin, 0: it has none. After it what followed ML_BULLET_REF */
     ML_VANISH,
-    ML_TURN,           /* v v: term, direction, ML_TYPE of it */
-    ML_SPEED,          /* v v: term, speed, ML_TYPE of it */
-    ML_ACCEL,          /* v v v: term, x, y; ML_TYPE: that of x, and ML_TYPE_Y times that of y; ML_NONE: no such part */
+    ML_TURN,  /* v v: term, direction, ML_TYPE of it */
+    ML_SPEED, /* v v: term, speed, ML_TYPE of it */
+    ML_ACCEL, /* v v v: term, x, y; ML_TYPE: that of x, and ML_TYPE_Y times that of y; ML_NONE: no such part */
     ML_OPS
 };
 enum { ML_TYPE_Y = 8 };
@@ -170,8 +172,8 @@ static inline int64_t ml_subtract(int64_t a, int64_t b)
     return ((a ^ b) & (a ^ less)) < 0 ? (a >> 63) ^ INT64_MAX : less;
 }
 
-/* A count of frames or rounds: cut to a whole number, and what is below one by less than 2^-20 is one. What is too large
- * for a number of documents counts as none, as it does there. */
+/* A count of frames or rounds: cut to a whole number, and what is below one by less than 2^-20 is one. What is too
+ * large for a number of documents counts as none, as it does there. */
 static inline int32_t ml_whole(int64_t v)
 {
     const int64_t hair = 1 << 12;
@@ -189,8 +191,8 @@ static inline int64_t ml_scale(int64_t a, int64_t b, int shift)
 #else
     /* two's complement: the high half of the unsigned product is too large by b where a < 0, and by a where b < 0 */
     const uint64_t low = (uint64_t)a * (uint64_t)b, sum = low + ((uint64_t)1 << (shift - 1));
-    const uint64_t high = fx_mul_high((uint64_t)a, (uint64_t)b) - (a < 0 ? (uint64_t)b : 0) - (b < 0 ? (uint64_t)a : 0) +
-                          (sum < low);
+    const uint64_t high =
+        fx_mul_high((uint64_t)a, (uint64_t)b) - (a < 0 ? (uint64_t)b : 0) - (b < 0 ? (uint64_t)a : 0) + (sum < low);
 
     return (int64_t)(high << (64 - shift) | sum >> shift);
 #endif
@@ -216,6 +218,8 @@ static inline int64_t ml_wrap(int64_t d)
 {
     if ((uint64_t)d < (uint64_t)ML_TURN_ROUND)
         return d;
+    if (d >= -ML_TURN_ROUND && d < 2 * ML_TURN_ROUND)
+        return d < 0 ? d + ML_TURN_ROUND : d - ML_TURN_ROUND;
     d %= ML_TURN_ROUND;
     return d < 0 ? d + ML_TURN_ROUND : d;
 }
@@ -223,9 +227,7 @@ static inline int64_t ml_wrap(int64_t d)
 /* The nearest angle (2^32 a turn) of degrees in that range; and degrees of an angle, exactly. */
 static inline ang ml_angle(int64_t d)
 {
-    const uint64_t whole = (uint64_t)d / 360; /* Q32 turns, cut */
-
-    return (ang)(whole + ((uint64_t)d - whole * 360 >= 180));
+    return (ang)(((uint64_t)d + 180) / 360);
 }
 
 static inline int64_t ml_degrees(ang a)

@@ -531,8 +531,7 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
            open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_looks(cart, err, err_size) &&
            open_langs(cart, err, err_size) && open_faces(cart, err, err_size) && open_font(cart, err, err_size) &&
            open_sprites(cart, err, err_size) && open_hits(cart, err, err_size) && open_maps(cart, err, err_size) &&
-           open_bulletml(cart, err, err_size) &&
-           open_sounds(cart, err, err_size);
+           open_bulletml(cart, err, err_size) && open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)

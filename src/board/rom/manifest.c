@@ -350,7 +350,7 @@ static size_t bytes_of(int format)
     return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_of[format]);
 }
 
-size_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
+uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
 {
     const int format = m->bulletml ? FORMAT : FORMAT_PLAIN;
     struct manifest copy = *m;
@@ -359,7 +359,7 @@ size_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
     memset(out, 0, MANIFEST_BYTES);
     walk_manifest(&w, &copy, format);
     assert(w.out == out + bytes_of(format));
-    return bytes_of(format);
+    return (uint32_t)bytes_of(format);
 }
 
 static bool unused_dips_zero(const struct manifest *m)

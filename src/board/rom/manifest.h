@@ -204,7 +204,7 @@ bool manifest_check(const struct manifest *m, char *err, size_t err_size);
 
 /* The lump and back. The lump is of the oldest format that can say all of it; pack returns its bytes. unpack refuses
  * what is not exactly a lump that manifest_pack makes, or once made, of a manifest in range. */
-size_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
+uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
 /* Reads the text of rom.lua. file is its name for messages, folder the id's default (other characters become _). work

@@ -1,6 +1,9 @@
 /*
  * bulletml_do.c - the commands of BulletML documents, one runner at a time, and how values are worked out.
  *
+ * The end of a list comes with its last element, also if that is a wait: a runner that has nothing behind its wait is
+ * over, and a bullet's next action, due when the wait ends, begins then and not a frame later.
+ *
  * A fire needs no time: what is between its beginning and its bullet stands in C, not in RAM. A repeat and a call of an
  * action may, so they have frames of their own in a pool.
  */
@@ -145,8 +148,8 @@ static int64_t resolve_speed(const struct work *w, enum ml_type type, int64_t v)
     return v;
 }
 
-/* A timed change begins. */
-static void begin_change(const struct work *w, int change, int64_t from, int64_t to, int32_t term)
+/* A timed change begins: to a value, or (`each`) by so much a frame. */
+static void begin_change(const struct work *w, int change, int64_t from, int64_t to, int32_t term, int64_t each)
 {
     struct ml_runners *r = w->r;
     const uint32_t i = w->t->runner;
@@ -157,6 +160,8 @@ static void begin_change(const struct work *w, int change, int64_t from, int64_t
     r->from[c] = from;
     r->to[c] = to;
     r->step[c] = way > -most && way < most ? way * one / (int64_t)frames : 0;
+    if (each && each > -most && each < most)
+        r->step[c] = each * one;
     r->begun[c] = r->wake[i];
     r->over[c] = r->wake[i] + frames;
     r->flags[i] |= (uint16_t)(1u << change);
@@ -169,11 +174,12 @@ static void turn(struct work *w, enum ml_type type)
     const int64_t v = next_value(w), now = w->r->direction[w->t->body];
 
     if (type == ML_SEQUENCE) {
-        begin_change(w, CHANGE_DIRECTION, now, ml_add(now, ml_multiply(v, term * ML_ONE)), term);
+        begin_change(w, CHANGE_DIRECTION, now, ml_add(now, ml_multiply(v, term * ML_ONE)), term, term > 1 ? v : 0);
         return;
     }
-    const int64_t way = resolve_direction(w, type, v) - now, other = way > 0 ? way - ML_TURN_ROUND : way + ML_TURN_ROUND;
-    begin_change(w, CHANGE_DIRECTION, now, now + (int64_abs(way) < int64_abs(other) ? way : other), term);
+    const int64_t way = resolve_direction(w, type, v) - now,
+                  other = way > 0 ? way - ML_TURN_ROUND : way + ML_TURN_ROUND;
+    begin_change(w, CHANGE_DIRECTION, now, now + (int64_abs(way) < int64_abs(other) ? way : other), term, 0);
 }
 
 static void change_speed(struct work *w, enum ml_type type)
@@ -182,7 +188,7 @@ static void change_speed(struct work *w, enum ml_type type)
     const int64_t v = next_value(w), now = w->r->speed[w->t->body];
 
     begin_change(w, CHANGE_SPEED, now,
-                 type == ML_SEQUENCE ? ml_add(now, ml_multiply(v, term * ML_ONE)) : resolve_speed(w, type, v), term);
+                 type == ML_SEQUENCE ? ml_add(now, ml_multiply(v, term * ML_ONE)) : resolve_speed(w, type, v), term, 0);
 }
 
 static void accelerate(const struct work *w, int change, enum ml_type type, int32_t term, int64_t v)
@@ -191,7 +197,7 @@ static void accelerate(const struct work *w, int change, enum ml_type type, int3
 
     if (type == ML_SEQUENCE)
         v = ml_multiply(v, term * ML_ONE);
-    begin_change(w, change, now, type == ML_SEQUENCE || type == ML_RELATIVE ? ml_add(now, v) : v, term);
+    begin_change(w, change, now, type == ML_SEQUENCE || type == ML_RELATIVE ? ml_add(now, v) : v, term, 0);
 }
 
 static void accel(struct work *w, uint32_t types)
@@ -446,21 +452,6 @@ static void command(struct work *w, uint32_t c)
     }
 }
 
-/* Is the next command one that only leads out of an action? Those are done at once after the command before, even if
- * that one waits: an action whose last command is a wait is over when that begins. */
-static bool leads_out(const struct work *w)
-{
-    switch ((enum ml_op)ML_OP(ml_word(w->t->ml, w->at))) {
-    case ML_END:
-    case ML_NEXT:
-    case ML_AGAIN:
-    case ML_RETURN:
-        return true;
-    default:
-        return false;
-    }
-}
-
 void bulletml_do(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
@@ -469,9 +460,11 @@ void bulletml_do(struct turn *t)
 
     w.given = &w.own;
     set_given(&w, r->given[t->runner]);
-    while (!w.yields && !(r->flags[t->runner] & RUNNER_OVER) &&
-           ((int32_t)(t->now - r->wake[t->runner]) >= 0 || leads_out(&w))) {
-        const uint32_t c = next_word(&w);
+    while (!w.yields && !(r->flags[t->runner] & RUNNER_OVER)) {
+        const uint32_t c = ml_word(t->ml, w.at);
+        if ((int32_t)(t->now - r->wake[t->runner]) < 0 && ML_OP(c) > ML_ENDS)
+            break;
+        w.at++;
         if (++n > MOST_COMMANDS)
             bulletml_fault(t, c, "more than 100000 commands in a frame: a repeat without a wait?");
         command(&w, c);

@@ -4,8 +4,8 @@
  * Runners have their turns in the order in which they were made, before bullets move. In its turn a runner reads what
  * scripts wrote into its bullet, applies the changes that go on, does the commands that are due, and writes the
  * bullet's velocity. One that only waits costs a look at the clock; whether its bullet is still there is then asked in
- * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has its
- * own first turn, in the next frame.
+ * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has
+ * its own first turn, in the next frame.
  *
  * A document's directions are degrees, 0 up, clockwise: as it was written. How the root is turned, mirrored and scaled
  * comes in only where velocities are written and where directions of the board are read.
@@ -92,14 +92,6 @@ struct flight {
     int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
 };
 
-static int64_t scaled(int64_t v, int64_t pace)
-{
-    const int64_t most = (int64_t)1 << 46;
-
-    v = int64_clamp(v, -most, most);
-    return pace == ML_ONE ? v : ml_scale(v, pace, 32);
-}
-
 static int64_t in_speed(int64_t v)
 {
     const int64_t most = (int64_t)MAX_SPEED << 32;
@@ -107,49 +99,63 @@ static int64_t in_speed(int64_t v)
     return int64_clamp(v, -most, most);
 }
 
-static fx nearest(int64_t v)
+/* A document's speed in px a frame, at most MAX_SPEED. */
+static inline int64_t scaled(int64_t v, int64_t pace)
 {
-    return (fx)((in_speed(v) + (1 << 15)) >> 16);
+    const int64_t most = (int64_t)1 << 46;
+
+    return in_speed(pace == ML_ONE ? v : ml_scale(int64_clamp(v, -most, most), pace, 32));
 }
 
-static struct flight flight(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed)
+/* The nearest fx, of at most MAX_SPEED. */
+static inline fx nearest(int64_t v)
 {
-    const int64_t v = in_speed(scaled(speed, o->pace[root]));
-    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    return (fx)((v + (1 << 15)) >> 16);
+}
 
-    if (v) {
-        f.fine_x = ml_scale(v, trig_cos30(f.dir), 30);
-        f.fine_y = ml_scale(v, trig_sin30(f.dir), 30);
-        f.vx = nearest(f.fine_x);
-        f.vy = nearest(f.fine_y);
-    }
+static inline struct flight flight(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed)
+{
+    const int64_t v = scaled(speed, o->pace[root]);
+    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    int64_t c, s;
+
+    trig_direction(f.dir, &c, &s);
+    f.fine_x = ml_scale(v, c, 40);
+    f.fine_y = ml_scale(v, s, 40);
+    f.vx = nearest(f.fine_x);
+    f.vy = nearest(f.fine_y);
     return f;
 }
 
 /* The same with (vx, vy) beside it: one sum, rounded once. */
-static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed, int64_t vx,
-                                   int64_t vy)
+static struct flight flight_beside(const struct ml_roots *o, uint32_t root, int64_t direction, int64_t speed,
+                                   int64_t vx, int64_t vy)
 {
-    struct flight f = flight(o, root, direction, speed);
     const ang turned = o->turned[root] - UP;
-    int64_t x = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]);
+    const int64_t v = scaled(speed, o->pace[root]), across = scaled(vx, o->pace[root]), y = scaled(vy, o->pace[root]),
+                  x = o->flags[root] & ROOT_MIRRORED ? -across : across;
+    struct flight f = { .dir = to_board(o, root, direction), .speed = nearest(v) };
+    int64_t c, s, more_x = x, more_y = y;
 
-    if (!(vx | vy))
-        return f;
-    if (o->flags[root] & ROOT_MIRRORED)
-        x = -x;
     if (turned) {
-        const int64_t c = trig_cos30(turned), s = trig_sin30(turned), was = x;
-        x = in_speed(x);
-        y = in_speed(y);
-        x = ml_scale(x, c, 30) - ml_scale(y, s, 30);
-        y = ml_scale(in_speed(was), s, 30) + ml_scale(y, c, 30);
+        trig_direction(turned, &c, &s);
+        more_x = ml_scale(x, c, 40) - ml_scale(y, s, 40);
+        more_y = ml_scale(x, s, 40) + ml_scale(y, c, 40);
     }
-    f.fine_x = in_speed(f.fine_x + x);
-    f.fine_y = in_speed(f.fine_y + y);
+    trig_direction(f.dir, &c, &s);
+    f.fine_x = in_speed(ml_scale(v, c, 40) + more_x);
+    f.fine_y = in_speed(ml_scale(v, s, 40) + more_y);
     f.vx = nearest(f.fine_x);
     f.vy = nearest(f.fine_y);
     return f;
+}
+
+/* What a body's state comes to. */
+static inline struct flight flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
+{
+    if (r->vx[i] | r->vy[i])
+        return flight_beside(o, root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
+    return flight(o, root, r->direction[i], r->speed[i]);
 }
 
 /* ---- runners ---- */
@@ -279,7 +285,7 @@ static int32_t appear(struct board *b, const struct ml_fired *f)
     return i;
 }
 
-void bulletml_let_go(struct board *b)
+void board_ml_let_go(struct board *b)
 {
     struct ml_fresh *fresh = &b->ml_fresh;
 
@@ -297,33 +303,52 @@ void bulletml_let_go(struct board *b)
 
 /* ---- turns ---- */
 
-static int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_t now)
+/* The value of a change that is not over. */
+static inline int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_t now)
 {
-    const int64_t one = bulletml_fine(change), k = now - r->begun[c], term = r->over[c] - r->begun[c];
+    const int64_t k = now - r->begun[c], term = r->over[c] - r->begun[c];
 
-    if (k >= term)
-        return r->to[c];
     if (r->step[c])
-        return r->from[c] + ((r->step[c] * k + one / 2) >> (change == CHANGE_DIRECTION ? 12 : 20));
-    return ml_add(r->from[c],
-                  ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
+        return r->from[c] + ml_scale(r->step[c], k, change == CHANGE_DIRECTION ? 12 : 20);
+    return ml_add(r->from[c], ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
+}
+
+/* A direction in range; a turn that goes round goes on from as much less, so that it never is far out of it. */
+static inline int64_t wrap_turn(struct ml_runners *r, size_t c, int64_t v)
+{
+    const int64_t in = ml_wrap(v);
+
+    if (in != v) {
+        r->from[c] = ml_add(r->from[c], in - v);
+        r->to[c] = ml_add(r->to[c], in - v);
+    }
+    return in;
+}
+
+static inline void apply_change(struct ml_runners *r, const struct turn *t, int change, int64_t *of)
+{
+    const size_t c = (size_t)t->runner * CHANGES + (size_t)change;
+    const bool over = (int32_t)(t->now - r->over[c]) >= 0;
+    const int64_t v = over ? r->to[c] : changed(r, c, change, t->now);
+
+    of[t->body] = change == CHANGE_DIRECTION ? wrap_turn(r, c, v) : v;
+    if (over)
+        r->flags[t->runner] &= (uint16_t) ~(1u << change);
 }
 
 static void apply_changes(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
-    const uint32_t i = t->runner;
-    int64_t *const of[CHANGES] = { r->direction, r->speed, r->vx, r->vy };
+    const unsigned flags = r->flags[t->runner];
 
-    for (int change = 0; change < CHANGES; change++) {
-        const size_t c = (size_t)i * CHANGES + (size_t)change;
-        if (!(r->flags[i] >> change & 1))
-            continue;
-        const int64_t v = changed(r, c, change, t->now);
-        of[change][t->body] = change == CHANGE_DIRECTION ? ml_wrap(v) : v;
-        if ((int32_t)(t->now - r->over[c]) >= 0)
-            r->flags[i] &= (uint16_t)~(1u << change);
-    }
+    if (flags & 1 << CHANGE_DIRECTION)
+        apply_change(r, t, CHANGE_DIRECTION, r->direction);
+    if (flags & 1 << CHANGE_SPEED)
+        apply_change(r, t, CHANGE_SPEED, r->speed);
+    if (flags & 1 << CHANGE_X)
+        apply_change(r, t, CHANGE_X, r->vx);
+    if (flags & 1 << CHANGE_Y)
+        apply_change(r, t, CHANGE_Y, r->vy);
     t->steers = true;
 }
 
@@ -334,24 +359,26 @@ static void read_back(const struct turn *t, uint32_t bullet)
     const struct ml_roots *o = &t->b->ml_roots;
     struct ml_runners *r = &t->b->ml_runners;
     const uint32_t i = t->runner;
+    const bool stands = s->stands && s->stands[bullet];
+    const fx vx = (stands ? s->kept_vx : s->vx)[bullet], vy = (stands ? s->kept_vy : s->vy)[bullet];
 
-    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && s->vx[bullet] == r->put_vx[i] &&
-        s->vy[bullet] == r->put_vy[i])
+    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && vx == r->put_vx[i] &&
+        vy == r->put_vy[i])
         return;
     if (s->dir[bullet] != r->put_dir[i]) {
         r->direction[i] = from_board(o, t->root, s->dir[bullet]);
-        r->flags[i] &= (uint16_t)~(1u << CHANGE_DIRECTION);
+        r->flags[i] &= (uint16_t) ~(1u << CHANGE_DIRECTION);
     }
     if (s->speed[bullet] != r->put_speed[i]) {
         r->speed[i] = ml_divide((int64_t)s->speed[bullet] * (1 << 16), o->pace[t->root]);
-        r->flags[i] &= (uint16_t)~(1u << CHANGE_SPEED);
+        r->flags[i] &= (uint16_t) ~(1u << CHANGE_SPEED);
     }
     r->vx[i] = r->vy[i] = 0;
-    r->flags[i] &= (uint16_t)~(1u << CHANGE_X | 1u << CHANGE_Y);
+    r->flags[i] &= (uint16_t) ~(1u << CHANGE_X | 1u << CHANGE_Y);
     r->put_dir[i] = s->dir[bullet];
     r->put_speed[i] = s->speed[bullet];
-    r->put_vx[i] = s->vx[bullet];
-    r->put_vy[i] = s->vy[bullet];
+    r->put_vx[i] = vx;
+    r->put_vy[i] = vy;
 }
 
 /* Changes, then commands. */
@@ -362,9 +389,11 @@ static void run_one(struct turn *t)
 
     if (r->flags[i] & RUNNER_CHANGES)
         apply_changes(t);
+    if ((int32_t)(t->now - r->wake[i]) < 0)
+        return;
     if (!(r->flags[i] & RUNNER_OVER))
         bulletml_do(t);
-    else if (!(r->flags[i] & RUNNER_CHANGES) && (int32_t)(t->now - r->wake[i]) >= 0)
+    else if (!(r->flags[i] & RUNNER_CHANGES))
         r->flags[i] |= RUNNER_ENDED;
 }
 
@@ -373,8 +402,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     struct bullets *s = &t->b->bullets;
     struct ml_runners *r = &t->b->ml_runners;
     const uint32_t i = t->runner;
-    const struct flight f =
-        flight_beside(&t->b->ml_roots, t->root, r->direction[i], r->speed[i], r->vx[i], r->vy[i]);
+    const struct flight f = flight_of(&t->b->ml_roots, r, t->root, i);
 
     s->dir[bullet] = r->put_dir[i] = f.dir;
     s->speed[bullet] = r->put_speed[i] = f.speed;
@@ -402,7 +430,7 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    if (b->bullets.stands && b->bullets.stands[bullet]) {
+    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) { /* 0: it goes on in this move */
         stay(r, i);
         return true;
     }
@@ -419,6 +447,47 @@ static bool run_bullet(struct turn *t)
     if (t->steers)
         steer_bullet(t, bullet);
     return !(r->flags[i] & RUNNER_OVER) || r->flags[i] & RUNNER_CHANGES;
+}
+
+/*
+ * A turn in which a bullet's runner has nothing due, and only its direction or speed change: the common one, done
+ * without the rest. False: it is not such a turn.
+ */
+static inline bool glide(struct board *b, uint32_t i, uint32_t now)
+{
+    struct ml_runners *r = &b->ml_runners;
+    struct bullets *s = &b->bullets;
+    const unsigned flags = r->flags[i];
+    const uint32_t k = handle_slot(r->bullet[i]), root = r->root[i];
+    const size_t turn = (size_t)i * CHANGES + CHANGE_DIRECTION, pace = turn - CHANGE_DIRECTION + CHANGE_SPEED;
+
+    if (flags & (1 << CHANGE_X | 1 << CHANGE_Y | RUNNER_TOP) || s->stands ||
+        !slots_has(&s->s, k, handle_gen(r->bullet[i])) || s->motion[k] ||
+        r->vx[i] | r->vy[i] | (s->dir[k] ^ r->put_dir[i]) | (s->speed[k] ^ r->put_speed[i]) |
+            (s->vx[k] ^ r->put_vx[i]) | (s->vy[k] ^ r->put_vy[i]))
+        return false;
+    int64_t direction = r->direction[i], speed = r->speed[i];
+    if (flags & 1 << CHANGE_DIRECTION) {
+        if ((int32_t)(now - r->over[turn]) >= 0 || !r->step[turn])
+            return false;
+        direction = wrap_turn(r, turn, r->from[turn] + ml_scale(r->step[turn], now - r->begun[turn], 12));
+        r->direction[i] = direction;
+    }
+    if (flags & 1 << CHANGE_SPEED) {
+        if ((int32_t)(now - r->over[pace]) >= 0 || !r->step[pace])
+            return false;
+        speed = r->from[pace] + ml_scale(r->step[pace], now - r->begun[pace], 20);
+        r->speed[i] = speed;
+    }
+    const struct flight f = flight(&b->ml_roots, root, direction, speed);
+    const fx fast = fx_max(fx_abs(f.vx), fx_abs(f.vy));
+    s->dir[k] = r->put_dir[i] = f.dir;
+    s->speed[k] = r->put_speed[i] = f.speed;
+    s->vx[k] = r->put_vx[i] = f.vx;
+    s->vy[k] = r->put_vy[i] = f.vy;
+    if (fast > s->fastest)
+        s->fastest = fast;
+    return true;
 }
 
 /* All tops of a root begin anew. */
@@ -467,14 +536,14 @@ static bool run_top(struct turn *t)
 
 /* ---- roots ---- */
 
-void bulletml_stop(struct board *b, uint32_t i)
+void board_ml_stop(struct board *b, uint32_t i)
 {
     b->ml_roots.flags[i] |= ROOT_OVER;
 }
 
 static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
 
-void bulletml_set_handler(lua_State *L, uint32_t i)
+void board_ml_set_handler(lua_State *L, uint32_t i)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
         lua_pop(L, 1);
@@ -487,7 +556,7 @@ void bulletml_set_handler(lua_State *L, uint32_t i)
     lua_pop(L, 1);
 }
 
-void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
+void board_ml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
 {
     struct ml ml;
 
@@ -507,10 +576,26 @@ static void drop_root(struct board *b, uint32_t i)
 {
     if (b->ml_roots.flags[i] & ROOT_TELLS) {
         lua_pushnil(b->vm.running);
-        bulletml_set_handler(b->vm.running, i);
+        board_ml_set_handler(b->vm.running, i);
     }
     bulletml_let_list(b, b->ml_roots.given[i]);
     slots_drop(&b->ml_roots.s, i);
+}
+
+static fx in_world(int64_t v)
+{
+    return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
+}
+
+/* A root is where what it follows is. */
+static void find_place(struct board *b, uint32_t i)
+{
+    struct ml_roots *o = &b->ml_roots;
+    fx x = 0, y = 0;
+
+    board_where(b, o->follow[i], &x, &y);
+    o->x[i] = in_world((int64_t)x + o->dx[i]);
+    o->y[i] = in_world((int64_t)y + o->dy[i]);
 }
 
 /* Before the turns: roots whose owner, or what they follow, is gone are over; what was over a frame ago, and its
@@ -523,9 +608,9 @@ static void find_roots(struct board *b)
         if (o->flags[i] & ROOT_OVER && !o->runners[i])
             drop_root(b, i);
         else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow[i] && !board_alive(b, o->follow[i])))
-            bulletml_stop(b, i);
+            board_ml_stop(b, i);
         else if (o->follow[i])
-            board_where(b, o->follow[i], &o->x[i], &o->y[i]);
+            find_place(b, i);
     }
 }
 
@@ -550,12 +635,13 @@ static void move_root(struct board *b, uint32_t i)
         return;
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
-    const struct flight f = flight_beside(o, i, r->direction[k], r->speed[k], r->vx[k], r->vy[k]);
-    move_fine(&o->x[i], &o->x_more[i], f.fine_x);
-    move_fine(&o->y[i], &o->y_more[i], f.fine_y);
+    const struct flight beside = flight_beside(o, i, r->direction[k], 0, r->vx[k], r->vy[k]);
+    const int64_t v = scaled(r->speed[k], o->pace[i]);
+    move_fine(&o->x[i], &o->x_more[i], beside.fine_x + ml_scale(v, trig_cos30(beside.dir), 30));
+    move_fine(&o->y[i], &o->y_more[i], beside.fine_y + ml_scale(v, trig_sin30(beside.dir), 30));
     if (o->follow[i]) {
-        b->enemies.x[handle_slot(o->follow[i])] = o->x[i];
-        b->enemies.y[handle_slot(o->follow[i])] = o->y[i];
+        b->enemies.x[handle_slot(o->follow[i])] = in_world((int64_t)o->x[i] - o->dx[i]);
+        b->enemies.y[handle_slot(o->follow[i])] = in_world((int64_t)o->y[i] - o->dy[i]);
     }
 }
 
@@ -577,31 +663,41 @@ static void end_roots(struct board *b)
 
     EACH_LIVE (i, &o->s) {
         if (o->flags[i] & ROOT_VANISHES)
-            bulletml_stop(b, i);
+            board_ml_stop(b, i);
         else if (!(o->flags[i] & ROOT_OVER))
             move_root(b, i);
         if (o->flags[i] & ROOT_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_OVER)) && all_ended(b, i))
-            bulletml_stop(b, i);
+            board_ml_stop(b, i);
     }
     slots_trim(&o->s);
 }
 
-/* One turn; false: the runner has none any more. */
-static bool run_turn(struct board *b, uint32_t i, uint32_t now)
-{
-    struct turn t = { .b = b, .runner = i, .root = b->ml_runners.root[i], .body = b->ml_runners.body[i], .now = now };
+/* The program of the runner before, which is mostly the next one's too. */
+struct opened {
+    uint32_t program; /* UINT32_MAX: none */
     struct ml ml;
+};
 
-    cart_bulletml(&b->cart, b->ml_roots.program[t.root], &ml);
-    t.ml = &ml;
+/* One turn; false: the runner has none any more. */
+static bool run_turn(struct board *b, uint32_t i, uint32_t now, struct opened *o)
+{
+    struct turn t = {
+        .b = b, .ml = &o->ml, .runner = i, .root = b->ml_runners.root[i], .body = b->ml_runners.body[i], .now = now
+    };
+
+    if (o->program != b->ml_roots.program[t.root]) {
+        o->program = b->ml_roots.program[t.root];
+        cart_bulletml(&b->cart, (int)o->program, &o->ml);
+    }
     return b->ml_runners.flags[i] & RUNNER_TOP ? run_top(&t) : run_bullet(&t);
 }
 
-void bulletml_run(struct board *b)
+void board_ml_run(struct board *b)
 {
     struct ml_runners *r = &b->ml_runners;
     const uint32_t now = b->core.clock, n = r->n;
     const bool some_stand = b->bullets.stands;
+    struct opened opened = { .program = UINT32_MAX };
     uint32_t kept = 0;
 
     b->ml_fresh.n = 0;
@@ -609,9 +705,9 @@ void bulletml_run(struct board *b)
     find_roots(b);
     for (uint32_t k = 0; k < n; k++) {
         const uint32_t i = r->order[k];
-        const bool waits = (int32_t)(now - r->wake[i]) < 0 && !(r->flags[i] & (RUNNER_CHANGES | RUNNER_TOP)) &&
-                           !some_stand && (k + now) % WAITING;
-        if (waits || run_turn(b, i, now))
+        const bool due = (int32_t)(now - r->wake[i]) >= 0 && !(r->flags[i] & RUNNER_OVER);
+        const bool waits = !due && !(r->flags[i] & (RUNNER_CHANGES | RUNNER_TOP)) && !some_stand && (k + now) % WAITING;
+        if (waits || (!due && glide(b, i, now)) || run_turn(b, i, now, &opened))
             r->order[kept++] = i;
         else
             drop_runner(b, i);
@@ -625,7 +721,7 @@ void bulletml_run(struct board *b)
     vm_charge(b->vm.running, 4 * (uint64_t)r->ran);
 }
 
-int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
+int32_t board_ml_begin(struct board *b, const struct bulletml_start *start)
 {
     struct ml_roots *o = &b->ml_roots;
     struct ml_runners *r = &b->ml_runners;
@@ -644,6 +740,8 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->x[i] = start->x;
     o->y[i] = start->y;
     o->x_more[i] = o->y_more[i] = 0;
+    o->dx[i] = start->dx;
+    o->dy[i] = start->dy;
     o->program[i] = start->program;
     o->kind[i] = start->kind;
     o->tag[i] = start->tag;
@@ -660,7 +758,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     for (uint32_t top = 0; top < ml.tops; top++) {
         const int32_t k = new_runner(b, (uint32_t)i, 0, ml_top(&ml, top), b->core.clock);
         if (k == NO_SLOT) {
-            bulletml_stop(b, (uint32_t)i);
+            board_ml_stop(b, (uint32_t)i);
             return NO_SLOT;
         }
         if (!top) {

@@ -689,7 +689,7 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_FIRED:
         if (board_alive(b, e->a))
-            bulletml_tell(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
+            board_ml_tell(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
         break;
     case EV_KILL:
     case EV_LEAVE:

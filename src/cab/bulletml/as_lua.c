@@ -12,7 +12,7 @@
 
 static void line(struct lua_writer *w)
 {
-    lua_put(&w->body, "%*s", 2 * w->indent, "");
+    as_lua_put(&w->body, "%*s", 2 * w->indent, "");
 }
 
 /* ---- names ---- */
@@ -34,29 +34,29 @@ static bool is_word(const char *s)
 
 static void put_string(struct lua_text *t, const char *s)
 {
-    lua_put(t, "\"");
+    as_lua_put(t, "\"");
     for (; *s; s++)
-        lua_put(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
-    lua_put(t, "\"");
+        as_lua_put(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
+    as_lua_put(t, "\"");
 }
 
 /* "actions.ring", "bullets["two words"]" */
 static void put_name(struct lua_writer *w, enum document_element element, const char *label)
 {
-    lua_put(&w->body, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
+    as_lua_put(&w->body, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
     if (is_word(label)) {
-        lua_put(&w->body, ".%s", label);
+        as_lua_put(&w->body, ".%s", label);
         return;
     }
-    lua_put(&w->body, "[");
+    as_lua_put(&w->body, "[");
     put_string(&w->body, label);
-    lua_put(&w->body, "]");
+    as_lua_put(&w->body, "]");
 }
 
 /* What runs the commands, and what is fired: s and shot, and in functions within functions s2, shot2. */
 static void put_own(struct lua_writer *w, const char *name)
 {
-    lua_put(&w->body, w->depth ? "%s%d" : "%s", name, w->depth + 1);
+    as_lua_put(&w->body, w->depth ? "%s%d" : "%s", name, w->depth + 1);
 }
 
 /* ---- numbers ---- */
@@ -72,38 +72,38 @@ static void put_direction(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "aimed", "aimed", "straight", "turned", "next_dir" };
 
-    lua_put(&w->body, "%s(", names[v->type]);
+    as_lua_put(&w->body, "%s(", names[v->type]);
     put_own(w, "s");
-    lua_put(&w->body, ", ");
-    lua_value(&w->body, v, v->type == NODE_ABSOLUTE ? lua_up(w->d) : 0, false);
-    lua_put(&w->body, ")");
+    as_lua_put(&w->body, ", ");
+    as_lua_value(&w->body, v, v->type == NODE_ABSOLUTE ? as_lua_up(w->d) : 0, false);
+    as_lua_put(&w->body, ")");
 }
 
 static void put_speed(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "plain", "plain", "plain", "faster", "next_speed" };
 
-    lua_put(&w->body, "%s(", names[v->type]);
+    as_lua_put(&w->body, "%s(", names[v->type]);
     put_own(w, "s");
-    lua_put(&w->body, ", ");
-    lua_value(&w->body, v, 0, false);
-    lua_put(&w->body, ")");
+    as_lua_put(&w->body, ", ");
+    as_lua_value(&w->body, v, 0, false);
+    as_lua_put(&w->body, ")");
 }
 
 /* A function and what goes with every one: turn_to(s, ..., term). */
 static void begin_change(struct lua_writer *w, const char *name)
 {
     line(w);
-    lua_put(&w->body, "%s(", name);
+    as_lua_put(&w->body, "%s(", name);
     put_own(w, "s");
-    lua_put(&w->body, ", ");
+    as_lua_put(&w->body, ", ");
 }
 
 static void end_change(struct lua_writer *w, int32_t node)
 {
-    lua_put(&w->body, ", ");
-    lua_count(&w->body, child(w, node, NODE_TERM), 1);
-    lua_put(&w->body, ")\n");
+    as_lua_put(&w->body, ", ");
+    as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
+    as_lua_put(&w->body, ")\n");
 }
 
 static void put_turn(struct lua_writer *w, int32_t node)
@@ -112,7 +112,7 @@ static void put_turn(struct lua_writer *w, int32_t node)
 
     begin_change(w, v->type == NODE_SEQUENCE ? "turn_on" : "turn_to");
     if (v->type == NODE_SEQUENCE)
-        lua_value(&w->body, v, 0, false);
+        as_lua_value(&w->body, v, 0, false);
     else
         put_direction(w, v);
     end_change(w, node);
@@ -124,7 +124,7 @@ static void put_change_speed(struct lua_writer *w, int32_t node)
 
     begin_change(w, v->type == NODE_SEQUENCE ? "speed_on" : "speed_to");
     if (v->type == NODE_SEQUENCE)
-        lua_value(&w->body, v, 0, false);
+        as_lua_value(&w->body, v, 0, false);
     else
         put_speed(w, v);
     end_change(w, node);
@@ -140,12 +140,12 @@ static void put_push(struct lua_writer *w, int32_t node, enum document_element e
         return;
     begin_change(w, v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "push_on" : "push_to");
     const bool back = w->d->horizontal && !x;
-    lua_put(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
-    lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
-    lua_put(&w->body, back ? ")" : "");
+    as_lua_put(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
+    as_lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
+    as_lua_put(&w->body, back ? ")" : "");
     if (v->type == NODE_SEQUENCE) {
-        lua_put(&w->body, " * ");
-        lua_count(&w->body, child(w, node, NODE_TERM), 1);
+        as_lua_put(&w->body, " * ");
+        as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
     }
     end_change(w, node);
 }
@@ -154,9 +154,11 @@ static void put_push(struct lua_writer *w, int32_t node, enum document_element e
 
 static void put_params(struct lua_writer *w, int32_t ref)
 {
-    for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE; i = w->d->node[i].next) {
-        lua_put(&w->body, ", ");
-        lua_value(&w->body, &w->d->node[i], 0, false);
+    int n = 0; /* more than nine have no name */
+
+    for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE && n < 9; i = w->d->node[i].next, n++) {
+        as_lua_put(&w->body, ", ");
+        as_lua_value(&w->body, &w->d->node[i], 0, false);
     }
 }
 
@@ -190,15 +192,15 @@ static void put_run(struct lua_writer *w, int32_t bullet)
     line(w);
     put_own(w, "shot");
     w->depth++;
-    lua_put(&w->body, ".run = function(");
+    as_lua_put(&w->body, ".run = function(");
     put_own(w, "s");
-    lua_put(&w->body, ")\n");
+    as_lua_put(&w->body, ")\n");
     w->indent++;
     put_commands(w, bullet);
     w->indent--;
     w->depth--;
     line(w);
-    lua_put(&w->body, "end\n");
+    as_lua_put(&w->body, "end\n");
 }
 
 /* What a bullet says of itself, and its start. */
@@ -211,39 +213,39 @@ static void put_bullet(struct lua_writer *w, int32_t bullet)
     if (speed) {
         line(w);
         put_own(w, "shot");
-        lua_put(&w->body, ".speed = ");
+        as_lua_put(&w->body, ".speed = ");
         put_speed(w, speed);
-        lua_put(&w->body, "\n");
+        as_lua_put(&w->body, "\n");
     }
     if (direction) {
         line(w);
         put_own(w, "shot");
-        lua_put(&w->body, ".dir = ");
+        as_lua_put(&w->body, ".dir = ");
         put_direction(w, direction);
-        lua_put(&w->body, "\n");
+        as_lua_put(&w->body, "\n");
     }
     if (b->label[0]) {
         line(w);
         put_own(w, "shot");
-        lua_put(&w->body, ".label = ");
+        as_lua_put(&w->body, ".label = ");
         put_string(&w->body, b->label);
-        lua_put(&w->body, "\n");
+        as_lua_put(&w->body, "\n");
     }
-    if (has_actions(w, bullet) && !lua_motion(&motion, w->d, bullet)) {
+    if (has_actions(w, bullet) && !as_lua_motion(&motion, w->d, bullet)) {
         put_run(w, bullet);
     } else if (motion.n > 0) {
         line(w);
         put_own(w, "shot");
-        lua_put(&w->body, ".motion = motion.def { %s }\n", motion.s);
+        as_lua_put(&w->body, ".motion = motion.def { %s }\n", motion.s);
     }
     w->body.failed |= motion.failed;
     free(motion.s);
     line(w);
-    lua_put(&w->body, "launch(");
+    as_lua_put(&w->body, "launch(");
     put_own(w, "s");
-    lua_put(&w->body, ", ");
+    as_lua_put(&w->body, ", ");
     put_own(w, "shot");
-    lua_put(&w->body, ")\n");
+    as_lua_put(&w->body, ")\n");
 }
 
 /* ---- fires ---- */
@@ -254,19 +256,19 @@ static void put_shot(struct lua_writer *w, int32_t fire)
     const struct document_node *speed = child(w, fire, NODE_SPEED), *direction = child(w, fire, NODE_DIRECTION);
 
     if (!speed && !direction) {
-        lua_put(&w->body, "{}");
+        as_lua_put(&w->body, "{}");
         return;
     }
-    lua_put(&w->body, "{ ");
+    as_lua_put(&w->body, "{ ");
     if (speed) {
-        lua_put(&w->body, "speed = ");
+        as_lua_put(&w->body, "speed = ");
         put_speed(w, speed);
     }
     if (direction) {
-        lua_put(&w->body, speed ? ", dir = " : "dir = ");
+        as_lua_put(&w->body, speed ? ", dir = " : "dir = ");
         put_direction(w, direction);
     }
-    lua_put(&w->body, " }");
+    as_lua_put(&w->body, " }");
 }
 
 static void put_fire(struct lua_writer *w, int32_t fire)
@@ -276,31 +278,31 @@ static void put_fire(struct lua_writer *w, int32_t fire)
     line(w);
     if (ref != DOCUMENT_NONE) {
         put_name(w, NODE_BULLET, w->d->node[ref].label);
-        lua_put(&w->body, "(");
+        as_lua_put(&w->body, "(");
         put_own(w, "s");
-        lua_put(&w->body, ", ");
+        as_lua_put(&w->body, ", ");
         put_shot(w, fire);
         put_params(w, ref);
-        lua_put(&w->body, ")\n");
+        as_lua_put(&w->body, ")\n");
     } else if (w->d->node[own].first == DOCUMENT_NONE && w->d->node[own].label[0] == '\0') {
-        lua_put(&w->body, "launch(");
+        as_lua_put(&w->body, "launch(");
         put_own(w, "s");
-        lua_put(&w->body, ", ");
+        as_lua_put(&w->body, ", ");
         put_shot(w, fire);
-        lua_put(&w->body, ")\n");
+        as_lua_put(&w->body, ")\n");
     } else {
-        lua_put(&w->body, "do\n");
+        as_lua_put(&w->body, "do\n");
         w->indent++;
         line(w);
-        lua_put(&w->body, "local ");
+        as_lua_put(&w->body, "local ");
         put_own(w, "shot");
-        lua_put(&w->body, " = ");
+        as_lua_put(&w->body, " = ");
         put_shot(w, fire);
-        lua_put(&w->body, "\n");
+        as_lua_put(&w->body, "\n");
         put_bullet(w, own);
         w->indent--;
         line(w);
-        lua_put(&w->body, "end\n");
+        as_lua_put(&w->body, "end\n");
     }
 }
 
@@ -309,14 +311,14 @@ static void put_fire(struct lua_writer *w, int32_t fire)
 static void put_repeat(struct lua_writer *w, int32_t node)
 {
     line(w);
-    lua_put(&w->body, "for _ = 1, ");
-    lua_count(&w->body, child(w, node, NODE_TIMES), 1);
-    lua_put(&w->body, " do\n");
+    as_lua_put(&w->body, "for _ = 1, ");
+    as_lua_count(&w->body, child(w, node, NODE_TIMES), 1);
+    as_lua_put(&w->body, " do\n");
     w->indent++;
     put_commands(w, node);
     w->indent--;
     line(w);
-    lua_put(&w->body, "end\n");
+    as_lua_put(&w->body, "end\n");
 }
 
 /* An action that calls itself at its end would go deeper each time; `return` lets go of where it came from. */
@@ -332,24 +334,24 @@ static void put_call(struct lua_writer *w, int32_t node)
     const struct document_node *n = &w->d->node[node];
 
     line(w);
-    lua_put(&w->body, is_last(w, node) ? "return " : "");
+    as_lua_put(&w->body, is_last(w, node) ? "return " : "");
     put_name(w,
              document_find(w->d, n->element, n->label) == DOCUMENT_NONE ? NODE_ACTION : w->d->node[n->target].element,
              n->label);
-    lua_put(&w->body, "(");
+    as_lua_put(&w->body, "(");
     put_own(w, "s");
     put_params(w, node);
-    lua_put(&w->body, ")\n");
+    as_lua_put(&w->body, ")\n");
 }
 
 static void put_wait(struct lua_writer *w, int32_t node)
 {
     line(w);
-    lua_put(&w->body, "pause(");
+    as_lua_put(&w->body, "pause(");
     put_own(w, "s");
-    lua_put(&w->body, ", ");
-    lua_count(&w->body, &w->d->node[node], 0);
-    lua_put(&w->body, ")\n");
+    as_lua_put(&w->body, ", ");
+    as_lua_count(&w->body, &w->d->node[node], 0);
+    as_lua_put(&w->body, ")\n");
 }
 
 static void put_command(struct lua_writer *w, int32_t node)
@@ -361,7 +363,7 @@ static void put_command(struct lua_writer *w, int32_t node)
     case NODE_VANISH:
         line(w);
         put_own(w, "s");
-        lua_put(&w->body, ".o.gone = true\n");
+        as_lua_put(&w->body, ".o.gone = true\n");
         break;
     case NODE_FIRE:
         put_fire(w, node);
@@ -404,21 +406,21 @@ static void put_function(struct lua_writer *w, int32_t node)
     const struct document_node *n = &w->d->node[node];
     const int params = highest_param(w->d, node);
 
-    lua_put(&w->body, "\nfunction ");
+    as_lua_put(&w->body, "\nfunction ");
     if (is_word(n->label)) {
         put_name(w, n->element, n->label);
     } else {
         w->body.n -= strlen("function ");
         put_name(w, n->element, n->label);
-        lua_put(&w->body, " = function");
+        as_lua_put(&w->body, " = function");
     }
-    lua_put(&w->body, n->element == NODE_BULLET ? "(s, shot" : "(s");
+    as_lua_put(&w->body, n->element == NODE_BULLET ? "(s, shot" : "(s");
     for (int i = 1; i <= params; i++)
-        lua_put(&w->body, ", p%d", i);
-    lua_put(&w->body, ")\n");
+        as_lua_put(&w->body, ", p%d", i);
+    as_lua_put(&w->body, ")\n");
     w->indent = 1;
     for (int i = 1; i <= params; i++)
-        lua_put(&w->body, "  p%d = p%d or 1\n", i, i);
+        as_lua_put(&w->body, "  p%d = p%d or 1\n", i, i);
     if (n->element == NODE_ACTION)
         put_commands(w, node);
     else if (n->element == NODE_FIRE)
@@ -426,7 +428,7 @@ static void put_function(struct lua_writer *w, int32_t node)
     else
         put_bullet(w, node);
     w->indent = 0;
-    lua_put(&w->body, "end\n");
+    as_lua_put(&w->body, "end\n");
 }
 
 /* All that something asks for by its label. */
@@ -449,20 +451,20 @@ static void put_functions(struct lua_writer *w)
 
 static void put_tops(struct lua_writer *w)
 {
-    lua_put(&w->body,
-            "\n-- All of it, in a task of a thing: play(e), or play(e, { rank = 0.8, unit = 2, kind = \"orb\" }).\n"
-            "return function(me, options)\n"
-            "  options = options or {}\n"
-            "  rank, unit = options.rank or rank, options.unit or unit\n"
-            "  kind, kinds = options.kind or kind, options.kinds or kinds\n"
-            "  local o = { me = me, dir = 90, speed = 0, root = true }\n");
+    as_lua_put(&w->body,
+               "\n-- All of it, in a task of a thing: play(e), or play(e, { rank = 0.8, unit = 2, kind = \"orb\" }).\n"
+               "return function(me, options)\n"
+               "  options = options or {}\n"
+               "  rank, unit = options.rank or rank, options.unit or unit\n"
+               "  kind, kinds = options.kind or kind, options.kinds or kinds\n"
+               "  local o = { me = me, dir = 90, speed = 0, root = true }\n");
     for (int32_t i = 0; i < w->d->n; i++)
         if (document_is_top(w->d, i)) {
-            lua_put(&w->body, "  task.own(me, function() ");
+            as_lua_put(&w->body, "  task.own(me, function() ");
             put_name(w, NODE_ACTION, w->d->node[i].label);
-            lua_put(&w->body, " { o = o } end)\n");
+            as_lua_put(&w->body, " { o = o } end)\n");
         }
-    lua_put(&w->body, "end\n");
+    as_lua_put(&w->body, "end\n");
 }
 
 /* ---- what cannot be said ---- */
@@ -505,24 +507,26 @@ static bool has_two(const struct document *d)
 
 static void put_head(struct lua_text *t, const struct document *d, const char *file, const char *body)
 {
-    lua_put(t, "-- ");
+    as_lua_put(t, "-- ");
     for (const char *c = strrchr(file, '/') ? strrchr(file, '/') + 1 : file; *c; c++)
-        lua_put(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
-    lua_put(t, ", as Lua. Directions: 0 is right, as everywhere in Curtain, and 90 down.\n");
-    lua_put(t, "-- Not as in the document: a bullet flies in the frame in which it is fired, one sooner than there.\n");
+        as_lua_put(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
+    as_lua_put(t, ", as Lua. Directions: 0 is right, as everywhere in Curtain, and 90 down.\n");
+    as_lua_put(t,
+               "-- Not as in the document: a bullet flies in the frame in which it is fired, one sooner than there.\n");
     if (draws(d))
-        lua_put(t, "-- Chance is the game's, so it is another than that of bullet.ml's seed.\n");
+        as_lua_put(t, "-- Chance is the game's, so it is another than that of bullet.ml's seed.\n");
     if (has_two(d))
-        lua_put(t, "-- Between a bullet's actions there a frame passes; here the next begins at once.\n");
+        as_lua_put(t, "-- Between a bullet's actions there a frame passes; here the next begins at once.\n");
     if (strstr(body, "motion.def"))
-        lua_put(t, "-- Changes of a motion program begin one frame sooner.\n");
+        as_lua_put(t, "-- Changes of a motion program begin one frame sooner.\n");
     if (root_vanishes(d))
-        lua_put(t, "-- Where the root vanishes there, the thing stays here, unless you remove it.\n");
+        as_lua_put(t, "-- Where the root vanishes there, the thing stays here, unless you remove it.\n");
     if (strstr(body, "_to(") || strstr(body, "_on("))
-        lua_put(t, "-- Each bullet whose speed or direction changes has a task; thousands of them are bullet.ml's.\n");
-    lua_put(t, "local unit, rank = 1, 0.5         -- px a frame of speed 1; 0 to 1\n"
-               "local kind, kinds = \"orb\", {}     -- of all bullets; of those of a label: { petal = \"rice\" }\n"
-               "local actions, fires, bullets = {}, {}, {}\n\n");
+        as_lua_put(t,
+                   "-- Each bullet whose speed or direction changes has a task; thousands of them are bullet.ml's.\n");
+    as_lua_put(t, "local unit, rank = 1, 0.5         -- px a frame of speed 1; 0 to 1\n"
+                  "local kind, kinds = \"orb\", {}     -- of all bullets; of those of a label: { petal = \"rice\" }\n"
+                  "local actions, fires, bullets = {}, {}, {}\n\n");
 }
 
 char *as_lua(const struct document *d, const char *file)
@@ -530,13 +534,13 @@ char *as_lua(const struct document *d, const char *file)
     struct lua_writer w = { .d = d };
     struct lua_text whole = { 0 };
 
-    lua_put(&w.body, "%s", "");
+    as_lua_put(&w.body, "%s", "");
     put_functions(&w);
     put_tops(&w);
     if (!w.body.failed) {
         put_head(&whole, d, file, w.body.s);
-        lua_helpers(&whole, w.body.s);
-        lua_put(&whole, "%s", w.body.s + 1);
+        as_lua_helpers(&whole, w.body.s);
+        as_lua_put(&whole, "%s", w.body.s + 1);
     }
     free(w.body.s);
     if (!whole.failed)

@@ -151,15 +151,16 @@ static void put_helper(struct lua_text *t, int i, bool pushes, bool changes)
     const char *at = strstr(helpers[i].text, "FLY"), *update = strstr(helpers[i].text, "UPDATE");
 
     if (at)
-        lua_put(t, "%.*s%s%s\n", (int)(at - helpers[i].text), helpers[i].text, pushes ? "fly" : "fly_straight", at + 3);
+        as_lua_put(t, "%.*s%s%s\n", (int)(at - helpers[i].text), helpers[i].text, pushes ? "fly" : "fly_straight",
+                   at + 3);
     else if (update)
-        lua_put(t, "%.*s%s%s\n", (int)(update - helpers[i].text), helpers[i].text, changes ? "  update(s.o)\n" : "",
-                update + 6);
+        as_lua_put(t, "%.*s%s%s\n", (int)(update - helpers[i].text), helpers[i].text, changes ? "  update(s.o)\n" : "",
+                   update + 6);
     else
-        lua_put(t, "%s\n", helpers[i].text);
+        as_lua_put(t, "%s\n", helpers[i].text);
 }
 
-void lua_helpers(struct lua_text *t, const char *body)
+void as_lua_helpers(struct lua_text *t, const char *body)
 {
     const bool pushes = calls(body, "push_to") || calls(body, "push_on");
     bool used[HELPERS] = { 0 }, changes = false;

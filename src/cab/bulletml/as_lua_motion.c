@@ -38,7 +38,7 @@ static const struct document_node *child(const struct steps *s, int32_t node, en
 
 static void put_step(struct steps *s, const char *format, double n)
 {
-    lua_put(&s->text, format, s->text.n ? ", " : "", n);
+    as_lua_put(&s->text, format, s->text.n ? ", " : "", n);
 }
 
 /* ---- changes ---- */
@@ -48,12 +48,12 @@ static void put_speed(struct steps *s, double over)
 {
     const struct document_node *v = child(s, s->speed, NODE_SPEED);
 
-    s->none |= !lua_fixed(v);
-    lua_put(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
-    lua_value(&s->text, v, 0, true);
-    lua_put(&s->text, " * unit");
+    s->none |= !as_lua_fixed(v);
+    as_lua_put(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
+    as_lua_value(&s->text, v, 0, true);
+    as_lua_put(&s->text, " * unit");
     if (v->type == NODE_RELATIVE && over > 1)
-        lua_put(&s->text, " / %g", over);
+        as_lua_put(&s->text, " / %g", over);
 }
 
 static void put_turn(struct steps *s, double over)
@@ -61,23 +61,23 @@ static void put_turn(struct steps *s, double over)
     const struct document_node *v = child(s, s->turn, NODE_DIRECTION);
     double turn = 0;
 
-    s->none |= !lua_fixed(v);
+    s->none |= !as_lua_fixed(v);
     if (v->type == NODE_SEQUENCE || (v->type == NODE_RELATIVE && over == 1)) {
-        lua_put(&s->text, "turn = ");
-        lua_value(&s->text, v, 0, false);
+        as_lua_put(&s->text, "turn = ");
+        as_lua_value(&s->text, v, 0, false);
     } else if (v->type == NODE_RELATIVE && expression_constant(v->op, v->ops, &turn)) {
-        lua_put(&s->text, "turn = ");
-        lua_number(&s->text, round(remainder(turn, 360) / over * 1e8) / 1e8);
+        as_lua_put(&s->text, "turn = ");
+        as_lua_number(&s->text, round(remainder(turn, 360) / over * 1e8) / 1e8);
     } else if (over > 1) {
         s->none = true;
     } else if (v->type == NODE_ABSOLUTE) {
-        lua_put(&s->text, "dir = ");
-        lua_value(&s->text, v, lua_up(s->d), false);
+        as_lua_put(&s->text, "dir = ");
+        as_lua_value(&s->text, v, as_lua_up(s->d), false);
     } else {
-        lua_put(&s->text, "aim = true");
+        as_lua_put(&s->text, "aim = true");
         if (!expression_constant(v->op, v->ops, &turn) || turn != 0) {
-            lua_put(&s->text, " }, { turn = ");
-            lua_value(&s->text, v, 0, false);
+            as_lua_put(&s->text, " }, { turn = ");
+            as_lua_value(&s->text, v, 0, false);
         }
     }
 }
@@ -85,16 +85,16 @@ static void put_turn(struct steps *s, double over)
 /* Both, one, or none of them, for so many frames. */
 static void put_change(struct steps *s, double over, bool speed, bool turn)
 {
-    lua_put(&s->text, "%s{ ", s->text.n ? ", " : "");
+    as_lua_put(&s->text, "%s{ ", s->text.n ? ", " : "");
     if (speed)
         put_speed(s, over);
     if (turn)
-        lua_put(&s->text, speed ? ", " : "");
+        as_lua_put(&s->text, speed ? ", " : "");
     if (turn)
         put_turn(s, over);
     if (over > 1)
-        lua_put(&s->text, ", over = %g", over);
-    lua_put(&s->text, " }");
+        as_lua_put(&s->text, ", over = %g", over);
+    as_lua_put(&s->text, " }");
 }
 
 /* What was ordered begins now and has `wait` frames. */
@@ -130,18 +130,19 @@ static void put_commands(struct steps *s, int32_t node, int depth, int loops);
 static void put_repeat(struct steps *s, int32_t node, int depth, int loops)
 {
     const double times = frames(s, document_child(s->d, node, NODE_TIMES)), before = s->waited;
-    struct lua_text outer = s->text;
 
-    if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || loops == LOOPS) {
-        s->none = true;
+    if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE)
+        begin(s, 0); /* what takes no time */
+    s->none |= loops == LOOPS;
+    if (s->none)
         return;
-    }
+    struct lua_text outer = s->text;
     s->text = (struct lua_text){ 0 };
     s->waited = 0;
     put_commands(s, node, depth, loops + 1);
     if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || s->waited == 0 || s->over)
         s->none = true;
-    lua_put(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, s->text.s ? s->text.s : "");
+    as_lua_put(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, s->text.s ? s->text.s : "");
     outer.failed |= s->text.failed;
     free(s->text.s);
     s->text = outer;
@@ -202,7 +203,7 @@ static void put_commands(struct steps *s, int32_t node, int depth, int loops)
         put_command(s, i, depth, loops);
 }
 
-bool lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
+bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
 {
     struct steps s = { .d = d, .left = COMMANDS, .speed = DOCUMENT_NONE, .turn = DOCUMENT_NONE };
 
@@ -210,7 +211,7 @@ bool lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
     if (!s.none && !s.over)
         begin(&s, INFINITY);
     if (!s.none && s.text.n > 0)
-        lua_put(t, "%s", s.text.s);
+        as_lua_put(t, "%s", s.text.s);
     t->failed |= s.text.failed;
     free(s.text.s);
     return !s.none;

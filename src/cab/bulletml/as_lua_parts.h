@@ -15,7 +15,7 @@ struct lua_text {
     bool failed; /* out of memory */
 };
 
-void lua_put(struct lua_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void as_lua_put(struct lua_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 struct lua_writer {
     const struct document *d;
@@ -25,25 +25,25 @@ struct lua_writer {
 };
 
 /* A number as an expression of Lua; `add` is added to it. tight: in parentheses, if it is more than one word. */
-void lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight);
+void as_lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight);
 
 /* The same as a whole number of frames or times, at least `least`. */
-void lua_count(struct lua_text *t, const struct document_node *node, int least);
+void as_lua_count(struct lua_text *t, const struct document_node *node, int least);
 
 /* A number, as short as it can be said. */
-void lua_number(struct lua_text *t, double v);
+void as_lua_number(struct lua_text *t, double v);
 
 /* Is it the same for all bullets of a run: neither drawn by chance nor a parameter? */
-bool lua_fixed(const struct document_node *node);
+bool as_lua_fixed(const struct document_node *node);
 
 /* 90 degrees are between the two: 0 is up there, or to the right in a horizontal document. */
-double lua_up(const struct document *d);
+double as_lua_up(const struct document *d);
 
 /* Adds the steps of a motion program that does what a bullet's actions do, "{ wait = 30 }, { speed = 2 }"; false, and
  * nothing: a program cannot do that. */
-bool lua_motion(struct lua_text *t, const struct document *d, int32_t bullet);
+bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet);
 
 /* Adds those of the functions that the script brings along which the text calls, and which these call. */
-void lua_helpers(struct lua_text *t, const char *body);
+void as_lua_helpers(struct lua_text *t, const char *body);
 
 #endif

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-void lua_put(struct lua_text *t, const char *format, ...)
+void as_lua_put(struct lua_text *t, const char *format, ...)
 {
     va_list args, again;
 
@@ -34,9 +34,9 @@ void lua_put(struct lua_text *t, const char *format, ...)
     va_end(again);
 }
 
-void lua_number(struct lua_text *t, double v)
+void as_lua_number(struct lua_text *t, double v)
 {
-    lua_put(t, "%.10g", v == 0 ? 0 : v);
+    as_lua_put(t, "%.10g", v == 0 ? 0 : v);
 }
 
 /* How tightly: a sum, a product, a sign, one word. */
@@ -51,7 +51,7 @@ static void put_piece(struct lua_text *t, const struct piece *p, enum tight leas
 {
     const bool open = p->tight < least;
 
-    lua_put(t, "%s%s%s", open ? "(" : "", p->text.s ? p->text.s : "", open ? ")" : "");
+    as_lua_put(t, "%s%s%s", open ? "(" : "", p->text.s ? p->text.s : "", open ? ")" : "");
 }
 
 static void join(struct piece *a, struct piece *b, enum expression_kind kind)
@@ -66,7 +66,7 @@ static void join(struct piece *a, struct piece *b, enum expression_kind kind)
     struct piece both = { .tight = own };
 
     put_piece(&both.text, a, own);
-    lua_put(&both.text, "%s", signs[kind]);
+    as_lua_put(&both.text, "%s", signs[kind]);
     put_piece(&both.text, b, kind == EXPRESSION_ADD || kind == EXPRESSION_MULTIPLY ? own : own + 1);
     free(a->text.s);
     free(b->text.s);
@@ -77,7 +77,7 @@ static void negate(struct piece *p)
 {
     struct piece less = { .tight = SIGN };
 
-    lua_put(&less.text, "-");
+    as_lua_put(&less.text, "-");
     put_piece(&less.text, p, WORD);
     free(p->text.s);
     *p = less;
@@ -88,15 +88,15 @@ static struct piece one_word(const struct expression_op *op)
     struct piece p = { .tight = WORD };
 
     if (op->kind == EXPRESSION_NUMBER)
-        lua_number(&p.text, round((double)op->number / 4294967296.0 * 1e8) / 1e8);
+        as_lua_number(&p.text, round((double)op->number / 4294967296.0 * 1e8) / 1e8);
     else if (op->kind == EXPRESSION_RAND)
-        lua_put(&p.text, "rng.number(0, 1)");
+        as_lua_put(&p.text, "rng.number(0, 1)");
     else if (op->kind == EXPRESSION_RANK)
-        lua_put(&p.text, "rank");
+        as_lua_put(&p.text, "rank");
     else if (op->number == 0)
-        lua_put(&p.text, "1");
+        as_lua_put(&p.text, "1");
     else
-        lua_put(&p.text, "p%d", (int)op->number);
+        as_lua_put(&p.text, "p%d", (int)op->number);
     return p;
 }
 
@@ -118,41 +118,41 @@ static struct piece whole_of(const struct document_node *node)
     return stack[0];
 }
 
-void lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight)
+void as_lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight)
 {
     double v;
 
     if (expression_constant(node->op, node->ops, &v)) {
-        lua_number(t, round((v + add) * 1e8) / 1e8);
+        as_lua_number(t, round((v + add) * 1e8) / 1e8);
         return;
     }
     struct piece p = whole_of(node);
     const bool open = tight && (add != 0 || p.tight < SIGN);
-    lua_put(t, "%s%s", open ? "(" : "", p.text.s ? p.text.s : "");
+    as_lua_put(t, "%s%s", open ? "(" : "", p.text.s ? p.text.s : "");
     if (add != 0) {
-        lua_put(t, add < 0 ? " - " : " + ");
-        lua_number(t, fabs(add));
+        as_lua_put(t, add < 0 ? " - " : " + ");
+        as_lua_number(t, fabs(add));
     }
-    lua_put(t, open ? ")" : "");
+    as_lua_put(t, open ? ")" : "");
     t->failed |= p.text.failed;
     free(p.text.s);
 }
 
-void lua_count(struct lua_text *t, const struct document_node *node, int least)
+void as_lua_count(struct lua_text *t, const struct document_node *node, int least)
 {
     double v;
 
     if (expression_constant(node->op, node->ops, &v)) {
         const double n = trunc(v + (v < 0 ? -1e-6 : 1e-6));
-        lua_number(t, n < least ? least : n > 1e9 ? 1e9 : n);
+        as_lua_number(t, n < least ? least : n > 1e9 ? 1e9 : n);
         return;
     }
-    lua_put(t, "count(");
-    lua_value(t, node, 0, false);
-    lua_put(t, ", %d)", least);
+    as_lua_put(t, "count(");
+    as_lua_value(t, node, 0, false);
+    as_lua_put(t, ", %d)", least);
 }
 
-bool lua_fixed(const struct document_node *node)
+bool as_lua_fixed(const struct document_node *node)
 {
     for (int i = 0; i < node->ops; i++)
         if (node->op[i].kind == EXPRESSION_RAND || node->op[i].kind == EXPRESSION_PARAM)
@@ -160,7 +160,7 @@ bool lua_fixed(const struct document_node *node)
     return true;
 }
 
-double lua_up(const struct document *d)
+double as_lua_up(const struct document *d)
 {
     return d->horizontal ? -180 : -90;
 }

@@ -109,7 +109,8 @@ static void say_labels(const struct document *d, enum document_element element, 
         room += d->node[i].element == element ? strlen(d->node[i].label) + 2 : 0;
     text = malloc(room);
     for (int32_t i = 0; text && i < d->n; i++)
-        if (d->node[i].element == element && d->node[i].label[0] && document_is_top(d, i) == tops)
+        if (d->node[i].element == element && d->node[i].label[0] && document_is_top(d, i) == tops &&
+            document_find(d, element, d->node[i].label) == i)
             n += (size_t)snprintf(text + n, room - n, "%s%s", n ? ", " : head, d->node[i].label);
     if (n)
         say(text);
@@ -175,14 +176,14 @@ static enum result look_at(const char *file, bool lua)
     return result;
 }
 
-enum result bulletml_command(const struct args *a)
+enum result bulletml_command(char *const *files, int n, bool lua)
 {
     enum result worst = RESULT_DONE;
 
-    if (a->lua && a->n_words > 1)
-        return report_line(RESULT_REFUSED, "bulletml: --lua prints one document, got %d", a->n_words);
-    for (int i = 0; i < a->n_words; i++) {
-        const enum result one = look_at(a->words[i], a->lua);
+    if (lua && n > 1)
+        return report_line(RESULT_REFUSED, "bulletml: --lua prints one document, got %d", n);
+    for (int i = 0; i < n; i++) {
+        const enum result one = look_at(files[i], lua);
         worst = one > worst ? one : worst;
     }
     return report_stdout(worst);

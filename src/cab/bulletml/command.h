@@ -5,11 +5,11 @@
 #ifndef CAB_BULLETML_COMMAND_H
 #define CAB_BULLETML_COMMAND_H
 
+#include <stdbool.h>
 #include "../host/result.h"
-#include "../line/args.h"
 
-/* Says of each document what is in it and what is hardly meant, on standard output; or prints the one that is given as
- * Lua. What is wrong has been told on plat_log, a line a document. */
-enum result bulletml_command(const struct args *a);
+/* Says of each of n documents what is in it and what is hardly meant, on standard output; or with lua prints the one
+ * that is given as a script. What is wrong has been told on plat_log, a line a document. */
+enum result bulletml_command(char *const *files, int n, bool lua);
 
 #endif

@@ -157,12 +157,22 @@ static int32_t target_of(const struct document *d, int32_t ref, const struct lab
     return low > 0 && by_label(&labels[low - 1], &key) == 0 ? labels[low - 1].at : DOCUMENT_NONE;
 }
 
+/* Of two of a label that something asks for. Bullets that are fired where they stand may share theirs: it names them. */
 static void tell_twins(struct document_reader *r, const struct label *labels, int n)
 {
-    for (int i = 1; i < n; i++)
-        if (by_label(&labels[i - 1], &labels[i]) == 0)
-            document_told(r, labels[i - 1].at, "label \"%s\" is there again in line %d, which is the one that counts",
-                          labels[i].node->label, labels[i].node->line);
+    uint8_t *asked = calloc((size_t)r->d->n, 1);
+
+    for (int32_t i = 0; asked && i < r->d->n; i++)
+        if (r->d->node[i].target != DOCUMENT_NONE)
+            asked[r->d->node[i].target] = 1;
+    for (int last = n - 1, i = n - 2; asked && i >= 0; i--) {
+        if (by_label(&labels[i], &labels[last]) != 0)
+            last = i;
+        else if (asked[labels[last].at])
+            document_told(r, labels[i].at, "label \"%s\" is there again in line %d, which is the one that counts",
+                          labels[i].node->label, labels[last].node->line);
+    }
+    free(asked);
 }
 
 static void check_labels(struct document_reader *r)

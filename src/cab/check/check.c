@@ -1,5 +1,5 @@
 /*
- * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c and check_run.c; each goes on as far
+ * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c, check_run.c and others; each goes on as far
  * as what was read before allows, and only the run needs a game that can be packed.
  */
 #include "check.h"
@@ -203,6 +203,7 @@ static enum result check_all(struct check *c)
     check_sounds(c);
     check_art(c);
     check_recordings(c);
+    check_bulletml(c);
     check_langs(c);
     check_unused(c);
     check_spells(c);

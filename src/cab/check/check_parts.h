@@ -74,6 +74,7 @@ void check_unused(struct check *c);
 /* Spells whose bonus does not fall where that of others does. */
 void check_spells(struct check *c);
 void check_sounds(struct check *c);
+void check_bulletml(struct check *c);
 void check_run(struct check *c);
 
 /* Characters without a glyph; cart: the game, packed. Part of check_run. */

@@ -29,6 +29,7 @@ static const struct room {
     { { "board", "curve_points" }, BOARD(curve_points), "curve" },
     { { "board", "registers" }, BOARD(registers), "registers" },
     { { "board", "options" }, BOARD(options), "option" },
+    { { "board", "bulletml" }, BOARD(bulletml), "ml" },
     { { "board", "hp" }, BOARD(hp), "hp cancels" },
     { { "board", "around" }, BOARD(around), "around" },
     { { "board", "frozen" }, BOARD(frozen), "frozen" },

@@ -7,7 +7,6 @@
 
 #include "../line/args.h"
 #include "../host/result.h"
-#include "../host/running.h"
 
 /* *running is to be called where a sound is heard. */
 enum result listen_run(const struct args *a, struct running *running);

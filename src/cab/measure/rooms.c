@@ -29,6 +29,7 @@ static const struct {
     { "board.lines", "lines", 1, POOL },
     { "board.tasks", "tasks", 1, POOL },
     { "board.motions", "motions", 1, LIST },
+    { "board.bulletml", "ml_runners", 1, POOL },
     { "board.registers", "registers", 1, LIST },
     { "board.lua_kib", NULL, 1, LUA },
 };

@@ -825,11 +825,33 @@ bool pack_is_bulletml(const char *path)
     return starts_with(path, "bulletml/") && ends_with(path + strlen("bulletml/"), ".xml");
 }
 
+/* The name of a document: what stands behind bulletml/, with _ for what no file of a ROM has in its name. Collections
+ * have names such as "[game] boss 2.xml". */
+static void name_bulletml(const char *path, char name[PATH])
+{
+    const char *from = path + strlen("bulletml/");
+    const int n = (int)(strlen(from) - strlen(".xml"));
+
+    snprintf(name, PATH, "%.*s", n, from);
+    for (char *c = name; *c != '\0'; c++)
+        if (strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./", *c) == NULL)
+            *c = '_';
+}
+
+/* Is it no document's that is in already? */
+static bool name_free(const struct packer *p, const char *name)
+{
+    for (int i = 0; i < p->lumps.n; i++)
+        if (starts_with(p->lumps.lump[i].name, "bulletml/") &&
+            strcmp(p->lumps.lump[i].name + strlen("bulletml/"), name) == 0)
+            return false;
+    return true;
+}
+
 /* A document becomes the program that the board runs. */
 static bool add_bulletml(struct packer *p, const char *path)
 {
-    const char *name = path + strlen("bulletml/");
-    char stem[PATH];
+    char name[PATH];
     uint8_t *text, *data = NULL;
     struct document d;
     size_t size;
@@ -840,8 +862,12 @@ static bool add_bulletml(struct packer *p, const char *path)
                       bulletml_compile(&d, path, &data, &size, p->err, p->err_size);
     document_close(&d);
     free(text);
-    snprintf(stem, sizeof stem, "%.*s", (int)(strlen(name) - strlen(".xml")), name);
-    return good && add(p, "bulletml/", stem, data, size);
+    name_bulletml(path, name);
+    if (good && !name_free(p, name)) {
+        free(data);
+        return err_set(p->err, p->err_size, "%s: another document is packed as \"%s\", too", path, name);
+    }
+    return good && add(p, "bulletml/", name, data, size);
 }
 
 /* Documents are there for a game that has room to run them. */
@@ -856,7 +882,7 @@ static bool add_file(struct packer *p, const char *path)
 
     if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !goes_in(p, path)))
         return true;
-    if (!manifest_path_ok(path))
+    if (!manifest_path_ok(path) && !pack_is_bulletml(path))
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);

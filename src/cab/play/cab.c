@@ -1,8 +1,9 @@
 /*
  * cab.c - see cab.h: power, the frame, and its clock.
  *
- * Whoever has the loop calls cab_frame, so all state is in one struct. When a frame is due, and how many ticks it has, pace.h says. The switches are read just before the tick,
- * so nothing of them is older than what the tick and the picture take.
+ * Whoever has the loop calls cab_frame, so all state is in one struct. When a frame is due, and how many ticks it has,
+ * pace.h says. The switches are read just before the tick, so nothing of them is older than what the tick and the
+ * picture take.
  */
 #include "cab.h"
 

@@ -25,7 +25,7 @@
 #include "practice.h"
 #include "../screens/log.h"
 #include "../screens/screen.h"
-#include "screen_state.h"
+#include "../screens/screen_state.h"
 #include "session.h"
 #include "../speaker/speaker.h"
 #include "../store/replays.h"

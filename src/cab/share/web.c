@@ -1,23 +1,18 @@
 /*
- * web.c - see web.h. A player's marks are @TITLE@, each time, and @ROM@, once: base64 of the ROM's gzip, or of the ROM
- * where that is no larger. Its line "generator" has the core version.
+ * web.c - see web.h. A player's marks are @TITLE@, each time, and @ROM@, once: base64 of the ROM. Its line "generator"
+ * has the core version.
  */
 #include "web.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../../base/hash.h"
 #include "../../board/board.h"
 #include "../../board/rom/manifest.h"
-#include "../pack/png.h"
 
 static const char title_mark[] = "@TITLE@", rom_mark[] = "@ROM@";
 static const char generator[] = "<meta name=\"generator\" content=\"Curtain, core ";
-
-enum { GZIP_HEAD = 10, GZIP_TAIL = 8, ZLIB_HEAD = 2, ZLIB_TAIL = 4 };
 
 /* The next place of text in the file, from `at` on; NULL: there is none. */
 static const uint8_t *find(const uint8_t *file, size_t size, const uint8_t *at, const char *text)
@@ -63,31 +58,6 @@ bool web_is_page(const uint8_t *file, size_t size)
 
 /* ---- the ROM ---- */
 
-/* gzip has what zlib makes between a head and a tail of its own. NULL: out of memory, or it is too large for that. */
-static uint8_t *gzipped(const uint8_t *rom, size_t size, size_t *packed_size)
-{
-    static const uint8_t head[GZIP_HEAD] = { 31, 139, 8, 0, 0, 0, 0, 0, 2, 255 };
-    uint8_t *raw = malloc(size + 1), *z = NULL, *out = NULL;
-    size_t n;
-
-    if (raw)
-        memcpy(raw, rom, size);
-    if (raw && png_deflate(raw, size, &z, &n)) {
-        n -= ZLIB_HEAD + ZLIB_TAIL;
-        out = malloc(GZIP_HEAD + n + GZIP_TAIL);
-    }
-    if (out) {
-        memcpy(out, head, GZIP_HEAD);
-        memcpy(out + GZIP_HEAD, z + ZLIB_HEAD, n);
-        bytes_put32(out + GZIP_HEAD + n, hash_crc32(rom, size));
-        bytes_put32(out + GZIP_HEAD + n + 4, (uint32_t)size);
-        *packed_size = GZIP_HEAD + n + GZIP_TAIL;
-    }
-    free(raw);
-    free(z);
-    return out;
-}
-
 static size_t base64_size(size_t n)
 {
     return (n + 2) / 3 * 4;
@@ -99,8 +69,8 @@ static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
 
     for (size_t i = 0; i < n; i += 3) {
         const size_t left = n - i < 3 ? n - i : 3;
-        const uint32_t v = (uint32_t)bytes[i] << 16 | (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) |
-                           (left > 2 ? bytes[i + 2] : 0);
+        const uint32_t v =
+            (uint32_t)bytes[i] << 16 | (left > 1 ? (uint32_t)bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
         for (size_t k = 0; k < 4; k++)
             *out++ = k <= left ? (uint8_t)digits[v >> (18 - 6 * k) & 63] : '=';
     }
@@ -169,20 +139,15 @@ bool web_make(const struct web_game *game, const uint8_t *player, size_t player_
               size_t *size, char *err, size_t err_size)
 {
     char title[6 * sizeof((struct manifest *)0)->title + 8];
-    size_t packed_size = 0;
 
     *out = NULL;
     if (!is_player(player, player_size, name, err, err_size))
         return false;
     escape(game->title, title, sizeof title);
-    uint8_t *packed = gzipped(game->rom, game->size, &packed_size);
-    const bool smaller = packed && packed_size < game->size;
-    const uint8_t *rom = smaller ? packed : game->rom;
-    const size_t rom_size = smaller ? packed_size : game->size;
     const size_t titles = (size_t)count(player, player_size, title_mark) * strlen(title);
-    *out = malloc(player_size + titles + base64_size(rom_size));
-    if (*out)
-        *size = (size_t)(fill(*out, player, player_size, title, rom, rom_size) - *out);
-    free(packed);
-    return *out ? true : err_set(err, err_size, "out of memory");
+    *out = malloc(player_size + titles + base64_size(game->size));
+    if (!*out)
+        return err_set(err, err_size, "out of memory");
+    *size = (size_t)(fill(*out, player, player_size, title, game->rom, game->size) - *out);
+    return true;
 }

@@ -12,7 +12,7 @@
 
 struct web_game {
     const char *title;
-    const uint8_t *rom;
+    const uint8_t *rom; /* compressed or plain */
     size_t size;
 };
 

@@ -21,10 +21,10 @@ local snake = path.def {
 
 -- A shot or two now and then: what swims by is after its own way, not after you.
 local function nip(e)
-  wait(rng.int(30, 70))
-  if e.y < 200 then
+  wait(rng.int(30, by_difficulty { easy = 70, normal = 74, hard = 50, abyss = 40 }))
+  if e.y < 200 and rng.chance(by_difficulty { easy = 0.6, normal = 1 }) then
     pattern.aimed { from = e, kind = "pellet", bank = 7, speed = 1.8, every = 9, delay = 14,
-                    n = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 } }
+                    n = by_difficulty { easy = 1, hard = 3, abyss = 4 } }
   end
 end
 
@@ -32,8 +32,8 @@ local function bloom(e)
   wait(80)
   while true do
     pattern.ring { from = e, kind = "orb", bank = 2, dir = rng.dir(), speed = 1.3,
-                   n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 22 } }
-    wait(by_difficulty { easy = 90, normal = 70, hard = 56 })
+                   n = by_difficulty { easy = 6, normal = 10, hard = 18, abyss = 26 } }
+    wait(by_difficulty { easy = 90, normal = 76, hard = 56, abyss = 44 })
   end
 end
 

@@ -1,5 +1,6 @@
 -- stages/moon/boss.lua - the Drowned Moon. It wanes, is new, comes full, and then goes dark: five
 -- phases that are beaten, and one that is outlived.
+local by = require "stages/three/by"
 local late = require "stages/moon/late"
 
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
@@ -7,20 +8,20 @@ local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets wh
 -- 1. Gibbous: two wheels of light turn against each other; where they cross are the holes.
 local function wheel(e, kind, bank, step)
   pattern.spiral { from = e, kind = kind, bank = bank, n = forever, step = step,
-                   every = by_difficulty { easy = 14, normal = 10, hard = 9, abyss = 11 },
-                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.05 },
-                   arms = by_difficulty { easy = 8, normal = 10, hard = 12, abyss = 18 } }
+                   every = by(14, 9, 9, 11),
+                   speed = by(1.2, 1.4, 1.5, 1.05),
+                   arms = by(8, 11, 12, 18) }
 end
 
 local function gibbous(e)
   task.go(wheel, e, "rice", 6, 5)
   if board.difficulty() ~= "easy" then task.go(wheel, e, "petal", 5, -5) end
   while true do
-    wait(by_difficulty { easy = 150, normal = 120, hard = 100 })
+    wait(by(150, 80, 100, 82))
     pattern.fan { from = e, kind = "kunai", bank = 1, aim = true, spread = 40, speed = 2,
-                  n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 3 },
+                  n = by(1, 3, 5, 3),
                   each = function(a)
-                    a.n, a.speed_to = by_difficulty { easy = 3, normal = 4, hard = 5 }, 2.8
+                    a.n, a.speed_to = by(3, 4, 5, 5), 2.8
                     pattern.stack(a)
                   end }
   end
@@ -62,13 +63,13 @@ local function half(e)
   wait(30)
   for k = 1, forever do
     pattern.ring { from = e, kind = "orb", bank = 6, dir = 5.5 * k + 3 * k * k % 17, speed = 2,
-                   n = by_difficulty { easy = 22, normal = 36, hard = 48, abyss = 58 },
+                   n = by(23, 43, 48, 66),
                    each = refract }
-    if k % by_difficulty { easy = 6, normal = 5, hard = 4 } == 0 then
+    if k % by(6, 4, 3, 4) == 0 then
       pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
-                    delay = 24, n = by_difficulty { easy = 1, normal = 2, hard = 3 } }
+                    delay = 24, n = by(1, 2, 3, 3) }
     end
-    wait(by_difficulty { easy = 44, normal = 31, hard = 25, abyss = 22 })
+    wait(by(42, 17, 15, 16))
   end
 end
 
@@ -89,30 +90,31 @@ local closer = motion.def { { wait = 70 }, { speed = 0, over = 24 }, { wait = 16
 local function reap(e, dir, aim, way)
   pattern.points { from = e, dx = 44 * way, dy = 14, kind = "shard", bank = 3, list = sickle,
                    turns = true, aim = aim, dir = dir, delay = 20,
-                   speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.7 },
+                   speed = by(1.5, 1.6, 1.6, 1.7),
                    motion = way < 0 and
-                   by_difficulty { easy = whole, normal = loose, hard = loose } or
-                   by_difficulty { easy = whole, normal = loose, hard = closer } }
+                   by(whole, loose, loose, loose) or
+                   by(whole, loose, closer, closer) }
 end
 
 local function crescent(e)
   e.picture = "sickle"
+  task.go(late.stream, e, by(64, 15, 6, 9), 2)
   task.go(function()
     pattern.spiral { from = e, kind = "pellet", bank = 5, n = forever, step = 29,
-                     arms = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 10 },
-                     every = by_difficulty { easy = 16, normal = 12, hard = 10, abyss = 8 },
-                     speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 } }
+                     arms = by(4, 6, 8, 11),
+                     every = by(11, 6, 4, 4),
+                     speed = by(1.1, 1.2, 1.3, 0.9) }
   end)
   for k = 1, forever do
     wait(20)
     local way = k % 2 == 0 and 1 or -1
     reap(e, 0, true, way)
-    wait(by_difficulty { easy = 60, normal = 40, hard = 34, abyss = 26 })
+    wait(by(39, 22, 13, 14))
     if board.difficulty() ~= "easy" then
       reap(e, 90 + 38 * way, false, -way)
       reap(e, 90 - 38 * way, false, way)
     end
-    wait(by_difficulty { easy = 90, normal = 84, hard = 78, abyss = 56 })
+    wait(by(57, 58, 46, 42))
   end
 end
 

@@ -1,5 +1,15 @@
 -- stages/moon/late.lua - the moon's last three phases: new, full, and dark.
+local by = require "stages/three/by"
 local late = {}
+
+-- Glints that look at you, one after the other, slow: whoever goes on a little is past them.
+function late.stream(e, every, bank)
+  while true do
+    wait(every)
+    bullet.fire { from = e, kind = "star", bank = bank, aim = true, delay = 20,
+                  speed = by(1.2, 1.4, 1.5, 1.2) }
+  end
+end
 
 -- 4. New: rings that turn while they grow, one gap or two in each. The next gap is never further
 -- from the last than a craft goes meanwhile.
@@ -18,8 +28,8 @@ end
 local function maze_ring(e, at, way, kind, bank)
   local name = board.difficulty()
   local age = DOWN_THERE / GROW[name]
-  local n = by_difficulty { easy = 48, normal = 80, hard = 90, abyss = 108 }
-  local gap = by_difficulty { easy = 5, normal = 4, hard = 4, abyss = 3 }
+  local n = by(64, 80, 90, 108)
+  local gap = by(6, 4, 4, 3)
   for i = 1, n - gap do
     local dir = at - way * SPIN * age + 360 * (i + gap / 2 - 0.5) / n
     bullet.fire { kind = kind, bank = bank, from = e, dir = dir, speed = GROW[name],
@@ -29,18 +39,19 @@ end
 
 function late.new(e)
   e.picture = "new"
+  task.go(late.stream, e, by(113, 18, 12, 14), 3)
   wait(40)
   local at = 90
   for k = 1, forever do
     local way = k % 2 == 0 and 1 or -1
-    at = at + rng.number(8, by_difficulty { easy = 14, normal = 19, hard = 22, abyss = 19 }) *
+    at = at + rng.number(8, by(14, 19, 22, 19)) *
          (at > 104 and -1 or at < 76 and 1 or (rng.chance(0.5) and 1 or -1))
-    maze_ring(e, at, way, by_difficulty { easy = "pellet", normal = "orb" }, way > 0 and 6 or 7)
-    if k % 5 == 0 then
+    maze_ring(e, at, way, by("pellet", "orb", "orb", "orb"), way > 0 and 6 or 7)
+    if k % 4 == 0 then
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
-                      n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 } }
+                      n = by(1, 2, 3, 4) }
     end
-    wait(by_difficulty { easy = 110, normal = 70, hard = 60, abyss = 50 })
+    wait(by(48, 30, 27, 29))
   end
 end
 
@@ -52,22 +63,24 @@ function late.full(e)
   e.picture = "full"
   e:move { x = 120, y = 114, over = 120, ease = "both" }
   task.go(function()
-    local n = by_difficulty { easy = 2, normal = 2, hard = 3, abyss = 4 }
-    local speed = by_difficulty { easy = 1.1, normal = 1.2, hard = 1.3, abyss = 0.9 }
-    local seed = { kind = "pellet", from = e, speed = speed }
+    local rate = by(0.9, 2.4, 3, 3.4) -- seeds a frame
+    local seed = { kind = "pellet", from = e, dir = 0, speed = by(1.1, 1.2, 1.3, 0.9) }
+    local owed = 0
     for k = 1, forever do
-      for _ = 1, n do
-        seed.dir = ((seed.dir or 0) + GOLDEN) % 360
+      owed = owed + rate
+      while owed >= 1 do
+        owed = owed - 1
+        seed.dir = (seed.dir + GOLDEN) % 360
         seed.bank = k % 240 < 120 and 3 or 2
         bullet.fire(seed)
       end
-      wait(by_difficulty { easy = 3, normal = 1 })
+      wait(1)
     end
   end)
   for k = 1, forever do
-    wait(by_difficulty { easy = 200, normal = 150, hard = 130 })
+    wait(by(200, 150, 130, 130))
     pattern.ring { from = e, kind = "bubble", bank = 5, dir = 90 + 13 * k, speed = 1.3,
-                   n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 8 } }
+                   n = by(6, 9, 12, 8) }
   end
 end
 
@@ -80,11 +93,11 @@ end
 
 -- Walls from above, and the way through them goes to and fro.
 local function walls(frames, apart)
-  local wide = by_difficulty { easy = 5, normal = 4, hard = 3, abyss = 3 } -- of 14 px each
+  local wide = by(6, 6, 5, 5) -- of 14 px each
   for k = 1, frames // apart do
     local gap = (9 + 5 * angle.sin(53 * k) - wide / 2) // 1
     pattern.line { x = 120, y = -8, kind = "rice", bank = 6, n = 19, width = 252, dir = 90,
-                   speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.4 },
+                   speed = by(1.2, 1.4, 1.5, 1.4),
                    skip = { gap, gap + wide - 1 } }
     wait(apart)
   end
@@ -94,46 +107,65 @@ end
 local function recall(e, times)
   for k = 1, times do
     pattern.ring { from = e, kind = "orb", bank = 5, dir = 7 * k,
-                   n = by_difficulty { easy = 20, normal = 30, hard = 38, abyss = 50 },
+                   n = by(20, 30, 38, 50),
                    motion = pulled[board.difficulty()], speed = 1 }
-    wait(by_difficulty { easy = 70, normal = 54, hard = 46 })
+    wait(by(68, 54, 46, 46))
   end
 end
 
 -- The corona: rays that go round, and rings between them.
 local function corona(e, frames)
-  local n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 8 }
+  local n = by(4, 6, 7, 8)
   local p = player.nearest(e.x, e.y)
   local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
   sound.play("charge", { from = e })
   for i = 1, n do
     laser.beam { kind = "ray", bank = 3, follow = e, dir = dir + 360 * i / n, length = 380,
                  warn = 60, hold = frames - 90, fade = 20,
-                 spin = by_difficulty { easy = 0.12, normal = 0.17, hard = 0.2, abyss = 0.14 } }
+                 spin = by(0.12, 0.17, 0.2, 0.14) }
   end
   wait(70)
   sound.play("beam", { from = e })
   for k = 1, (frames - 100) // 48 do
     pattern.ring { from = e, kind = "pellet", bank = 7, dir = 11 * k, speed = 1.2,
-                   n = by_difficulty { easy = 16, normal = 28, hard = 36, abyss = 46 } }
+                   n = by(17, 28, 34, 46) }
     wait(48)
   end
   wait(30)
+end
+
+-- What fell in first comes down all the while: each drop as far as may be from those before.
+local function rain()
+  local rate = by(0.36, 0.3, 0.32, 0.55) -- drops a frame
+  local drop = { kind = "petal", bank = 3, y = -10, dir = 90 }
+  local owed, fallen = 0, 0
+  for k = 1, forever do
+    owed = owed + rate * math.min(1, 0.6 + k / 2400)
+    while owed >= 1 do
+      owed, fallen = owed - 1, fallen + 1
+      drop.x = -4 + 248 * (0.618034 * fallen % 1)
+      drop.speed = by(0.9, 0.8, 0.8, 0.7) + 0.1 * (fallen % 3)
+      bullet.fire(drop)
+    end
+    wait(1)
+  end
 end
 
 function late.eclipse(e)
   e.picture = "eclipse"
   screen.flash { over = 40, share = 0.4 }
   wait(50)
-  walls(560, by_difficulty { easy = 80, normal = 64, hard = 54, abyss = 50 })
+  task.go(rain)
+  task.go(late.stream, e, by(120, 14, 10, 11), 2)
+  walls(560, by(80, 64, 54, 50))
   wait(60)
   corona(e, 640)
   recall(e, 8)
   wait(150)
-  task.go(walls, 900, by_difficulty { easy = 120, normal = 100, hard = 90 })
+  task.go(walls, 900, by(120, 100, 90, 90))
   pattern.spiral { from = e, kind = "orb", bank = 2, n = forever, step = 7,
-                   every = by_difficulty { easy = 20, normal = 14, hard = 12, abyss = 10 },
-                   speed = 1.2, arms = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 9 } }
+                   every = by(20, 14, 12, 10),
+                   speed = 1.2, arms = by(4, 6, 7, 9) }
 end
 
 return late

@@ -32,7 +32,7 @@ local function sweep(e, side)
     local claw = claws(e)[side < 0 and 1 or 2]
     if claw and claw.alive then
       pattern.fan { from = claw, dy = 14, kind = "rice", bank = side < 0 and MAGENTA or RUBY,
-                    spread = 20, dir = dir, n = by_difficulty { easy = 2, normal = 3 },
+                    spread = 20, dir = dir, n = by_difficulty { easy = 2, hard = 3 },
                     speed = rank.faster(by_difficulty { easy = 1.6, normal = 1.8, hard = 1.7,
                                                         abyss = 1.5 }) }
     elseif k % 8 == 0 then
@@ -41,7 +41,7 @@ local function sweep(e, side)
                      n = by_difficulty { easy = 8, normal = 12, hard = 16, abyss = 20 } }
     end
     dir = dir - 13 * side
-    wait(by_difficulty { easy = 12, normal = 9, hard = 8, abyss = 7 })
+    wait(by_difficulty { easy = 28, normal = 20, hard = 16, abyss = 14 })
   end
 end
 
@@ -49,9 +49,9 @@ local function pincers(e)
   task.go(sweep, e, -1)
   task.go(sweep, e, 1)
   for k = 1, forever do
-    wait(by_difficulty { easy = 60, normal = 50, hard = 46, abyss = 40 })
+    wait(by_difficulty { easy = 100, normal = 83, hard = 70, abyss = 67 })
     if by_difficulty { easy = false, abyss = true } then
-      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1, n = 22 }
+      pattern.ring { from = e, kind = "pellet", bank = 0, dir = 11 * k, speed = 1, n = 17 }
     end
     wait(by_difficulty { easy = 50, normal = 46, hard = 42 })
     either(e, function(claw, side)
@@ -61,7 +61,7 @@ local function pincers(e)
                      width = by_difficulty { easy = 24, normal = 28, hard = 30, abyss = 32 },
                      speed = 2.2, delay = 24,
                      motion = by_difficulty(snap),
-                     n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } }
+                     n = by_difficulty { easy = 1, normal = 2, abyss = 3 } }
     end)
     wander(e, 50)
   end
@@ -75,9 +75,9 @@ local function grotto(e)
     for i = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       pattern.ring { from = e, kind = "ring", bank = AMBER, dir = 11 * (k + i),
                      speed = by_difficulty { easy = 1.5, normal = 1.6, abyss = 1.4 },
-                     n = by_difficulty { easy = 12, normal = 17, hard = 21, abyss = 22 },
+                     n = by_difficulty { easy = 7, normal = 10, hard = 13, abyss = 18 },
                      motion = echo }
-      wait(24)
+      wait(by_difficulty { easy = 30, hard = 28, abyss = 24 })
     end
     either(e, function(claw, side)
       local held = claw and claw.alive
@@ -85,10 +85,10 @@ local function grotto(e)
                      kind = "kunai", bank = RUBY, aim = true,
                      speed = by_difficulty { easy = 1.7, abyss = 1.5 }, speed_to = 2.8,
                      bend = 30 * side, delay = 14,
-                     n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 } }
+                     n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } }
     end)
     wander(e, 50)
-    wait(by_difficulty { easy = 84, normal = 52, hard = 40, abyss = 32 })
+    wait(by_difficulty { easy = 130, normal = 110, hard = 80, abyss = 56 })
   end
 end
 
@@ -104,19 +104,23 @@ local function lamplight(e)
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
                    length = 380, warn = 56, hold = 260, fade = 20,
-                   spin = way * by_difficulty { easy = 0.22, normal = 0.28, hard = 0.32,
-                                                abyss = 0.34 } }
+                   spin = way * by_difficulty { easy = 0.14, normal = 0.15, abyss = 0.26 } }
     end
     sound.play("charge", { from = e })
     wait(56)
     sound.play("beam", { from = e })
     wait(14)
-    for i = 1, by_difficulty { easy = 5, abyss = 7 } do
+    for i = 1, by_difficulty { easy = 6, normal = 8, hard = 9, abyss = 8 } do
       local even = i % 2 == 0
       pattern.ring { from = e, kind = even and "orb" or "pellet", bank = even and MAGENTA or RUBY,
                      dir = 17 * (k + i), speed = 1.3,
-                     n = by_difficulty { easy = 7, normal = 12, hard = 16, abyss = 18 } }
-      wait(by_difficulty { easy = 50, abyss = 36 })
+                     n = by_difficulty { easy = 12, normal = 22, hard = 28, abyss = 27 } }
+      if even then -- and some wax, to where you were
+        pattern.fan { from = e, dy = 10, kind = "drop", bank = AMBER, aim = true, speed = 1.6,
+                      spread = 44, delay = 20, n = by_difficulty { easy = 1, normal = 3,
+                                                                   abyss = 5 } }
+      end
+      wait(by_difficulty { easy = 40, normal = 26, hard = 24, abyss = 32 })
     end
     wander(e, 60)
     wait(64)
@@ -143,8 +147,18 @@ local crack = motion.def {
   { speed = 2.2, over = 50 } }
 local CRACKS = { RUBY, MAGENTA, GOLD }
 
+-- Between the lamps that fall, wax.
+local function drips(e)
+  while true do
+    wait(by_difficulty { easy = 160, normal = 50, hard = 34, abyss = 30 })
+    pattern.fan { from = e, dy = 14, kind = "drop", bank = AMBER, aim = true, spread = 50,
+                  speed = 1.7, delay = 20, n = by_difficulty { easy = 1, hard = 3, abyss = 5 } }
+  end
+end
+
 local function chandelier(e)
   local lamps = bullet.group("lamp")
+  task.go(drips, e)
   for k = 1, forever do
     local n = by_difficulty { easy = 4, normal = 5, hard = 6, abyss = 8 }
     for i = 1, n do
@@ -152,17 +166,17 @@ local function chandelier(e)
                     tag = "lamp", around = e, motion = hang, rest = 18 * i }
     end
     wait(50)
-    for i = 1, 3 do
-      pattern.ring { from = e, kind = "ring", bank = CRACKS[i], dir = 9.5 * (3 * k + i),
+    for i = 1, by_difficulty { easy = 3, hard = 4 } do
+      pattern.ring { from = e, kind = "ring", bank = CRACKS[i % 3 + 1], dir = 9.5 * (3 * k + i),
                      speed = 1.4 + i, motion = crack,
-                     n = by_difficulty { easy = 12, normal = 18, hard = 23, abyss = 32 } }
+                     n = by_difficulty { easy = 11, normal = 26, hard = 44, abyss = 42 } }
       wait(14)
     end
     wander(e, 50)
-    wait(60)
+    wait(by_difficulty { easy = 60, hard = 28, abyss = 32 })
     lamps.motion = by_difficulty(fall)
     lamps.tag = "fallen"
-    wait(by_difficulty { easy = 130, normal = 90, hard = 70, abyss = 40 })
+    wait(by_difficulty { easy = 100, normal = 54, hard = 18 })
   end
 end
 
@@ -172,11 +186,11 @@ local function lights(v, spin) return motion.def { { polar = v, spin = spin, ove
 local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
                  normal = { lights(1.0, 0.24), lights(1.0, -0.24) },
                  hard = { lights(1.05, 0.26), lights(1.05, -0.26) },
-                 abyss = { lights(0.95, 0.2), lights(0.95, -0.2) } }
+                 abyss = { lights(0.7, 0.16), lights(0.7, -0.16) } }
 
 local function wax(e)
   while true do
-    wait(by_difficulty { easy = 110, normal = 80, hard = 64, abyss = 40 })
+    wait(by_difficulty { easy = 150, normal = 110, hard = 84, abyss = 56 })
     for i = -1, 1, 2 do
       pattern.aimed { from = e, dx = 36 * i, dy = -14, kind = "drop", bank = RUBY, every = 6,
                       n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 4 },
@@ -193,9 +207,9 @@ local function harbour(e)
   for k = 1, forever do
     local left = k % 2 == 0
     pattern.ring { from = e, kind = left and "orb" or "pellet", bank = left and AMBER or MAGENTA,
-                   n = by_difficulty { easy = 12, normal = 22, hard = 29, abyss = 40 },
+                   n = by_difficulty { easy = 9, normal = 16, hard = 22, abyss = 40 },
                    dir = (left and 5 or -5) * k, speed = 1, motion = ways[left and 1 or 2] }
-    wait(by_difficulty { easy = 28, normal = 20, hard = 14, abyss = 12 })
+    wait(by_difficulty { easy = 45, normal = 34, hard = 24, abyss = 14 })
   end
 end
 

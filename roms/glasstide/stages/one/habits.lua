@@ -52,7 +52,7 @@ function habits.drip(e)
                     speed = rank.faster(by_difficulty { easy = 1.3, normal = 1.7, hard = 1.9,
                                                       abyss = 1.5 }) }
     end
-    wait(by_difficulty { easy = 52, normal = 34, hard = 25, abyss = 17 })
+    wait(by_difficulty { easy = 84, normal = 34, hard = 25, abyss = 17 })
   end
 end
 
@@ -63,7 +63,7 @@ function habits.fan(e)
     if may_fire(e) then
       pattern.fan { from = e, dy = 8, kind = "rice", bank = RUBY, spread = 58, aim = true,
                     speed = rank.faster(1.9), delay = 12,
-                    n = by_difficulty { easy = 3, normal = 4 + row, hard = 6 + row,
+                    n = by_difficulty { easy = 2, normal = 4 + row, hard = 6 + row,
                                         abyss = 8 + row },
                     each = function(a)
         a.n, a.speed_to = by_difficulty { easy = 1, abyss = 3 }, a.speed + 0.8
@@ -101,7 +101,7 @@ function habits.pulse(e)
     pattern.ring { from = e, kind = "orb", bank = left and AMBER or MAGENTA, dir = 11 * k,
                    speed = 1.15, n = by_difficulty { easy = 8, normal = 13, hard = 18, abyss = 20 },
                    motion = left and curl_left or curl_right }
-    wait(by_difficulty { easy = 78, normal = 56, hard = 44, abyss = 34 })
+    wait(by_difficulty { easy = 96, normal = 56, hard = 48, abyss = 42 })
   end
 end
 
@@ -126,9 +126,9 @@ function habits.bristle(e)
   while e.y < 250 do
     pattern.ring { from = e, kind = "needle", bank = GOLD, dir = turn,
                    speed = rank.faster(by_difficulty { easy = 1.6, normal = 1.8, abyss = 1.6 }),
-                   n = by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 9 } }
+                   n = by_difficulty { easy = 3, normal = 6, abyss = 8 } }
     turn = turn + 17
-    wait(rank.sooner(by_difficulty { easy = 30, normal = 20, hard = 16, abyss = 14 }))
+    wait(rank.sooner(by_difficulty { easy = 40, normal = 20, hard = 17 }))
   end
 end
 
@@ -143,7 +143,7 @@ function habits.whorl(e)
     end
   end)
   pattern.spiral { from = e, kind = "star", bank = RUBY, n = 64, step = 13, every = 5, speed = 1.6,
-                   arms = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } }
+                   arms = by_difficulty { easy = 2, normal = 3, hard = 4 } }
 end
 
 -- Arrow Salvo: splinters in the figure of an arrow, which flies at whoever it saw.
@@ -186,7 +186,7 @@ function habits.bubbles(e)
                     n = by_difficulty { easy = 1, normal = 2, hard = 3 }, speed = 1.1, delay = 16,
                     motion = by_difficulty(DRIFTS) }
     end
-    wait(by_difficulty { easy = 110, normal = 84, hard = 76, abyss = 56 })
+    wait(by_difficulty { easy = 150, normal = 84, hard = 76, abyss = 56 })
   end
 end
 

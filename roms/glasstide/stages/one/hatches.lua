@@ -30,25 +30,28 @@ local rise = path.def {
   { x = 0, y = 330, over = 100, ease = "in" } }
 
 local function swarm(e)
-  for i = 1, by_difficulty { easy = 4, normal = 6, hard = 7, abyss = 8 } do
+  for i = 1, by_difficulty { easy = 3, normal = 6 } do
     enemy.spawn { kind = "krill", path = route[i % 2 + 1], dx = e.x, dy = e.y, run = habits.spit }
     wait(14)
   end
 end
 
 local function archer(e)
-  enemy.spawn { kind = "arrow", path = rise, dx = e.x, dy = e.y, run = habits.salvo }
+  for i = 1, by_difficulty { easy = 1, hard = 2 } do
+    if i > 1 then wait(50) end
+    enemy.spawn { kind = "arrow", path = rise, dx = e.x, dy = e.y, run = habits.salvo }
+  end
 end
 
 -- Breath of the Hold: a ring that opens slowly, and another in its gaps.
 local function breathe(e)
-  for k = 1, by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } do
+  for k = 1, by_difficulty { easy = 2, normal = 5, abyss = 7 } do
     if e.y > 190 then return end
     pattern.ring { from = e, kind = "ring", bank = k % 2 == 0 and 3 or 2, dir = 9 * k,
-                   n = by_difficulty { easy = 10, normal = 15, hard = 19, abyss = 24 },
+                   n = by_difficulty { easy = 8, normal = 18, hard = 22, abyss = 27 },
                    delay = 12,
                    speed = by_difficulty { easy = 1.2, normal = 1.4, hard = 1.5, abyss = 1.15 } }
-    wait(by_difficulty { easy = 34, normal = 30, hard = 26, abyss = 22 })
+    wait(by_difficulty { easy = 34, normal = 22, abyss = 15 })
   end
 end
 

@@ -12,13 +12,13 @@ local wind_right = motion.def { { polar = 1.25, spin = -0.5, over = 200 } }
 
 local function flare(e)
   while true do
-    wait(80)
+    wait(by_difficulty { easy = 150, normal = 120, hard = 88, abyss = 80 })
     spark.burst { kind = "shock", from = e, dx = LAMP.dx, dy = LAMP.dy, speed = 0 }
     sound.play("charge", { from = e })
     wait(24)
     pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "needle", bank = GOLD, aim = true,
                   spread = by_difficulty { easy = 40, normal = 48, abyss = 60 }, speed = 2.2,
-                  n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 9 }, delay = 10,
+                  n = by_difficulty { easy = 1, normal = 3, hard = 6, abyss = 8 }, delay = 10,
                   each = function(a)
       a.n, a.speed_to = by_difficulty { easy = 1, normal = 2, hard = 3 }, a.speed + 0.7
       pattern.stack(a)
@@ -30,11 +30,11 @@ local function lantern(e)
   e:wander { w = 70, h = 24, every = 110, over = 90 }
   task.go(flare, e)
   for k = 1, forever do
-    local n = by_difficulty { easy = 6, normal = 9, hard = 12, abyss = 15 }
+    local n = by_difficulty { easy = 5, normal = 7, hard = 11, abyss = 14 }
     local left = k // 4 % 2 == 0
     pattern.ring { from = e, kind = "orb", bank = left and MAGENTA or AMBER, n = n, dir = 7 * k,
                    speed = 1.25, motion = left and wind_left or wind_right }
-    wait(rank.sooner(by_difficulty { easy = 34, normal = 26, hard = 21, abyss = 18 }))
+    wait(rank.sooner(by_difficulty { easy = 80, normal = 66, hard = 40, abyss = 38 }))
   end
 end
 
@@ -73,22 +73,23 @@ end
 local function chambers(e)
   for k = 1, forever do
     local way = k % 2 == 0 and -1 or 1
-    local n = by_difficulty { easy = 36, normal = 54, hard = 56, abyss = 50 }
+    local n = by_difficulty { easy = 20, normal = 63, hard = 53, abyss = 50 }
     local arms = by_difficulty { easy = 1, normal = 1, hard = 2, abyss = 3 }
     e:move { x = rng.int(96, 144), y = rng.int(76, 92), over = 30, ease = "both" }
     wait(30)
     sound.play("still", { from = e })
     wind(e, n, arms, 40 * k, way, "orb", by_difficulty(unwind))
     if by_difficulty { easy = false, hard = true } then
-      wind(e, 40, 1, 40 * k + 180, -way, "pellet", moth)
+      wind(e, by_difficulty { easy = 0, hard = 33, abyss = 40 }, 1, 40 * k + 180, -way, "pellet",
+           moth)
     end
     for _ = 1, by_difficulty { easy = 1, normal = 2, abyss = 3 } do
       wait(26)
       pattern.fan { from = e, dx = LAMP.dx, dy = LAMP.dy, kind = "kunai", bank = GOLD, aim = true,
-                    spread = 50, n = by_difficulty { easy = 1, normal = 3, hard = 5, abyss = 7 },
+                    spread = 50, n = by_difficulty { easy = 1, normal = 2, hard = 4, abyss = 6 },
                     speed = by_difficulty { easy = 1.7, normal = 1.8, hard = 2.1 }, delay = 12 }
     end
-    wait(by_difficulty { easy = 70, normal = 24, hard = 20, abyss = 10 })
+    wait(by_difficulty { easy = 120, normal = 24, hard = 57, abyss = 20 })
   end
 end
 

@@ -27,7 +27,7 @@ function habits.litter(e)
   wait(26)
   while true do
     bullet.fire { from = e, kind = "rice", bank = 5, dir = 90, speed = fast(1.1, 1.3, 1.5, 1.2) }
-    wait(soon(52, 34, 24, 21))
+    wait(soon(72, 34, 22, 15))
   end
 end
 
@@ -62,7 +62,7 @@ function habits.ink(e)
       pattern.fan { from = e, dy = 12, kind = "star", bank = 3, aim = true, spread = 34,
                     speed = fast(1.5, 1.8, 2, 2), n = by(1, 3, 3, 5) }
     end
-    wait(soon(130, 100, 84, 70))
+    wait(soon(163, 100, 79, 55))
   end
 end
 
@@ -80,7 +80,7 @@ function habits.lights(e)
                       dir = 90 - 0.6 * open * side, speed = fast(1, 1.1, 1.2, 0.9) }
       end
     end
-    wait(soon(12, 8, 6, 5))
+    wait(soon(15, 8, 6, 4))
   end
 end
 
@@ -98,7 +98,7 @@ function habits.web(e)
     end
     pattern.ring { from = e, kind = "drop", bank = 1, n = 6, dir = 30 * (k % 2), motion = "web",
                    speed = 4.2 }
-    wait(soon(150, 124, 104, 96))
+    wait(soon(188, 124, 98, 75))
   end
 end
 
@@ -110,7 +110,7 @@ local function shed(bell)
       bullet.fire { from = bell, kind = "drop", bank = 5, dir = 1.7 * board.frame() % 360,
                     speed = fast(0.9, 1.1, 1.2, 0.9) }
     end
-    wait(soon(40, 28, 20, 18))
+    wait(soon(50, 27, 16, 12))
   end
 end
 
@@ -133,7 +133,7 @@ function habits.chain(e)
   while true do
     pattern.ring { from = e, kind = "ring", bank = 2, n = by(6, 9, 12, 16), dir = rng.dir(),
                    speed = fast(1, 1.2, 1.3, 1) }
-    wait(soon(120, 96, 80, 64))
+    wait(soon(164, 89, 56, 38))
   end
 end
 
@@ -150,7 +150,7 @@ function habits.hunt(e)
                     spread = by(0, 26, 40, 64), speed = fast(2.4, 2.8, 3.1, 3), n = by(1, 3, 5, 7) }
     end
     for _ = 1, 4 do
-      wait(soon(26, 20, 16, 14))
+      wait(soon(35, 19, 11, 8))
       pattern.fan { from = e, dy = -20, kind = "needle", bank = 5, n = 2, dir = 270, spread = 150,
                     speed = 1.3, motion = "round the back" }
     end
@@ -173,10 +173,10 @@ function habits.gulp(e)
                     dir = a + 180, spread = 0, speed = 1.6 }
       wait(3)
     end
-    pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 5),
+    pattern.fan { from = e, dy = 16, kind = "marble", bank = 5, dir = 90, n = by(2, 3, 3, 4),
                   spread = by(60, 90, 90, 140), speed = 2.3, delay = 20,
                   motion = by("gulp", "gulp", "great gulp", "great gulp") }
-    wait(soon(100, 84, 70, 62))
+    wait(soon(116, 84, 83, 87))
   end
 end
 

@@ -27,7 +27,7 @@ local function moon(e, dir)
     while true do
       bullet.fire { kind = "orb", bank = 5, from = b, dir = angle.to(e, b),
                     speed = fast(1.3, 1.4, 1.5, 0.9) }
-      wait(soon(22, 16, 13, 12))
+      wait(soon(39, 25, 8, 11))
     end
   end)
 end
@@ -37,8 +37,8 @@ local function wheels(e)
   local moons = by(2, 4, 5, 6)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
-                            every = by(14, 7, 6, 6), speed = by(1.3, 1.7, 1.8, 0.9),
-                            arms = by(3, 5, 8, 13) })
+                            every = by(20, 9, 5, 6), speed = by(1.3, 1.7, 1.8, 0.9),
+                            arms = by(2, 4, 10, 13) })
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
@@ -70,12 +70,16 @@ local function gather(n)
   wait(30)
 end
 
+local NEAR <const> = 44 -- px: what hangs so close to a craft does not look at it
+
 local function let_go(e)
   local odd = false
   bullet.each("breath", function(b)
     odd = not odd
     b.tag = "let go"
-    if odd then
+    local p = player.nearest(b.x, b.y)
+    local dx, dy = p and p.x - b.x or 0, p and p.y - b.y or 0
+    if odd and dx * dx + dy * dy > NEAR * NEAR then
       b.kind, b.motion = "drop", by("creep", "pounce", "pounce", "creep")
       b.bank = 1 -- after kind, which brings its own
       b:aim(rng.number(-14, 14))
@@ -89,7 +93,7 @@ local function held(e)
   scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
-    local n = by(11, 20, 25, 40)
+    local n = by(8, 15, 24, 39)
     for i = 1, by(4, 6, 6, 10) do
       pattern.ring { from = e, dy = -6, kind = "orb", bank = 5, tag = "breath", n = n,
                      dir = 180 * i / n + 7 * k, speed = by(2.2, 2.4, 2.4, 1.7) }
@@ -101,13 +105,13 @@ local function held(e)
       sound.play("still", { from = e })
       bullet.group().frozen = forever
       breath.bank = 0
-      gather(by(3, 6, 7, 16))
+      gather(by(2, 4, 6, 12))
       bullet.group().frozen = 0
       sound.play("flow", { from = e })
     end
     let_go(e)
     wander(e, 60)
-    wait(by(110, 90, 84, 84))
+    wait(by(138, 131, 88, 86))
   end
 end
 
@@ -122,7 +126,7 @@ local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 -- Each drop falls as far as may be from those before: steps of the golden section.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
-  local every, many = by(8, 4, 3, 3), by(1, 1, 1, 2)
+  local every, many = by(19, 6, 4, 4), by(1, 1, 1, 2)
   for k = 0, forever do
     for i = 1, many do
       drop.x = -20 + 280 * (0.618034 * (many * k + i) % 1)
@@ -149,13 +153,13 @@ local function ebb(e)
   scene.court()
   task.go(rain_over, e)
   for k = 1, forever do
-    wait(by(60, 50, 46, 60))
+    wait(by(93, 61, 50, 72))
     wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }
-    wait(by(50, 40, 36, 60))
+    wait(by(78, 49, 39, 72))
     pattern.ring { from = e, kind = "petal", bank = 2, dir = rng.dir(),
-                   speed = by(1.2, 1.4, 1.5, 1), n = by(8, 14, 20, 8),
+                   speed = by(0.84, 1.19, 1.41, 1), n = by(8, 14, 20, 8),
                    motion = "sway", sway = tide() }
     wander(e, 80)
   end
@@ -177,7 +181,7 @@ local swell = motion.def {
 
 local function petals(e, turn, motion_name, bank)
   pattern.ring { from = e, dy = -6, dir = turn, kind = "petal", bank = bank,
-                 speed = by(1.6, 1.6, 1.6, 1.2), n = by(8, 12, 16, 16), motion = motion_name,
+                 speed = by(1.81, 1.83, 1.66, 1.24), n = by(8, 12, 16, 16), motion = motion_name,
                  each = function(a) a.n, a.speed_to = by(3, 4, 4, 5), 3.4 pattern.stack(a) end }
 end
 
@@ -195,7 +199,7 @@ local function flower(e, full)
                      speed = 1.8, delay = 24, motion = swell }
       wander(e, 60)
     end
-    wait(by(80, 58, 45, 50))
+    wait(by(53, 37, 40, 45))
     if e.hp * 2 < full then
       pattern.rose { from = e, dy = -6, kind = "star", bank = 0, dir = turn, petals = 5,
                      speed = by(2, 2.3, 2.3, 1.5), speed_to = by(1.1, 1.2, 1.2, 0.8),

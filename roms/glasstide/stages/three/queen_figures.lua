@@ -37,8 +37,19 @@ local function light_through(e)
   end
 end
 
+-- Panes come loose in the middle: daggers of shards fall at you.
+local function loose(e)
+  while true do
+    wait(by(203, 118, 70, 49))
+    pattern.fan { from = e, dy = 8, kind = "shard", bank = 2, aim = true, delay = 22,
+                  n = by(1, 3, 3, 4), spread = by(0, 44, 40, 66), speed = by(1.4, 1.6, 1.7, 1.1),
+                  each = function(a) a.n, a.speed_to = 3, a.speed + 0.4 pattern.stack(a) end }
+  end
+end
+
 function figures.window(e)
   task.go(light_through, e)
+  task.go(loose, e)
   e:move { x = 120, y = 84, over = 50, ease = "both" }
   wait(50)
   local arches = by(6, 6, 8, 8)
@@ -50,7 +61,7 @@ function figures.window(e)
     if k % 12 == 0 then sound.play("chord", { from = e }) end
     local way = k // 12 % 2 == 0 and 1 or -1
     ring_of_panes(e, n, arches, by(3, 3, 2, 3), turn, by(1.2, 1.25, 1.3, 0.85), way)
-    wait(by(36, 28, 23, 18))
+    wait(by(47, 30, 22, 13))
   end
 end
 

@@ -26,9 +26,9 @@ local function breath(e)
     local turn = 16 * angle.sin(67 * k)
     pattern.fan { from = e, dy = 30, kind = "gob", bank = 7, dir = 90 + turn, spread = 110,
                   speed = rank.faster(2.1),
-                  n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 4 },
+                  n = by_difficulty { easy = 2, hard = 3 },
                   motion = by_difficulty(bubbles) }
-    wait(rank.sooner(by_difficulty { easy = 66, normal = 46, hard = 34, abyss = 38 }))
+    wait(rank.sooner(by_difficulty { easy = 80, normal = 61, hard = 59, abyss = 56 }))
     pattern.fan { from = e, dy = 30, kind = "kunai", bank = 5, aim = true, spread = 44,
                   speed = by_difficulty { easy = 1.6, hard = 1.8, abyss = 1.5 },
                   n = by_difficulty { easy = 1, hard = 3 }, each = function(a)
@@ -36,7 +36,7 @@ local function breath(e)
       pattern.stack(a)
     end }
     wander(e, 50)
-    wait(rank.sooner(by_difficulty { easy = 76, normal = 56, hard = 40, abyss = 42 }))
+    wait(rank.sooner(by_difficulty { easy = 102, normal = 89, hard = 97, abyss = 64 }))
   end
 end
 
@@ -58,10 +58,10 @@ local function inhale()
 end
 
 local function exhale(first)
-  local n = by_difficulty { easy = 24, normal = 40, hard = 54, abyss = 66 }
+  local n = by_difficulty { easy = 28, normal = 43, hard = 50, abyss = 70 }
   local wide = by_difficulty { easy = 6, normal = 5, hard = 4 }
   local swing = by_difficulty { easy = 9, normal = 14, hard = 20, abyss = 16 }
-  local waves = by_difficulty { easy = 6, normal = 9, hard = 11, abyss = 26 }
+  local waves = by_difficulty { easy = 7, normal = 9, hard = 11, abyss = 26 }
   for i = 1, waves do
     local odd = i % 2 == 1
     pattern.ring { x = MOUTH_X, y = MOUTH_Y, n = n, skip = { n - wide + 1, n },
@@ -73,7 +73,7 @@ local function exhale(first)
       pattern.aimed { x = MOUTH_X, y = MOUTH_Y, kind = "kunai", bank = 5, speed = 1.9, every = 6,
                       n = by_difficulty { normal = 1, hard = 2, abyss = 3 }, delay = 20 }
     end
-    wait(by_difficulty { easy = 28, normal = 20, hard = 16, abyss = 13 })
+    wait(by_difficulty { easy = 24, normal = 19, hard = 17, abyss = 11 })
   end
   return first + swing * waves
 end
@@ -104,7 +104,7 @@ teeth("teeth left", 1.3)
 teeth("teeth right", -1.3)
 
 local function wheel(x, y, left, speed)
-  local count = by_difficulty { easy = 5, normal = 6, hard = 7, abyss = 8 }
+  local count = by_difficulty { easy = 5, hard = 6, abyss = 7 }
   local hub = bullet.fire { kind = "cog", bank = 0, x = x, y = y, dir = 90, speed = speed,
                             delay = 20 }
   for i = 1, count do
@@ -118,16 +118,16 @@ local function wheels(e)
   wait(30)
   for k = 1, forever do
     local speed = by_difficulty { easy = 0.8, normal = 0.9, hard = 0.95, abyss = 1 }
-    local n = by_difficulty { easy = 2, normal = 3, hard = 3, abyss = 4 }
+    local n = by_difficulty { easy = 2, hard = 3 }
     sound.play("gear", { from = e })
     for i = 1, n do
       wheel(120 + 62 * (i - (n + 1) / 2) + 24 * angle.sin(90 * k), 52, (i + k) % 2 == 0, speed)
     end
     wait(40)
     pattern.fan { from = e, dy = 26, kind = "orb", bank = 5, aim = true, spread = 90, speed = 1.5,
-                  n = by_difficulty { easy = 2, normal = 4, hard = 5, abyss = 8 } }
+                  n = by_difficulty { easy = 2, normal = 3, hard = 5, abyss = 6 } }
     wander(e, 50)
-    wait(by_difficulty { easy = 90, normal = 66, hard = 60, abyss = 52 })
+    wait(by_difficulty { easy = 141, normal = 130, hard = 140, abyss = 85 })
   end
 end
 

@@ -12,14 +12,14 @@ local function sparks(e)
   wait(20)
   local dir = 40
   for k = 1, forever do
-    local arms = by_difficulty { easy = 2, normal = 4, hard = 5 }
+    local arms = by_difficulty { easy = 3, normal = 4, abyss = 5 }
     pattern.ring { from = e, dy = 14, kind = "petal", bank = 7, dir = dir, speed = rank.faster(1.6),
                    n = arms + (angry(e) and 2 or 0) }
     dir = dir + 11 + 6 * angle.sin(3 * k)
     if k % 24 == 0 then
       e:move { x = rng.int(44, 90), y = rng.int(82, 104), over = 60, ease = "both" }
     end
-    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, hard = 7, abyss = 6 }))
+    wait(rank.sooner(by_difficulty { easy = 13, normal = 8, abyss = 6 }))
   end
 end
 
@@ -29,10 +29,11 @@ local function bars(e)
     pattern.fan { from = e, dy = 16, kind = "ingot", bank = 5, dir = 96 + 20 * angle.sin(77 * k),
                   spread = 120, speed = 2, motion = rebound,
                   n = by_difficulty { easy = 3, normal = 5, hard = 6, abyss = 7 } }
-    rest(e, rank.sooner(by_difficulty { easy = 76, normal = 54, hard = 42, abyss = 34 }))
-    if angry(e) or by_difficulty { easy = false, hard = true } then
+    rest(e, rank.sooner(by_difficulty { easy = 76, normal = 51, hard = 43, abyss = 32 }))
+    if angry(e) or k % 2 == 0 or by_difficulty { easy = false, hard = true } then
       pattern.stack { from = e, dy = 16, kind = "kunai", bank = 6, aim = true, speed = 1.6,
-                      speed_to = 2.6, n = by_difficulty { easy = 2, normal = 4, abyss = 6 } }
+                      speed_to = 2.6, n = by_difficulty { easy = 1, normal = 3, hard = 4,
+                                                          abyss = 6 } }
     end
     if k % 3 == 0 then
       e:move { x = rng.int(150, 196), y = rng.int(82, 104), over = 60, ease = "both" }
@@ -54,16 +55,16 @@ local function pour(e)
                   speed = 1.7,
                   spread = 130, dir = 90 + (left and 9 or -9), tag = "poured",
                   motion = left and weave or weave_back,
-                  n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 6 },
+                  n = by_difficulty { easy = 4, abyss = 5 },
                   points = by_difficulty { easy = 30, normal = 44, hard = 54, abyss = 64 } }
-    wait(by_difficulty { easy = 40, normal = 30, hard = 24, abyss = 18 })
-    for i = 1, by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } do
+    wait(by_difficulty { easy = 34, normal = 27, hard = 29, abyss = 19 })
+    for i = 1, by_difficulty { easy = 2, normal = 3, abyss = 5 } do
       pattern.ring { from = e, dy = 18, kind = "pellet", bank = 5, dir = 7 * (k + i), speed = 1.25,
-                     n = by_difficulty { easy = 9, normal = 15, hard = 20, abyss = 25 } }
+                     n = by_difficulty { easy = 12, normal = 17, abyss = 21 } }
       wait(12)
     end
     e:move { x = rng.int(90, 150), y = rng.int(80, 96), over = 50, ease = "both" }
-    wait(by_difficulty { easy = 80, normal = 40, hard = 30, abyss = 18 })
+    wait(by_difficulty { easy = 53, normal = 35, hard = 39, abyss = 24 })
   end
 end
 
@@ -123,11 +124,11 @@ local function temper(e)
   for k = 1, forever do
     sound.play("gear", { from = e })
     cast(k)
-    wait(by_difficulty { easy = 60, normal = 46, hard = 40, abyss = 36 })
+    wait(by_difficulty { easy = 64, normal = 46, hard = 42, abyss = 39 })
     pattern.ring { from = e, kind = "steam", bank = 0, dir = 11 * k, speed = 0.85,
-                   n = by_difficulty { easy = 7, normal = 12, hard = 17, abyss = 26 } }
+                   n = by_difficulty { easy = 6, normal = 12, hard = 16, abyss = 22 } }
     e:move { x = rng.int(84, 156), y = rng.int(78, 94), over = 50, ease = "both" }
-    wait(by_difficulty { easy = 70, normal = 54, hard = 44, abyss = 34 })
+    wait(by_difficulty { easy = 74, normal = 54, hard = 46, abyss = 38 })
   end
 end
 
@@ -137,8 +138,8 @@ local function spit(e)
   for k = 1, forever do
     pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
                    speed_to = 2.2, bend = k % 2 == 0 and 34 or -34,
-                   n = by_difficulty { easy = 2, normal = 5, hard = 8, abyss = 11 } }
-    wait(by_difficulty { easy = 120, normal = 76, hard = 48, abyss = 34 })
+                   n = by_difficulty { easy = 1, normal = 5, hard = 7, abyss = 9 } }
+    wait(by_difficulty { easy = 120, normal = 76, hard = 53, abyss = 43 })
     if k % 3 == 0 then e:move { x = k % 2 == 0 and 44 or 196, y = 68, over = 80, ease = "both" } end
   end
 end
@@ -153,7 +154,7 @@ local FLIGHT <const> = 46 -- frames from the one to the other
 
 local function throw(from, to, k, back)
   local list, out = {}, 90 + 78 * angle.sin(19 * k + (back and 90 or 0))
-  local n = by_difficulty { easy = 2, normal = 5, hard = 6, abyss = 7 }
+  local n = by_difficulty { easy = 3, normal = 5, hard = 7, abyss = 8 }
   local dx, dy = to.x - from.x, to.y - from.y
   for i = 1, n do
     list[i] = bullet.fire { from = from, dy = 10, kind = back and "orb" or "rice", bank = 7,
@@ -181,8 +182,24 @@ local function volleys(cinder, quench)
   end
 end
 
+-- What is spilt of it runs down to you from the one, and spreads out from the other.
+local function spill(cinder, quench)
+  wait(100)
+  for k = 1, forever do
+    pattern.fan { from = k % 2 == 0 and cinder or quench, dy = 14, kind = "drop", bank = 7 - k % 2,
+                  aim = true, spread = 60, speed = 1.5, delay = 20,
+                  n = by_difficulty { easy = 1, normal = 3, abyss = 5 } }
+    pattern.ring { from = k % 2 == 0 and quench or cinder, dy = 8, kind = "pellet",
+                   bank = 5 + k % 2,
+                   dir = 11 * k, speed = 1.15, n = by_difficulty { easy = 9, normal = 16,
+                                                                   hard = 22, abyss = 24 } }
+    wait(by_difficulty { easy = 56, normal = 25, hard = 20, abyss = 24 })
+  end
+end
+
 local function crossing(cinder, quench)
   task.go(volleys, cinder, quench)
+  task.go(spill, cinder, quench)
   for k = 1, forever do
     local left, right = cinder, quench
     if k % 2 == 0 then left, right = quench, cinder end
@@ -197,7 +214,7 @@ local function crossing(cinder, quench)
     wait(60)
     sound.play("gear", { from = left })
     pattern.ring { x = 120, y = 100, kind = "steam", bank = 0, dir = 8 * k, speed = 1.1,
-                   n = by_difficulty { easy = 10, normal = 16, hard = 22, abyss = 30 } }
+                   n = by_difficulty { easy = 12, normal = 18, hard = 24, abyss = 30 } }
   end
 end
 
@@ -209,7 +226,18 @@ local shut = motion.def {
   { speed = 0, over = 1 }, { wait = 30 }, { speed = 1.5, over = 20 }, { wait = 58 },
   { speed = 0, over = 8 }, { wait = 20 }, { turn = 180, speed = 0.6 }, { speed = 3, over = 40 } }
 
+-- It spits while the press is open and while it is shut.
+local function hammer(e)
+  for k = 1, forever do
+    rest(e, by_difficulty { easy = 94, normal = 54, hard = 51, abyss = 50 })
+    pattern.whip { from = e, dy = 16, kind = "rice", bank = 7, aim = true, speed = 1.4,
+                   speed_to = 2.1, bend = k % 2 == 0 and 30 or -30, delay = 14,
+                   n = by_difficulty { easy = 3, normal = 5, hard = 6 } }
+  end
+end
+
 local function press(e)
+  task.go(hammer, e)
   wait(90)
   while true do
     local first = rng.int(2, 7) -- of the bars that are left out
@@ -227,7 +255,7 @@ local function press(e)
     wait(150)
     sound.play("gear", { from = e })
     screen.shake { size = 2, over = 12 }
-    rest(e, by_difficulty { easy = 190, normal = 150, hard = 120, abyss = 110 })
+    rest(e, by_difficulty { easy = 180, normal = 140, hard = 120, abyss = 110 })
     e:move { x = rng.int(50, 100), y = rng.int(80, 100), over = 50, ease = "both" }
   end
 end
@@ -235,13 +263,13 @@ end
 local function curtain(e)
   wait(30)
   for k = 1, forever do
-    local n = by_difficulty { easy = 10, normal = 24, hard = 26, abyss = 34 }
+    local n = by_difficulty { easy = 15, normal = 31, hard = 34, abyss = 40 }
     local thick = k % 3 == 0 -- steam: fewer, and wider
     if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
                    speed = by_difficulty { easy = 1, abyss = 0.85 } }
-    rest(e, by_difficulty { easy = 60, normal = 34, hard = 30, abyss = 22 })
+    rest(e, by_difficulty { easy = 46, normal = 24, hard = 22, abyss = 19 })
     if k % 4 == 0 then
       e:move { x = rng.int(140, 190), y = rng.int(78, 98), over = 60, ease = "both" }
     end

@@ -41,7 +41,7 @@ function habits.blink(e)
   if not far(e) then return end
   pattern.fan { from = e, kind = "pellet", bank = 7, aim = true, spread = 14,
                 speed = rank.faster(1.9), delay = 14,
-                n = by_difficulty { easy = 1, normal = 2, hard = 3, abyss = 5 } }
+                n = by_difficulty { easy = 1, normal = 3, abyss = 5 } }
 end
 
 -- Drones of the second half: pellets in a row, as a string of beads.
@@ -62,6 +62,17 @@ function habits.cork(e)
   if by_difficulty { easy = false, abyss = true } then
     wait(30)
     pattern.ring { from = e, kind = "orb", bank = 6, n = 6, speed = 1 }
+  end
+end
+
+-- In the street they are shaken: the corks fly at whoever is there, one after the other.
+function habits.shaken(e)
+  wait(40)
+  for _ = 1, by_difficulty { easy = 1, normal = 3, hard = 4 } do
+    if not far(e) or e.y > 200 then return end
+    pattern.fan { from = e, dy = 12, kind = "kunai", bank = 5, aim = true, spread = 40,
+                  speed = rank.faster(1.9), delay = 14, n = by_difficulty { easy = 1, hard = 3 } }
+    wait(rank.sooner(by_difficulty { easy = 50, normal = 26, hard = 28, abyss = 33 }))
   end
 end
 
@@ -86,7 +97,7 @@ function habits.puff(e)
     sound.play("steam", { from = e })
     pattern.ring { from = e, kind = "orb", bank = k % 2 == 0 and 6 or 5, dir = 13 * k, speed = 2.1,
                    motion = breathe,
-                   n = by_difficulty { easy = 9, normal = 13, hard = 18, abyss = 26 } }
+                   n = by_difficulty { easy = 7, normal = 16, hard = 18, abyss = 26 } }
     wait(rank.sooner(by_difficulty { easy = 84, normal = 70, hard = 58, abyss = 52 }))
   end
 end
@@ -98,12 +109,12 @@ function habits.spill(e)
     local lean = 34 * angle.sin(31 * k)
     pattern.fan { from = e, dy = -2, kind = "drop", bank = 5, dir = 90 + lean, spread = 96,
                   speed = 0.7,
-                  motion = drip, n = by_difficulty { easy = 3, normal = 4, hard = 5, abyss = 7 } }
+                  motion = drip, n = by_difficulty { easy = 2, normal = 6, abyss = 7 } }
     if k % 5 == 0 then
       bullet.fire { from = e, dy = 8, kind = "gob", bank = 7, aim = true, speed = 1.8, delay = 20,
                     motion = halve }
     end
-    wait(rank.sooner(by_difficulty { easy = 30, normal = 22, hard = 17, abyss = 14 }))
+    wait(rank.sooner(by_difficulty { easy = 44, normal = 18, hard = 17, abyss = 12 }))
   end
 end
 
@@ -117,7 +128,7 @@ function habits.vent(e)
       pattern.stack { from = e, dy = 6, kind = "steam", bank = 0, dir = side, speed = 1,
                       speed_to = 2.3, n = n, motion = sink }
     end
-    wait(rank.sooner(by_difficulty { easy = 110, normal = 84, hard = 66, abyss = 56 }))
+    wait(rank.sooner(by_difficulty { easy = 110, normal = 60, hard = 52, abyss = 44 }))
   end
 end
 
@@ -149,8 +160,8 @@ function habits.bake(e)
   for k = 1, forever do
     pattern.fan { from = e, dy = 14, kind = "ingot", bank = 6, dir = 90 + 12 * angle.sin(70 * k),
                   spread = 120, speed = 1.9, motion = rebound,
-                  n = by_difficulty { easy = 4, normal = 6, hard = 8, abyss = 11 } }
-    wait(rank.sooner(by_difficulty { easy = 60, normal = 46, hard = 38, abyss = 32 }))
+                  n = by_difficulty { easy = 4, normal = 7, hard = 9, abyss = 12 } }
+    wait(rank.sooner(by_difficulty { easy = 60, normal = 34, hard = 28, abyss = 24 }))
   end
 end
 

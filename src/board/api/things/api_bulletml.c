@@ -142,6 +142,8 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     struct bulletml_start s = { .program = program_of(L, b, lua_tostring(L, v[P_NAME].at)),
                                 .owner = tasks_owner(b),
                                 .follow = from->given ? from->i : 0,
+                                .dx = from->given ? v[P_PLACE + PLACE_DX].f : 0,
+                                .dy = from->given ? v[P_PLACE + PLACE_DY].f : 0,
                                 .kind = (uint16_t)v[P_KIND].i,
                                 .flags = flags_of(v),
                                 .rank = q32(v[P_RANK].n),
@@ -167,16 +169,39 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = NO_SLOT;
     if (api_place(L, b, ENTRY, v + P_PLACE, &s.x, &s.y) && tasks_owner_alive(b, s.owner)) {
         s.seed = seed_of(b, &v[P_SEED]);
-        i = bulletml_begin(b, &s);
+        i = board_ml_begin(b, &s);
     }
     if (i != NO_SLOT && v[P_ON_FIRE].given) {
         lua_pushvalue(L, v[P_ON_FIRE].at);
-        bulletml_set_handler(L, (uint32_t)i);
+        board_ml_set_handler(L, (uint32_t)i);
     }
     if (i != NO_SLOT)
         for (int k = 0; k < ML_KINDS; k++)
             script_fold(b, kinds[k]);
     lua_pushinteger(L, board_handle(b, H_BULLETML, i));
+    return 1;
+}
+
+/* { name =, labels = { .. } } of each document, in byte order of the names. */
+static int documents(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct ml ml;
+
+    (void)v;
+    lua_createtable(L, b->cart.bulletmls, 0);
+    for (int i = 0; i < b->cart.bulletmls; i++) {
+        cart_bulletml(&b->cart, i, &ml);
+        lua_createtable(L, 0, 2);
+        lua_pushstring(L, cart_bulletml_name(&b->cart, i));
+        lua_setfield(L, -2, "name");
+        lua_createtable(L, (int)ml.labels, 0);
+        for (uint32_t k = 0; k < ml.labels; k++) {
+            lua_pushstring(L, ml_label(&ml, k));
+            lua_rawseti(L, -2, (lua_Integer)k + 1);
+        }
+        lua_setfield(L, -2, "labels");
+        lua_rawseti(L, -2, i + 1);
+    }
     return 1;
 }
 
@@ -218,7 +243,7 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     if (board_alive(b, v[0].i))
-        bulletml_stop(b, handle_slot(v[0].i));
+        board_ml_stop(b, handle_slot(v[0].i));
     return 0;
 }
 
@@ -227,6 +252,9 @@ static const struct api_entry entries[] = {
       "runs the BulletML document bulletml/NAME.xml at a place, or where a thing is (with steer, it moves that enemy): "
       "its bullets are of a kind, or by label of one in kinds; speed is px a frame of its speed 1, angle turns it; "
       "on_fire(b, label) is called for each bullet; it ends with its owner, as a task does" },
+    { "bullet.documents", documents, NULL, 0, 0, 0, "table",
+      "a list of the game's BulletML documents, each { name = \"..\", labels = { .. } }: the labels of bullets that it "
+      "fires" },
     API_VERB("bulletml:stop", stop, self, 1, NULL, "the document fires no more; its bullets go on with their actions"),
 };
 const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,55 @@
+-- main.lua - shows the documents of bulletml/, one after the other. Fire: the next one; bomb: the one before; special:
+-- more rank, and from 1 back to 0; focus and special: another seed. The arrows move the ship they aim at.
+local kinds_of = require "kinds"
+local documents = bullet.documents()
+local ROW <const>, REST <const> = 38, 60 -- of the text; frames between the end and the next time
+
+player.def("kite", { sprite = "kite", hit = { circle = 2 }, speed = 3, focus = 1.5, lives = 9 })
+
+local function turned(p) -- what the buttons of this frame ask for: documents on, ranks on, seeds on
+  local special = pad.pressed("special", p)
+  local focus = pad.down("focus", p)
+  local on = (pad.repeated("fire", p) and 1 or 0) - (pad.repeated("bomb", p) and 1 or 0)
+  return on, special and not focus and 1 or 0, special and focus and 1 or 0
+end
+
+local function title(text) -- "cloud_of_needles" is written as words
+  return (text:gsub("[_/]", " "):upper())
+end
+
+local function show(at, rank, seed)
+  local name = #documents > 0 and title(documents[at].name):sub(1, 30) or "BULLETML/ IS EMPTY"
+  text.put { col = 15, row = ROW, align = "center", text = ("%-30s"):format(""):sub(1, 30) }
+  text.put { col = 15, row = ROW, align = "center", text = name, bank = 3 }
+  text.put { col = 0, row = ROW + 1, text = ("%d OF %d  RANK %.2f  SEED %d          "):format(at, #documents, rank, seed) }
+end
+
+stage.def("gallery", function()
+  local p = player.get(1)
+  local at = (board.dip("document") - 1) % math.max(#documents, 1) + 1
+  local rank, seed = board.dip("rank") / 100, board.dip("seed")
+  while true do
+    show(at, rank, seed)
+    bullet.clear { all = true }
+    local rest, running = REST, nil
+    if #documents > 0 then
+      local one = documents[at]
+      running = bullet.ml { name = one.name, kind = "orb5", kinds = kinds_of(one.labels), x = rom.field.w / 2, y = 80,
+        rank = rank, seed = seed, speed = board.dip("speed") / 100 }
+    end
+    repeat
+      wait(1)
+      p.safe = 2
+      local documents_on, ranks_on, seeds_on = turned(p)
+      local asked = documents_on ~= 0 or ranks_on + seeds_on > 0
+      if asked then
+        at = (at - 1 + documents_on) % math.max(#documents, 1) + 1
+        rank = ranks_on > 0 and (rank >= 1 and 0 or math.min(rank + 0.25, 1)) or rank
+        seed = seed + seeds_on
+      end
+      if not running or not running.alive then rest = rest - 1 end
+    until asked or (rest <= 0 and running)
+    if running then running:stop() end
+  end
+end)
+boot.run { stages = { "gallery" }, players = { "kite" } }

@@ -1,0 +1,53 @@
+/*
+ * check_bulletml.c - the BulletML documents of a game: what is wrong in each of them, not in the first alone, what is
+ * hardly meant, and documents that nothing can run.
+ */
+#include <stdlib.h>
+#include "../bulletml/compile.h"
+#include "../bulletml/document.h"
+#include "../pack/pack.h"
+#include "check_parts.h"
+
+static void told(void *context, const char *sentence)
+{
+    struct check *c = context;
+
+    diagnostics_add_sentence(&c->found, "bulletml", sentence);
+}
+
+static void check_document(struct check *c, const char *path)
+{
+    uint8_t *text, *program = NULL;
+    struct document d;
+    char err[1200];
+    size_t size;
+
+    if (!check_load(c, path, DOCUMENT_FILE, &text, &size))
+        return;
+    if (!document_read(&d, (const char *)text, size, path, told, c, err, sizeof err) ||
+        !bulletml_compile(&d, path, &program, &size, err, sizeof err)) {
+        diagnostics_add_sentence(&c->found, path, err);
+        c->broken = c->broken || c->m.bulletml > 0;
+    }
+    document_close(&d);
+    free(program);
+    free(text);
+}
+
+void check_bulletml(struct check *c)
+{
+    int n = 0;
+
+    for (int i = 0; i < c->files.n; i++)
+        if (pack_is_bulletml(c->files.name[i])) {
+            check_document(c, c->files.name[i]);
+            n++;
+        }
+    if (n > 0 && c->manifest && c->m.bulletml == 0)
+        diagnostics_add(&c->found, "rom.lua", 0,
+                        "bulletml/ has documents that are not packed, for there is no room to run them (board = { "
+                        "bulletml = 1024 })");
+    if (n == 0 && c->manifest && c->m.bulletml > 0)
+        diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "board", "bulletml"),
+                        "board.bulletml: there is no document bulletml/NAME.xml");
+}

@@ -1,0 +1,151 @@
+#!/usr/bin/env bash
+# bulletml.sh - BulletML documents in a game's folder: what packs, what pack and check say of what is wrong, what
+# curtain bulletml says, and that the Lua it prints fires what the document does.
+. "$(dirname "$0")/../tap.sh"
+near=$repo/tests/cli/bulletml_near.py
+sandbox
+gallery=$repo/examples/bulletml
+
+# ---- packing ----
+
+cp -r "$gallery" g
+check "the gallery packs" "$curtain" pack g -o g.rom
+same "each document is a lump" "$(cd "$gallery/bulletml" && ls | sed 's,\(.*\).xml,bulletml/\1,')" \
+    "$("$curtain" list g.rom | grep -o '^bulletml/[a-z]*')"
+doc() { printf '<bulletml type="vertical"><action label="top">\n%s\n</action></bulletml>\n' "$1"; }
+doc '<fire><bullet/></fire>' >'g/bulletml/[Ä] two  words.xml'
+mkdir g/bulletml/deep
+doc '<fire><bullet/></fire>' >g/bulletml/deep/one.xml
+echo rubbish >g/bulletml/notes.md
+"$curtain" pack g -o names.rom
+same "other letters of a name become _, folders stay" "bulletml/____ _two__words bulletml/deep/one" \
+    "$("$curtain" list names.rom | grep -oE '^bulletml/(_|deep)[^ ]*' | sed 's/____/____ /' | paste -sd ' ')"
+packs() { doc "$1" >g/bulletml/a.xml; "$curtain" pack g -o g.rom; }
+check "a document packs" packs '<wait>1</wait>'
+bad() { refuse "pack: $1" "g: bulletml/a.xml:$2" packs "$3"; }
+bad "an element that is none" "2:1: <fyre> is no element of BulletML (did you mean <fire>?)" '<fyre/>'
+bad "a type that is none" "2:7: <speed>: type: expected absolute, relative or sequence, got \"x\"" \
+    '<fire><speed type="x">1</speed><bullet/></fire>'
+bad "no term" "2:1: <changeSpeed> has no <term>" '<changeSpeed><speed>1</speed></changeSpeed>'
+bad "no number" "2:1: <wait>: there is no number in it" '<wait/>'
+bad "a sign that is none" "2:9: <wait>: expected + - * / or the end, got \"%\"" '<wait>10%3</wait>'
+bad "a label that is not there" '2:1: <actionRef>: there is no <action label="tap"> (did you mean "top"?)' \
+    '<actionRef label="tap"/>'
+bad "a tag that is not closed" "3:3: <fire>, which begins in line 2: mismatched tag" '<fire>'
+bad "a byte that is no UTF-8" "2:7: a byte that is no UTF-8, 0xff" "$(printf '<wait>\377</wait>')"
+bomb() {
+    printf '<!DOCTYPE bulletml [<!ENTITY a "lol">%s]>\n<bulletml>&b;</bulletml>' \
+        "$(printf '<!ENTITY b "%s">' "$(printf '&a;%.0s' $(seq 1000))")" >g/bulletml/a.xml
+    "$curtain" pack g -o g.rom
+}
+refuse "pack: an entity bomb" "bulletml/a.xml:1:32: <!ENTITY a>: a document's own entities are not read" bomb
+large() { head -c 1100000 /dev/zero | tr '\0' ' ' >g/bulletml/a.xml; "$curtain" pack g -o g.rom; }
+refuse "pack: a file that is too large" "bulletml/a.xml" large
+deep() { { printf '<bulletml>'; printf '<action>%.0s' $(seq 5000); } >g/bulletml/a.xml; "$curtain" pack g -o g.rom; }
+refuse "pack: too deep" "bulletml/a.xml:1:515: <action>: more than 64 elements in one another" deep
+"$curtain" pack g -o g.rom --nearest 2>/dev/null
+rm -r g
+
+# ---- check ----
+
+cp -r "$gallery" g
+check "check has nothing to say" "$curtain" check g
+sed -i '8s/14/0.5/' g/bulletml/lotus.xml
+refuse "check: what is hardly meant" "g/bulletml/lotus.xml:8:7: <wait>: 0.5 frames are none: it goes on at once" \
+    bash -c "'$curtain' check g | sed 's,^,g/,' ; false"
+sed -i 's/<wait>60/<waits>60/' g/bulletml/clockwork.xml
+sed -i 's/<wait>50</<wait>50%</' g/bulletml/snowfall.xml
+"$curtain" check g >said
+check "check: two that are wrong" test "$(grep -c 'clockwork.xml:16:7: <waits>\|snowfall.xml:16:15: <wait>' said)" = 2
+sed -i 's/ bulletml = 8192,//' g/rom.lua
+refuse "check: no room to run them" 'rom.lua: bulletml/ has documents that are not packed, for there is no room' \
+    "$curtain" check g
+"$curtain" pack "$gallery" -o with.rom
+sed -i 's/bullet.documents()/{}/; s/bullet.ml {/print {/' g/main.lua
+"$curtain" pack g -o without.rom
+same "such a game has none in it" 0 "$("$curtain" list without.rom | grep -c ^bulletml/)"
+rm -r g/bulletml
+sed -i 's/lua_kib = 2048/lua_kib = 2048, bulletml = 64/' g/rom.lua
+refuse "check: room for nothing" 'board.bulletml: there is no document bulletml/NAME.xml' "$curtain" check g
+
+# ---- curtain bulletml ----
+
+same "what it says" "$gallery/bulletml/gulls.xml: 1 action runs by itself, 6 others, 3 fires, 2 bullets, 51 elements
+  uses \$rank, \$1 to \$2, the right for up (horizontal)
+  run by themselves: top
+  other actions: cry
+  fires: pair
+  bullets: gull, feather" "$("$curtain" bulletml "$gallery/bulletml/gulls.xml")"
+doc '<repeat><times>0</times><action><fyre/></action></repeat>' >bad.xml
+doc '<repeat><times>0</times><action/></repeat>' >zero.xml
+refuse "what is wrong" "curtain: bad.xml:2:33: <fyre> is no element of BulletML" "$curtain" bulletml bad.xml
+check "what is hardly meant is no failure" "$curtain" bulletml zero.xml
+says() { "$curtain" bulletml "$@" 2>&1; }
+same "and is told" "zero.xml:2:1: <repeat>: times 0: a repeat runs once at least" "$(says zero.xml | head -n 1)"
+same "one that is wrong does not end it" 1 "$(says bad.xml zero.xml | grep -c 'zero.xml: 1 action runs by itself')"
+refuse "a file that is not there" "none.xml: no such file" "$curtain" bulletml none.xml
+refuse "--lua is of one" "bulletml: --lua prints one document, got 2" "$curtain" bulletml --lua zero.xml zero.xml
+refuse "no file" "bulletml: expected FILE..." "$curtain" bulletml
+
+# ---- as Lua ----
+
+mkdir -p pair/bulletml
+cp -r "$gallery/art" pair/
+sed 's/id = "gallery"/id = "pair"/; s/tasks = 64/tasks = 2048/; s/dip = {/dip = { way = { "document", "lua" },/' \
+    "$gallery/rom.lua" >pair/rom.lua
+cat >pair/main.lua <<'LUA'
+local play = require "played"
+bullet.def("orb", { sprite = "orb", hit = "none", graze = false })
+player.def("kite", { sprite = "kite", hit = { circle = 2 } })
+enemy.def("orb", { sprite = "orb", hit = { circle = 2 }, touch = false })
+stage.def("one", function()
+  local e = enemy.spawn { kind = "orb", x = 120, y = 60 }
+  wait(30)
+  if board.dip("way") == "lua" then
+    play(e, { rank = 0.6 })
+  else
+    bullet.ml { name = "it", x = 120, y = 60, kind = "orb", rank = 0.6 }
+  end
+  wait(forever)
+end)
+boot.run { stages = { "one" }, players = { "kite" } }
+LUA
+alike() { # DOCUMENT PX
+    local way
+    cp "$1" pair/bulletml/it.xml && "$curtain" bulletml "$1" --lua >pair/played.lua || return 1
+    for way in document lua; do
+        "$curtain" hash pair --stage one --invincible --dip way=$way --frames 60:460:40 --trace bullets >$way.txt ||
+            return 1
+    done
+    python3 "$near" document.txt lua.txt "$2"
+}
+for name in carousel clockwork orrery loom gulls peacock; do # without $rand, which is another's there
+    check "the Lua of $name fires what it does" alike "$gallery/bulletml/$name.xml" 5
+done
+faster() { # the Lua fires it a tenth faster
+    sed -i 's/speed = speed \* unit,/speed = 1.1 * speed * unit,/' pair/played.lua
+    "$curtain" hash pair --stage one --invincible --dip way=lua --frames 60:460:40 --trace bullets >lua.txt &&
+        python3 "$near" document.txt lua.txt 5
+}
+refuse "planted: another speed" "too far off" faster
+cat >all.xml <<'XML'
+<bulletml type="horizontal"><action label="top"><repeat><times>40</times><action>
+<actionRef label="two words"><param>5</param></actionRef><wait>4+$rank*2</wait></action></repeat></action>
+<action label="two words"><fire><direction type="absolute">$1*36</direction><speed>1.5</speed>
+<bullet><action><wait>20</wait><changeDirection><direction type="relative">90</direction><term>20</term></changeDirection>
+<wait>30</wait><changeDirection><direction type="aim">0</direction><term>1</term></changeDirection><repeat><times>3</times>
+<action><changeSpeed><speed>0.5</speed><term>10</term></changeSpeed><wait>10</wait><changeSpeed><speed type="relative">1
+</speed><term>10</term></changeSpeed><wait>20</wait></action></repeat><vanish/></action></bullet></fire>
+<fire><direction type="sequence">-$1*7</direction><speed type="sequence">0.1</speed><bulletRef label="end"><param>-2
+</param></bulletRef></fire><fireRef label="end"/></action>
+<fire label="end"><direction type="aim">10</direction><bullet><speed>2</speed></bullet></fire>
+<bullet label="end"><direction type="sequence">0-(3-$2)*(4/2)</direction><action><accel><horizontal>$1</horizontal>
+<vertical type="sequence">0.02</vertical><term>60</term></accel><wait>30</wait><changeSpeed><speed type="sequence">0.01
+</speed><term>30</term></changeSpeed><changeDirection><direction type="sequence">1</direction><term>40</term>
+</changeDirection></action></bullet></bulletml>
+XML
+check "all of the language" alike all.xml 5
+same "a bullet that fires nothing has a motion program" "{ wait = 20 }, { turn = 4.5, over = 20 }, { wait = 10 }, \
+{ aim = true }, { loop = 3, { speed = 0.5 * unit, over = 10 }, { accel = 1 * unit / 10, over = 10 }, { wait = 10 } }, \
+{ die = true }" "$(sed -n 's/.*motion.def { \(.*\) }$/\1/p' pair/played.lua)"
+finish
