@@ -16,7 +16,7 @@ mkdir -p $into
 # NAME | over | files | built | tests | demos or hashes | frame 120 | pressed | sound
 ports='null|platform.h|platform/null.c|$OUT/curtain-null|tests/port.sh $OUT/curtain-null|the demo of|to the last pixel|pads that are pressed|the sound of
 SDL2|platform.h|platform/sdl2.c|$OUT/curtain|tests/port.sh $OUT/curtain;tests/machine/window.sh;tests/machine/window_sound.sh|the demo of|to the last pixel|keys start the game|what was played is what
-template|platform.h|platform/template.c||tests/cli/porting.sh||||
+template|platform.h|platform/template.c||tests/template.sh|the test card has|||
 example|curtain.h|ports/example/frames.c||tests/machine/library.sh|it plays a demo|its picture 000120||
 libretro|curtain.h|ports/libretro/*.c ports/libretro/*.h|$OUT/curtain_libretro.so|ports/libretro/test.sh|the test card after\|the game after|to the last pixel|with a pad that is pressed|the sound is that
 web|curtain.h|ports/web/web.c ports/web/no_host.c ports/web/*.html ports/web/*.css ports/web/player.js ports/web/worklet.js|build/web/player.html|ports/web/test.sh|the test card after\|the game after|to the last pixel|with keys that are pressed|the sound of'
