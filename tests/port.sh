@@ -7,7 +7,8 @@
 program=$(readlink -f "$1")
 sandbox
 check 'the demo of the test card holds' "$program" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo"
-check 'the demo of a frozen game holds' "$program" verify "$repo/tests/demos/whole8.rom" "$repo/tests/demos/whole8-run.demo"
+check 'the demo of a frozen game holds' \
+    "$program" verify "$repo/tests/demos/whole8.rom" "$repo/tests/demos/whole8-run.demo"
 "$program" render "$repo/roms/testcard" --frames 120 -o card >/dev/null
 check 'the test card, frame 120: to the last pixel' \
     python3 "$repo/tests/golden/png.py" "$repo/tests/golden/frames/card-000120.png" card/000120.png difference.png

@@ -5,7 +5,7 @@
  *     speed ROM SECTION          ROM compressed; lines in Markdown, for docs/ports.md
  *
  * The board runs as the program has it: its tick, picture and sound, endless loops found by an alarm. The library does
- * the same by its calls. Both are in this program, for the library hides its names. Of many turns the middle one counts.
+ * the same by its calls. Both are in this program, for the library hides its names. The middle one of the turns counts.
  */
 #include <stdio.h>
 #include <stdlib.h>
