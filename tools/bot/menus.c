@@ -57,7 +57,7 @@ struct menus {
     uint32_t pages, room;
     uint32_t *now;  /* the text of now */
     char stage[32]; /* the game that a move began: its first stage; "": it has none, or is a piece of one */
-    bool began;
+    bool began, piece;
 };
 
 static uint16_t pressed(const struct move *m, int frame)
@@ -180,9 +180,10 @@ static void hear(struct menus *m)
         const struct board_marker *marker = &out->marker[i];
         if (marker->kind == MARKER_GAME || marker->kind == MARKER_START) {
             m->began = true;
+            m->piece = marker->kind == MARKER_START;
             m->stage[0] = 0;
         }
-        if (marker->kind == MARKER_STAGE && m->began)
+        if (marker->kind == MARKER_STAGE && m->began && !m->piece)
             snprintf(m->stage, sizeof m->stage, "%s", marker->name);
     }
 }
