@@ -215,11 +215,11 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)$(OBJCOPY) --localize-hidden $(OUT)/lib/curtain.o
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
-# Each port's test: build and play it where it is at home.
+# Each port's test: build and play it where it is at home. ARGS="libretro web": these, of the others what they said last.
 ports: deps-play-test-ports-web
 	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
-		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(WEB)/player.html build/curtain build/curtain-null
-	@OUT=$(OUT) tools/ports/ports.sh
+		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(OUT)/libspeed $(WEB)/player.html build/curtain build/curtain-null
+	@OUT=$(OUT) tools/ports/ports.sh $(ARGS)
 
 library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
@@ -405,6 +405,11 @@ $(OUT)/cookbook: tools/cookbook/cookbook.c $(CORE_OBJ) $(OUT)/platform/null.o $(
 BOT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bot/*.c))
 
 $(OUT)/bot: $(BOT_OBJ) $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
+# Both the program's board and the library's: one hides its names.
+$(OUT)/libspeed: tools/ports/speed.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o $(OUT)/libcurtain.a
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 

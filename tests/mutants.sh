@@ -54,7 +54,11 @@ build() { # TREE TARGET...
     make --no-print-directory -s -C "$tree" CONFIG=$CONFIG "$@" >"$tree/said" 2>&1
 }
 target() { # PROGRAM: what make calls it
-    case $1 in *.sh) echo "$OUT/curtain-null $OUT/curtain-short" ;; *) echo "$OUT/$1" ;; esac
+    case $1 in
+    machine/library.sh) echo "$OUT/curtain-null $OUT/libcurtain.a $OUT/libcurtain.so" ;;
+    *.sh) echo "$OUT/curtain-null $OUT/curtain-short" ;;
+    *) echo "$OUT/$1" ;;
+    esac
 }
 
 if [ "${1:-}" = --one ]; then

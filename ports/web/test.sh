@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # test.sh - the web port in Chromium, headless: hashes, the test card, sound, keys that are pressed, a finger that
-# drags, saves, links, files that are dropped; how large it is, and how long a frame takes. Then the same page in Firefox.
+# drags, saves, links, files that are dropped; how large it is, and how long a frame takes. Then the page in Firefox.
 #
 #     OUT=build/release ports/web/test.sh [--short]     make build/release/curtain-null build/web/player.html first
 #

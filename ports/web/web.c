@@ -48,8 +48,8 @@ static const char *word(int which)
     return web.word[which][0] ? web.word[which] : NULL;
 }
 
-/* Takes a packed game of web_take, and gives it back plain in its place, for it is opened more than once: web_size bytes.
- * NULL: web_said. */
+/* Takes a packed game of web_take, and gives it back plain, for it is opened more than once: web_size bytes. NULL:
+ * web_said. */
 void *EXPORT(web_rom)(void *packed, size_t size)
 {
     web.size = curtain_plain(packed, size, NULL, 0, web.said, SAID);

@@ -12,7 +12,8 @@ same 'a compressed one says so, a plain one does not' 'CURTAINZ CURTAIN' \
     "$(head -c 8 small.rom) $(head -c 7 plain.rom)"
 same 'the same lumps and hashes' "$("$curtain" list plain.rom)" "$("$curtain" list small.rom)"
 same 'the same run' "$("$curtain" hash plain.rom --frames 120)" "$("$curtain" hash small.rom --frames 120)"
-check 'its demo holds' "$curtain" verify small.rom glasstide/demos/attract.demo
+"$curtain" pack "$repo/roms/testcard" -o card.rom
+check 'a demo of the folder holds' "$curtain" verify card.rom "$repo/roms/testcard/demos/card.demo"
 "$curtain" unpack plain.rom one && "$curtain" unpack small.rom two
 check 'and the same files' diff -r one two
 

@@ -1,21 +1,8 @@
 #!/usr/bin/env bash
-# porting.sh - docs/porting.md: its commands run, the template links and ends at once, the seam's functions are all
-# named.
+# porting.sh - docs/porting.md: its commands run, the seam's functions are all named. (The template: ../template.sh.)
 . "$(dirname "$0")/../pages.sh"
-compiler=${CC:-cc}
 
 blocks docs/porting.md
-
-template() {
-    "$compiler" -std=c11 -Wall -Wextra -Werror -c platform/template.c -o "$scratch/template.o" &&
-        "$compiler" "$OUT"/src/base/*.o "$OUT"/fb/*.o "$OUT"/src/snd/*.o "$OUT"/src/chips/*.o "$OUT"/src/chips/*/*.o \
-            "$OUT"/src/board/*.o "$OUT"/src/board/*/*.o "$OUT"/src/board/*/*/*.o \
-            "$OUT"/src/cab/*.o "$OUT"/src/cab/*/*.o \
-            "$OUT/platform/stdio.o" "$OUT/gen/std.o" "$OUT/gen/rom.o" "$scratch/template.o" \
-            $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/mine" &&
-        "$scratch/mine" play roms/testcard
-}
-check "the template links, and its play ends at once" template
 
 seam() {
     grep -oE "^[a-z0-9_ ]+ plat_[a-z]+\(" platform/platform.h | grep -v inline | grep -oE "plat_[a-z]+" | sort -u

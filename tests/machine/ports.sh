@@ -16,6 +16,7 @@ part() {
         esac
     done <<<"$said"
 }
+part tests/template.sh
 part tests/port.sh "$OUT/curtain-null"
 part tests/port.sh "$OUT/curtain"
 part ports/libretro/test.sh --short

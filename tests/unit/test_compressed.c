@@ -163,6 +163,11 @@ static void test_refused(void **state)
                  n, sizes[i], COMPRESSED_MOST, COMPRESSED_TIMES);
         refused(p, n, why);
     }
+    bytes_put32(p + 16, SIZE);
+    bytes_put32(p + 24, bytes_get32(p + 24) + 1);
+    repair_compressed(p, n);
+    refused(p, n, "damaged: what is in it is not what was compressed");
+    bytes_put32(p + 24, bytes_get32(p + 24) - 1);
     const uint32_t near[] = { SIZE - 1, 1 };
     for (int i = 0; i < 2; i++) {
         bytes_put32(p + 16, near[i]);
@@ -195,6 +200,10 @@ static void test_streams(void **state)
         free(in);
         free(out);
     }
+    uint8_t whole[SIZE];
+    assert_true(lzma_read(p + COMPRESSED_HEADER, n, whole, SIZE));
+    p[COMPRESSED_HEADER + n - 1] ^= 1; /* all comes out, and then the stream does not end as it should */
+    assert_false(lzma_read(p + COMPRESSED_HEADER, n, whole, SIZE));
     assert_true(good > TIMES / 10 && good < TIMES / 2);
     assert_true(other < good / 10); /* that the checksum of what came out is there for */
     free(p);

@@ -170,8 +170,9 @@ static void section_loop(void)
         "bullets; the greatest distance among these is %.5f px.",
         s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
     if (s.alike < s.documents) {
-        report_text("Where a bullet aims from within a pixel of the player, what rounding has left of its own way, a few "
-                    "ten-thousandths of a pixel, turns that aim by so much that it shows on the next one's:");
+        report_text(
+            "Where a bullet aims from within a pixel of the player, what rounding has left of its own way, a few "
+            "ten-thousandths of a pixel, turns that aim by so much that it shows on the next one's:");
         report_table(NULL, "document|greatest distance>|frame>|rank>|");
         for (int i = 0; i < documents.n; i++) {
             const struct compared *c = &r[i].board[worst(&r[i])];

@@ -69,7 +69,7 @@ local function half(e)
       pattern.fan { from = e, kind = "big", bank = 1, aim = true, spread = 64, speed = 1.7,
                     delay = 24, n = by(1, 2, 3, 3) }
     end
-    wait(by(42, 17, 15, 16))
+    wait(by(42, 16, 15, 16))
   end
 end
 
@@ -98,7 +98,7 @@ end
 
 local function crescent(e)
   e.picture = "sickle"
-  task.go(late.stream, e, by(64, 15, 6, 9), 2)
+  task.go(late.stream, e, by(64, 15, 6, 11), 2)
   task.go(function()
     pattern.spiral { from = e, kind = "pellet", bank = 5, n = forever, step = 29,
                      arms = by(4, 6, 8, 11),

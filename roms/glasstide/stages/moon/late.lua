@@ -51,7 +51,7 @@ function late.new(e)
       pattern.aimed { from = e, kind = "needle", bank = 1, speed = 2.2, every = 9, delay = 20,
                       n = by(1, 2, 3, 4) }
     end
-    wait(by(48, 30, 27, 29))
+    wait(by(48, 28, 26, 28))
   end
 end
 
@@ -156,7 +156,7 @@ function late.eclipse(e)
   screen.flash { over = 40, share = 0.4 }
   wait(50)
   task.go(rain)
-  task.go(late.stream, e, by(120, 14, 10, 11), 2)
+  task.go(late.stream, e, by(120, 14, 10, 9), 2)
   walls(560, by(80, 64, 54, 50))
   wait(60)
   corona(e, 640)

@@ -38,7 +38,7 @@ local function wheels(e)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
                             every = by(20, 9, 5, 6), speed = by(1.3, 1.7, 1.8, 0.9),
-                            arms = by(2, 4, 10, 13) })
+                            arms = by(2, 4, 10, 10) })
   while true do
     wait(110)
     pattern.fan { from = e, dy = 4, spread = 50, aim = true, kind = "kunai", bank = 3,
@@ -153,7 +153,7 @@ local function ebb(e)
   scene.court()
   task.go(rain_over, e)
   for k = 1, forever do
-    wait(by(93, 61, 50, 72))
+    wait(by(96, 61, 50, 90))
     wall((by(9.5, 12.5, 12.5, 12.5) + 3.5 * angle.sin(80 * k)) // 1)
     pattern.fan { from = e, kind = "big", bank = 3, spread = 70, aim = true,
                   speed = by(1.4, 1.7, 1.8, 1.2), n = by(1, 3, 3, 1) }

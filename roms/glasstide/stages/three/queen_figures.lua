@@ -68,7 +68,7 @@ end
 -- The tide returns: arms of kelp hang from her through all of the field and sway. What flows in
 -- them leaves a channel between two, which sways along; now and then an arm has a hole.
 local function kelp(e)
-  local arms = by(12, 17, 22, 28)
+  local arms = by(12, 18, 22, 28)
   local speed = by(1.3, 1.4, 1.5, 0.95)
   local period, lean = by(420, 360, 320, 400), by(8, 12, 15, 14)
   for k = 0, forever do
