@@ -150,8 +150,8 @@ for what; do
         have firefox-esr || need firefox-esr
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml, cross," \
-            "web, firefox" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml," \
+            "cross, web, firefox" >&2
         exit 2
         ;;
     esac
