@@ -216,7 +216,7 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # Each port's test: build and play it where it is at home. ARGS="libretro web": these, of the others what they said last.
-ports: deps-play-test-ports-web
+ports: deps-play-test-ports-web-firefox
 	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
 		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(OUT)/libspeed $(WEB)/player.html build/curtain build/curtain-null
 	@OUT=$(OUT) tools/ports/ports.sh $(ARGS)
@@ -269,9 +269,10 @@ $(WEB)/obj/%.o: %.c $(LUA_H)
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (web)"
 	$(Q)$(WEB_CC) $(SEMANTIC) $(WARN) $(WEB_C) -D_DEFAULT_SOURCE -MMD -MP -c $< -o $@
+# Linked without -O: with it clang runs whatever wasm-opt it finds, which need not know SIMD.
 $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 	$(SAY) "  LINK  $@"
-	$(Q)$(WEB_CC) $(WEB_C) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations \
+	$(Q)$(WEB_CC) $(filter-out -O%,$(WEB_C)) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--compress-relocations \
 		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
 $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"

@@ -2,11 +2,13 @@
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
 #     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
+#     [firefox]
 #
 # null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
 # too; ports: RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are
-# run beside it; web: what a page is built with, and tested in. Without arguments: play, test, fuzz and bench. With --say
-# it installs nothing: it says, in one line to paste, what is missing, and exits with 3.
+# run beside it; web: what a page is built with, and tested in; firefox: where it is tested too. Without arguments:
+# play, test, fuzz and bench. With --say it installs nothing: it says, in one line to paste, what is missing, and
+# exits with 3.
 set -eu
 say=""
 if [ "${1:-}" = --say ]; then
@@ -142,11 +144,14 @@ for what; do
         have xz || need xz-utils
         have node || need nodejs
         have chromium || need chromium
-        have firefox-esr || need firefox-esr
         have identify || need imagemagick
         ;;
+    firefox)
+        have firefox-esr || need firefox-esr
+        ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml, cross, web" >&2
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml," \
+            "cross, web, firefox" >&2
         exit 2
         ;;
     esac

@@ -24,7 +24,8 @@ export -f look
 
 # One line: FOLDER SECTION. Bots in all of it, at each difficulty: lines of JSON.
 fly() {
-    "$curtain" survive roms/glasstide --all --stage "$2" --bots 32 --json >"$1/bots-${2//[\/:]/-}.json" 2>/dev/null || true
+    "$curtain" survive roms/glasstide --all --stage "$2" --bots 32 --json \
+        >"$1/bots-${2//[\/:]/-}.json" 2>/dev/null || true
 }
 export -f fly
 

@@ -218,8 +218,8 @@ def lower(told, difficulty, sections, groups, group_of, compared):
 
 
 def falls(told, order, difficulties):
-    """Where it does not rise: from a difficulty to the next; within a stage from part to part, and from phase to phase of
-    a boss; in a stage from boss to boss, and from stage to stage, by their means. order: {section: its stage}."""
+    """Where it does not rise: from a difficulty to the next; within a stage from part to part, and from phase to phase
+    of a boss; in a stage from boss to boss, and from stage to stage, by their means. order: {section: its stage}."""
     for s in order:
         for a, b in zip(difficulties, difficulties[1:]):
             if rate(told[s][b]) <= rate(told[s][a]):

@@ -132,8 +132,10 @@ cat >all.xml <<'XML'
 <bulletml type="horizontal"><action label="top"><repeat><times>40</times><action>
 <actionRef label="two words"><param>5</param></actionRef><wait>4+$rank*2</wait></action></repeat></action>
 <action label="two words"><fire><direction type="absolute">$1*36</direction><speed>1.5</speed>
-<bullet><action><wait>20</wait><changeDirection><direction type="relative">90</direction><term>20</term></changeDirection>
-<wait>30</wait><changeDirection><direction type="aim">0</direction><term>1</term></changeDirection><repeat><times>3</times>
+<bullet><action><wait>20</wait>
+<changeDirection><direction type="relative">90</direction><term>20</term></changeDirection>
+<wait>30</wait><changeDirection><direction type="aim">0</direction><term>1</term></changeDirection>
+<repeat><times>3</times>
 <action><changeSpeed><speed>0.5</speed><term>10</term></changeSpeed><wait>10</wait><changeSpeed><speed type="relative">1
 </speed><term>10</term></changeSpeed><wait>20</wait></action></repeat><vanish/></action></bullet></fire>
 <fire><direction type="sequence">-$1*7</direction><speed type="sequence">0.1</speed><bulletRef label="end"><param>-2

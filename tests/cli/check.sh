@@ -66,7 +66,7 @@ for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without 
         printf 'local used = { "lamp", "ember", "glow", "ghost", '
         echo '"star_50", "star_150", "star_300", "rice_50", "rice_150", "rice_200", "power", "point", "life", "shard",'
         echo '"sea", "slabs", "clouds", "towers", "boom", "drum", "tide", "value", "meet", "option", "pierce",'
-        echo '"around", "frozen", "parts", "item", "line", "laser", "curve", "hp" }'
+        echo '"around", "frozen", "parts", "item", "line", "laser", "curve", "hp", "ml" }'
         cat "$repo/tests/cli/drive.lua"
     } >page/main.lua
     case $file in

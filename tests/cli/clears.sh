@@ -53,7 +53,9 @@ END
 }
 check 'each craft comes through' cleared_by_all "$scratch"
 mkdir "$scratch/without"
-for name in "$scratch"/clear-*.json; do sed 's/"ship":"tern[a-z_]*"/"ship":"heron"/' "$name" >"$scratch/without/${name##*/}"; done
+for name in "$scratch"/clear-*.json; do
+    sed 's/"ship":"tern[a-z_]*"/"ship":"heron"/' "$name" >"$scratch/without/${name##*/}"
+done
 refuse 'planted: one does not' 'nobody comes through in tern' cleared_by_all "$scratch/without"
 
 # A run is small: prints of seconds.

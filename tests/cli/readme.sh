@@ -8,7 +8,8 @@ blocks README.md
 check "README's new game is the shooter" cmp "$bench/mygame/main.lua" examples/shooter/main.lua
 for art in examples/*/art/*.png; do
     case $art in # their own: tests/house/art.sh, tests/cli/art.sh
-    */glow.png | */items.png | */tiles.png | */shooter/* | */pattern/* | */bulletml/* | */moth/art/palette.png) continue ;;
+    */glow.png | */items.png | */tiles.png | */shooter/* | */pattern/* | */bulletml/* | \
+        */moth/art/palette.png) continue ;;
     esac
     check "$art is the one of roms/glasstide" cmp "$art" "roms/glasstide/art/${art##*/}"
 done

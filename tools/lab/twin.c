@@ -17,6 +17,7 @@
 #define trig_from_degrees      twin_from_degrees
 #define trig_turn_from_degrees twin_turn_from_degrees
 #define trig_to_degrees        twin_to_degrees
+#define trig_direction         twin_direction
 #include "../../src/base/trig.c"
 #include "rivals.h"
 

@@ -157,7 +157,8 @@ static int32_t target_of(const struct document *d, int32_t ref, const struct lab
     return low > 0 && by_label(&labels[low - 1], &key) == 0 ? labels[low - 1].at : DOCUMENT_NONE;
 }
 
-/* Of two of a label that something asks for. Bullets that are fired where they stand may share theirs: it names them. */
+/* Of two of a label that something asks for. Bullets that are fired where they stand may share theirs: it names
+ * them. */
 static void tell_twins(struct document_reader *r, const struct label *labels, int n)
 {
     uint8_t *asked = calloc((size_t)r->d->n, 1);

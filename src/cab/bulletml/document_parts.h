@@ -41,8 +41,8 @@ bool document_has_number(enum document_element element);
 /* What a ref's label is one of. */
 enum document_element document_meant(enum document_element ref);
 
-/* Reads the attributes of a node, name and value in turn, up to a NULL. foreign: of a document whose letters beyond ASCII
- * are not known. */
+/* Reads the attributes of a node, name and value in turn, up to a NULL. foreign: of a document whose letters beyond
+ * ASCII are not known. */
 void document_attributes(struct document_reader *r, int32_t node, const char **attributes, bool foreign);
 
 /* XML to the tree. */

@@ -1,6 +1,6 @@
 /*
- * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c, check_run.c and others; each goes on as far
- * as what was read before allows, and only the run needs a game that can be packed.
+ * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c, check_run.c and others; each goes
+ * on as far as what was read before allows, and only the run needs a game that can be packed.
  */
 #include "check.h"
 

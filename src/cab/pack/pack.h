@@ -3,9 +3,10 @@
  * floor: cab
  *
  * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names,
- * bulletml/NAME.xml as programs where rom.lua has room for their runners, and the modules of the standard library that these scripts name, or modules that go in (std.h). std/NAME.lua of the game goes
- * in too, in place of the library's NAME. Left out: tests/, names that start with a dot, all other files. The same
- * folder gives the same bytes, on every host.
+ * bulletml/NAME.xml as programs where rom.lua has room for their runners, and the modules of the standard library that
+ * these scripts name, or modules that go in (std.h). std/NAME.lua of the game goes in too, in place of the library's
+ * NAME. Left out: tests/, names that start with a dot, all other files. The same folder gives the same bytes, on
+ * every host.
  */
 #ifndef CAB_PACK_H
 #define CAB_PACK_H

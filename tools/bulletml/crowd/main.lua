@@ -1,4 +1,5 @@
--- main.lua - the document from many places at once, in rows of twenty; tools/bulletml/speed.c has the same for libbulletml.
+-- main.lua - the document from many places at once, in rows of twenty; tools/bulletml/speed.c has the same for
+-- libbulletml.
 local run = require "run"
 
 bullet.def("dot", { sprite = "dot", hit = { circle = 2 } })

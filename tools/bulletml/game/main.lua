@@ -1,5 +1,5 @@
--- main.lua - one document on an empty field, from where libbulletml's world has its root. Each bullet gets the number of its
--- creation, in two values, for a value ends at 32767.
+-- main.lua - one document on an empty field, from where libbulletml's world has its root. Each bullet gets the number
+-- of its creation, in two values, for a value ends at 32767.
 local run = require "run"
 
 bullet.def("dot", { sprite = "dot", hit = { circle = 2 }, harmless = true })

@@ -1,5 +1,5 @@
--- rom.lua - a document beside libbulletml: tools/bulletml packs this with document.xml as bulletml/document.xml, with what
--- it is run with as run.lua, and with the art of roms/bench.
+-- rom.lua - a document beside libbulletml: tools/bulletml packs this with document.xml as bulletml/document.xml, with
+-- what it is run with as run.lua, and with the art of roms/bench.
 return {
   id = "bulletml", title = "BulletML", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 0, y = 0, w = 320, h = 240, margin = 256 },
