@@ -23,7 +23,7 @@ LUA
 printf 'gate = 門\n' >g/lang/ja.txt
 
 check 'check finds nothing, and plays it' grep -q '^g: fine: 1 script' <("$curtain" check g)
-"$curtain" pack g -o g.rom && "$curtain" render g.rom --frames 1 --lang ja -o out >/dev/null
+"$curtain" pack g --plain -o g.rom && "$curtain" render g.rom --frames 1 --lang ja -o out >/dev/null
 
 # Prints each glyph's code of a packed font.
 cat >codes.py <<'PY'

@@ -204,7 +204,7 @@ again 'touched, but it holds' 0 touched "rerecorded: holds, 400 frames$doubt"
 aged new.demo forged.was here forged
 as_they_were forged
 again 'of this very build, and differs' 2 forged \
-    'frame 120: voices differs; not rerecorded: it is of this very build'
+    'frame 120: ml_params differs; not rerecorded: it is of this very build'
 check 'forged: left alone' cmp forged.demo forged.was
 head -c -30 old.was >short.demo
 cp short.demo short.was

@@ -6,12 +6,13 @@
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
-# Names after "sys." in all scripts of a ROM but those that the scripts themselves declare; names sys.check is told.
+# Names after "sys." in all scripts of a ROM but those that these scripts declare, or those of the library that a game
+# without need of them does not bring; names sys.check is told.
 used() { # ROM
     local dir
     dir=$(mktemp -d -p "$scratch")
     "$curtain" unpack "$1" "$dir/rom" || return 1
-    grep -rhoE 'function sys\.[a-z_]+|^ *sys\.[a-z_]+ =' --include=*.lua "$dir/rom" |
+    grep -rhoE 'function sys\.[a-z_]+|^ *sys\.[a-z_]+ =' --include=*.lua "$dir/rom" scripts |
         sed 's/.*sys\.//; s/ =$//' | sort -u >"$dir/own"
     grep -rhoE '\bsys\.[a-z_]+' --include=*.lua "$dir/rom" | sed 's/sys\.//' | sort -u | comm -23 - "$dir/own"
 }
