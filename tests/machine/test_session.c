@@ -429,9 +429,9 @@ static void bad_edits(void **state)
     open_session(&s, false, NULL);
     play_to(&s, 1900);
     edit("stages/one.lua", habit, "n = = 8, every = 14, path = swoop, run");
-    keeps(&s, "stages/one.lua:56:");
+    keeps(&s, "stages/one.lua:50:");
     edit("stages/one.lua", "n = = 8", "n = 'two'"); /* found where it is called, in the run */
-    keeps(&s, "stages/one.lua:56: stage.wave: n: expected");
+    keeps(&s, "stages/one.lua:50: stage.wave: n: expected");
     assert_non_null(strstr(s.err, "of the run)"));
     edit("stages/one.lua", "n = 'two', every = 14, path = swoop, run", habit);
     edit("main.lua", "boot.run", "boot.ran");

@@ -59,8 +59,8 @@ static void make_rom(void)
     m.n_dips = 2;
     m.dips[0] = (struct dip){ .name = "coins", .hi = 1, .values = 2, .value_name = { "free", "one" } };
     m.dips[1] = (struct dip){ .name = "lives", .number = true, .lo = 0, .hi = 9 };
-    manifest_pack(&m, manifest);
-    lumps[n++] = (struct lump){ "manifest", manifest, sizeof manifest };
+    const uint32_t manifest_size = manifest_pack(&m, manifest);
+    lumps[n++] = (struct lump){ "manifest", manifest, manifest_size };
     lumps[n++] = (struct lump){ "palette/main", palette, sizeof palette };
     lumps[n++] = (struct lump){ "script/main.lua", (const uint8_t *)script, sizeof script - 1 };
     static const char *const langs[] = { "lang/d", "lang/deutsch", "lang/123456789_abcde" };
