@@ -130,14 +130,14 @@ KINDS = ("stand", "wander", "dodge")
 
 def flights(folder):
     """What bots met that fly on: {section: {difficulty: bots}}, of stages their parts. A part of less than two seconds
-    is none: a boss flies in."""
+    is none, for a boss flies in, and so is one in which nothing flies."""
     told = {}
     for path in glob.glob(folder + "/bots-*.json"):
         for line in open(path):
             one = json.loads(line)
             if sum(one["bots"][k].get("flown", 0) for k in KINDS) >= 120 * sum(one["bots"][k]["of"] for k in KINDS):
                 told.setdefault(one["section"], {})[one["difficulty"]] = one["bots"]
-    return told
+    return {s: by for s, by in told.items() if any(rate(bots) > 0 for bots in by.values())}
 
 
 def rate(bots, kinds=KINDS):
