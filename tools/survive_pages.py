@@ -164,7 +164,7 @@ def in_order(sections):
 
 
 def ceiling(v):
-    return next(step for step in (5, 10, 15, 20, 30, 40, 60, 80, 100, 150, 200, 1e9) if step >= v)
+    return next(step for step in (5, 10, 15, 20, 30, 40, 60, 80, 100, 120, 150, 200, 1e9) if step >= v)
 
 
 def is_part(section):

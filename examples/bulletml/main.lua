@@ -24,19 +24,19 @@ local function show(at, rank, seed)
   text.put { col = 0, row = ROW + 1, text = ("%d OF %d  RANK %.2f  SEED %d          "):format(at, #documents, rank, seed) }
 end
 
+local function start(one, rank, seed) -- a document, in the middle of an empty field
+  bullet.clear { all = true }
+  return bullet.ml { name = one.name, kind = "orb5", kinds = kinds_of(one.labels), x = rom.field.w / 2, y = 80,
+    rank = rank, seed = seed, speed = board.dip("speed") / 100 }
+end
+
 stage.def("gallery", function()
   local p = player.get(1)
   local at = (board.dip("document") - 1) % math.max(#documents, 1) + 1
   local rank, seed = board.dip("rank") / 100, board.dip("seed")
   while true do
     show(at, rank, seed)
-    bullet.clear { all = true }
-    local rest, running = REST, nil
-    if #documents > 0 then
-      local one = documents[at]
-      running = bullet.ml { name = one.name, kind = "orb5", kinds = kinds_of(one.labels), x = rom.field.w / 2, y = 80,
-        rank = rank, seed = seed, speed = board.dip("speed") / 100 }
-    end
+    local rest, running = REST, #documents > 0 and start(documents[at], rank, seed) or nil
     repeat
       wait(1)
       p.safe = 2
@@ -52,4 +52,18 @@ stage.def("gallery", function()
     if running then running:stop() end
   end
 end)
-boot.run { stages = { "gallery" }, players = { "kite" } }
+
+-- Each for PAGE frames, from the first to the last: what a contact sheet is rendered from.
+local PAGE <const> = 240
+stage.def("sheet", function()
+  for at, one in ipairs(documents) do
+    show(at, board.dip("rank") / 100, board.dip("seed"))
+    local running = start(one, board.dip("rank") / 100, board.dip("seed"))
+    for _ = 1, PAGE do
+      wait(1)
+      player.get(1).safe = 2
+    end
+    running:stop()
+  end
+end)
+boot.run { stages = { "gallery", "sheet" }, players = { "kite" } }

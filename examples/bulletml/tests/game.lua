@@ -8,6 +8,15 @@ for i = 1, n do
   test.expect(run:refused("bullets") == 0, i .. ": there was room for all of it")
 end
 
+-- All of them, for a contact sheet: one a page of 240 frames, and then the next.
+local sheet = test.run { stage = "sheet", invincible = true, frames = 230 }
+local pages = 0
+for _ = 1, n do
+  pages = pages + (sheet:live("bullets") > 5 and 1 or 0)
+  sheet:step(240)
+end
+test.expect(pages >= n - 1, "a contact sheet of all: " .. pages)
+
 -- Fire is the next one, and from the last the first.
 local run = test.run { stage = "gallery", invincible = true, dips = { document = n }, frames = 200 }
 local before = run:live("bullets")
