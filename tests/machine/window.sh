@@ -183,9 +183,9 @@ view_at "hitbox = yes" 60 156 # its 52 pixels, of three bytes each, where they a
 # Keys start the game: from the title through the menus into the stage.
 cd "$scratch" || exit 2
 if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --record keys.demo; then
-    for key in Return Return z z z z; do
+    for key in Return Return z z z z z z z z; do # more than there are menus: in the game it is fire
         xdotool key --delay 120 $key
-        rounds 8
+        rounds 16
     done
     xdotool keydown z keydown Left
     rounds 40
