@@ -79,6 +79,8 @@ sed -i 's/^boot.run.*/stage.def("fault", function() wait(20) error("planted faul
     s/stages = names/stages = { "fault" }/' broken/main.lua
 refuse "a script's fault is said as ever" "planted fault" "$curtain" survive broken --stage fault
 same "and is exit code 2" 2 "$("$curtain" survive broken --stage fault >/dev/null 2>&1; echo $?)"
+refuse "and of bots that fly on" "planted fault" "$curtain" survive broken --stage fault --bots 4
+same "and is exit code 2 of theirs" 2 "$("$curtain" survive broken --stage fault --bots 4 >/dev/null 2>&1; echo $?)"
 same "the same each time" "$("$curtain" survive planted --stage can_ring --json -o f.demo; sha256sum <f.demo)" \
     "$("$curtain" survive planted --stage can_ring --json -o f.demo; sha256sum <f.demo)"
 

@@ -144,7 +144,8 @@ static enum trial_end play(struct trial *t, struct bot *b, uint32_t limit)
 }
 
 /* Nothing kills it; hits are counted. */
-static void play_on(struct trial *t, struct bot *b, const struct trial_mark *start, uint32_t limit, struct bots *out)
+static enum trial_end play_on(struct trial *t, struct bot *b, const struct trial_mark *start, uint32_t limit,
+                              struct bots *out)
 {
     enum trial_end end = TRIAL_ON;
     uint32_t lived = 0, hits = 0;
@@ -165,7 +166,8 @@ static void play_on(struct trial *t, struct bot *b, const struct trial_mark *sta
     }
     out->hits[b->kind] += hits;
     out->frames += lived;
-    out->lived[b->kind] += hits == 0 && end != TRIAL_FAULT;
+    out->lived[b->kind] += hits == 0;
+    return end;
 }
 
 static bool all_play(struct trial *t, const struct trial_mark *start, uint32_t limit, int bots, bool on,
@@ -174,15 +176,15 @@ static bool all_play(struct trial *t, const struct trial_mark *start, uint32_t l
     struct bot *b = malloc(sizeof *b);
 
     *out = (struct bots){ 0 };
-    for (int kind = 0, before = 0, sum = 0; b && kind < BOT_KINDS; kind++) {
+    for (int kind = 0, before = 0, sum = 0; b && kind < BOT_KINDS && !out->fault; kind++) {
         sum += how_many[kind];
         const int to = bots * sum / BOTS, of = to - before;
-        for (int i = 0; i < of; i++) {
+        for (int i = 0; i < of && !out->fault; i++) {
             *b = (struct bot){ .kind = (enum bot_kind)kind, .number = i, .of = of, .random = 77u * (uint32_t)(i + 1) };
             trial_restore(t, start);
             out->n[kind]++;
             if (on)
-                play_on(t, b, start, limit, out);
+                out->fault |= play_on(t, b, start, limit, out) == TRIAL_FAULT;
             else {
                 const enum trial_end end = play(t, b, limit);
                 out->lived[kind] += end == TRIAL_ENDED || end == TRIAL_ON;

@@ -83,6 +83,8 @@ bool section_fly(struct section_run *s, const struct rom *rom, const struct boar
     }
     s->seek.verdict = SEEK_BOTS;
     *host = !trial_save(&s->trial, &mark) || !bots_play_on(&s->trial, &mark, s->seek.limit, bots, &s->measure.bots);
+    if (s->measure.bots.fault)
+        s->seek.verdict = SEEK_FAULT;
     trial_mark_free(&mark);
     return !*host || err_set(s->err, sizeof s->err, "out of memory");
 }
