@@ -1,7 +1,7 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
-FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short msan msan-short given valgrind \
+FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short monkey msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
          patterns library ports web bulletml
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
@@ -68,7 +68,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
-.PHONY: asan ubsan ubsan-short msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
+.PHONY: asan ubsan ubsan-short monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -81,6 +81,7 @@ help:
 	@echo "make GAME=DIR build/curtain     one file for a friend: the program with that game built in"
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
 	@echo "make msan     readers of files under MemorySanitizer    make valgrind  ... what of it goes through Lua"
+	@echo "make monkey   random hands in all screens, under both sanitizers"
 	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
@@ -369,6 +370,12 @@ UBSAN := CONFIG=ubsan SEMANTIC="-std=c11 -ffp-contract=off" \
 ubsan: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(UBSAN) programs
 	@OUT=build/ubsan tests/run.sh sanitizer
+# A monkey in the window's screens, in several games, for thousands of frames, under both sanitizers.
+monkey: deps-play-test
+	@$(MAKE) --no-print-directory -j2 CONFIG=monkey SEMANTIC="-std=c11 -ffp-contract=off" \
+		OPT="-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" build/monkey/machine/test_cabinet
+	@CURTAIN_LONG=1 ASAN_OPTIONS=abort_on_error=1 LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp \
+		UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 build/monkey/machine/test_cabinet
 ubsan-short:
 	@$(MAKE) --no-print-directory -j2 $(UBSAN) build/ubsan/machine/test_extremes $(UNIT:$(OUT)/%=build/ubsan/%)
 

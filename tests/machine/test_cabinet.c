@@ -4,6 +4,9 @@
  * changes the game's files, over many frames. Nothing may crash or hang, and whatever was recorded meanwhile must
  * hold, however it was gone to and fro, reloaded, practised and looked at: what was asked for, and every replay that
  * the cabinet kept by itself.
+ *
+ * A monkey walks the screens: it presses one menu key at a time, so that it gets to every row of every screen and
+ * answers every question, drops files on the window, in several games, with a second window on the same home.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <string.h>
@@ -12,6 +15,7 @@
 #include "../temp.h"
 #include "../../src/cab/demo/replay.h"
 #include "../../src/cab/host/config.h"
+#include "../../src/cab/host/files.h"
 #include "../../src/cab/play/cab.h"
 #include "../../src/cab/store/replays.h"
 #include "../../src/cab/store/roms.h"
@@ -33,6 +37,10 @@ static struct {
     uint32_t ids;                                     /* that were given */
     int hold;                                         /* polls that these stay held */
     bool console, files, text, focus, hidden;
+    bool walks; /* presses the keys of the screens, one at a time: those of step */
+    uint8_t step[16];
+    int steps, next_step;
+    int drop;                   /* a file is dropped every so many polls; 0: never */
     uint32_t calm;              /* one key of so many is the cabinet's */
     bool window, paints, waits; /* the window is known; it takes full colours; it waits for the screen */
     struct plat_want want;
@@ -147,6 +155,30 @@ static uint8_t any_key(void)
     return below(port.calm) ? game[below(sizeof game)] : cabinet[below(sizeof cabinet)];
 }
 
+/* What a walk in the screens is made of: to a row and into it, the last row and yes to its question, a value, away, and
+ * now and then any key. */
+static void choose_steps(void)
+{
+    enum { DELETE = 76, RIGHT = 79, LEFT, DOWN, UP, ENTER = 40, ESCAPE };
+    static const uint8_t last_and_yes[] = { UP, ENTER, DOWN, ENTER };
+    const uint32_t what = below(16), often = below(14);
+
+    port.steps = 0;
+    if (what < 8) {
+        for (; port.steps < (int)often; port.steps++)
+            port.step[port.steps] = DOWN;
+        port.step[port.steps++] = ENTER;
+    } else if (what < 11) {
+        memcpy(port.step, last_and_yes, sizeof last_and_yes);
+        port.steps = sizeof last_and_yes;
+    } else if (what < 14) {
+        port.step[port.steps++] = what == 11 ? DELETE : what == 12 ? LEFT : RIGHT;
+    } else {
+        port.step[port.steps++] = what == 14 ? ESCAPE : any_key();
+    }
+    port.next_step = 0;
+}
+
 /* A controller comes or goes, or another takes its place between two polls; the same model may come back. */
 static void plug(void)
 {
@@ -171,6 +203,15 @@ static void choose_hands(void)
     memset(port.held, 0, sizeof port.held);
     memset(port.pad, 0, sizeof port.pad);
     port.hold = 1 + (int)below(below(8) ? 6 : 60);
+    if (port.walks) {
+        port.hold = 1;
+        if (port.next_step == port.steps)
+            choose_steps();
+        if (port.polls & 1)
+            port.held[0] = port.step[port.next_step++];
+        port.focus = true;
+        return;
+    }
     for (uint32_t i = 0, n = below(KEYS_AT_ONCE); i < n; i++)
         port.held[i] = any_key();
     if (below(30) == 0)
@@ -191,10 +232,10 @@ static void touch_files(void)
 {
     static const char *const ends[] = { "\n", "\n-- another\n", "\nbullet.nothing()\n", "\nlocal = 3\n",
                                         "\nboard.note(1)\n" };
-    char name[1200], text[16384];
+    char name[1400], text[16384];
     FILE *f;
 
-    snprintf(name, sizeof name, "%s/examples/first/main.lua", repo);
+    snprintf(name, sizeof name, "%s/examples/%s/main.lua", repo, port.folder);
     f = fopen(name, "rb");
     assert_non_null(f);
     const size_t n = fread(text, 1, sizeof text - 64, f);
@@ -237,6 +278,17 @@ void plat_poll(struct plat_input *in)
         touch_files();
 }
 
+/* A game, one that is not there, no game, a demo of another game. */
+bool plat_dropped(char *path, size_t size)
+{
+    static const char *const names[] = { "pattern", "first", "none.rom", "first/main.lua", "first/art", "other.demo" };
+
+    if (!port.drop || below((uint32_t)port.drop) != 0)
+        return false;
+    snprintf(path, size, "%s", names[below(sizeof names / sizeof *names)]);
+    return true;
+}
+
 /* ---- runs ---- */
 
 static void shell(const char *format, const char *a, const char *b)
@@ -275,7 +327,7 @@ static void choose_settings(void)
 static void choose_border(void)
 {
     if (below(2))
-        shell("sed -i '1s|{|{ border = \"%s\"%s|' first/rom.lua", "art/enemies.png", ",");
+        shell("sed -i '1s|{|{ border = \"art/font.png\"%s|' '%s'/rom.lua", ",", port.folder);
 }
 
 static void choose_port(void)
@@ -288,15 +340,15 @@ static void choose_port(void)
         plug();
 }
 
-static void begin(uint64_t seed, int polls)
+static void begin(const char *game, uint64_t seed, int polls)
 {
     memset(&port, 0, sizeof port);
     port.now = SECOND;
     port.left = polls;
     port.focus = true;
     rng_seed(&port.rng, seed);
-    snprintf(port.folder, sizeof port.folder, "first");
-    shell("rm -rf '%s'/* && cp -r '%s'/examples/first .", root, repo);
+    snprintf(port.folder, sizeof port.folder, "%s", game);
+    shell("rm -rf '%s'/* && cp -r '%s'/examples/* .", root, repo);
     setenv("XDG_DATA_HOME", root, 1);
     setenv("XDG_CONFIG_HOME", root, 1);
     setenv("HOME", root, 1);
@@ -337,11 +389,16 @@ static void expect_holds(const struct demo *d, const struct cart *cart)
     replay_close(&replay);
 }
 
-enum { CONSOLE = 1, FILES = 2, FREE = 4 /* nothing is recorded: there is practice */ };
+enum {
+    CONSOLE = 1,
+    FILES = 2,
+    FREE = 4, /* nothing is recorded: there is practice */
+    WALK = 8  /* through the screens */
+};
 
 static struct rom_image image;
 static struct cart cart;
-static int kept, painted; /* replays; pictures of full colours: of all runs so far */
+static int kept, painted, dropped; /* replays; pictures of full colours; games dropped and played: of all runs */
 
 static void load(void)
 {
@@ -422,18 +479,48 @@ static void left(struct cab_options *o, int polls)
     play(o);
 }
 
-static void one_run(uint64_t seed, unsigned mode, int polls)
+/* A monkey in the screens, with a second window on the same home that nobody looks at. What has ended is opened again,
+ * until all polls are used. */
+static void walk(struct cab_options *o)
 {
-    struct cab_options o = { .cart = &cart, .path = "first", .seeded = true };
+    struct cab_options other = *o;
+    struct cab *cab = NULL, *second = cab_open(&other);
+    char next[FILES_PATH];
 
-    begin(seed, polls);
+    assert_non_null(second);
+    while (port.polls < port.left) {
+        o->resume = below(2) == 0;
+        cab = cab_open(o);
+        assert_non_null(cab);
+        while (cab_frame(cab))
+            if (second && below(8) == 0 && !cab_frame(second)) {
+                cab_close(second);
+                second = NULL;
+            }
+        dropped += cab_next(cab, next, sizeof next);
+        cab_close(cab);
+    }
+    if (second)
+        cab_close(second);
+    painted += port.painted;
+}
+
+static void one_run(const char *game, uint64_t seed, unsigned mode, int polls)
+{
+    struct cab_options o = { .cart = &cart, .path = game, .seeded = true };
+
+    begin(game, seed, polls);
     port.console = mode & CONSOLE;
     port.files = mode & FILES;
+    port.walks = mode & WALK;
+    port.drop = mode & WALK ? 300 : 0;
     load();
     o.start = (struct board_start){ .difficulty = -1, .seed = seed };
     for (int i = 0; i < cart.m.n_dips; i++)
         o.start.dip[i] = cart.m.dips[i].value;
-    if (mode & FREE)
+    if (mode & WALK)
+        walk(&o);
+    else if (mode & FREE)
         left(&o, polls);
     else
         recorded(&o, mode, polls);
@@ -443,10 +530,11 @@ static void one_run(uint64_t seed, unsigned mode, int polls)
 
 static void many(unsigned mode)
 {
+    static const char *const games[] = { "first", "shooter", "pattern", "bulletml" };
     const int n = rig_long() ? 40 : 2;
 
     for (int i = 0; i < n; i++)
-        one_run((uint64_t)i * 8 + mode, mode, 2500);
+        one_run(mode & WALK ? games[i % 4] : "first", (uint64_t)i * 16 + mode, mode, 2500);
 }
 
 static void test_hands(void **state)
@@ -475,18 +563,25 @@ static void test_files(void **state)
     many(CONSOLE | FILES);
 }
 
+static void test_screens(void **state)
+{
+    (void)state;
+    many(WALK);
+    many(WALK | FILES);
+}
+
 /* The hands got that far. */
 static void test_seen(void **state)
 {
     (void)state;
-    assert_true(kept > 0 && painted > 0);
+    assert_true(kept > 0 && painted > 0 && dropped > 0);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_hands), cmocka_unit_test(test_console),
-                                        cmocka_unit_test(test_files), cmocka_unit_test(test_practice),
-                                        cmocka_unit_test(test_seen) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_hands),   cmocka_unit_test(test_console),
+                                        cmocka_unit_test(test_files),   cmocka_unit_test(test_practice),
+                                        cmocka_unit_test(test_screens), cmocka_unit_test(test_seen) };
 
     if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "cabinet") || chdir(root) != 0)
         return 2;

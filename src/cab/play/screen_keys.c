@@ -182,7 +182,7 @@ static void accept(void *of, int at)
 
     if (at == standard_row(cab)) {
         screens_ask(&cab->screens, "All keys and buttons that you have changed are as they were.", "yes",
-                    all_as_they_were, NULL);
+                    all_as_they_were, cab);
         return;
     }
     cab->wait.listening = true;
