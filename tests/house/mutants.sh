@@ -1,53 +1,113 @@
 #!/usr/bin/env bash
-# mutants.sh - tests/mutants.list is current: what tests/mutants.sh will plant can be planted, and the tests it names
-# are there. That they find it is for `make mutants`.
+# mutants.sh - tests/mutants.list has the right format, tests/mutants.py plants what it should, and tests/mutants.sh
+# resumes. Whether the list's faults can be planted in the sources of today, `make mutants` says, not this test.
 . "$(dirname "$0")/../tap.sh"
 
-# Of a list: entries whose old line is not found exactly once in its file, whose new line is the old one, or which name
-# a file or test that is not there.
-current() {
-    python3 - "$1" <<'END'
-import os, sys
-entries = [e for e in open(sys.argv[1], encoding="utf-8").read().split("\n\n") if not e.startswith("#")]
-bad = 0
-for number, entry in enumerate(entries, 1):
-    lines = entry.strip("\n").split("\n")
-    what = "entry %d" % number
-    if len(lines) != 3 or lines[1][:2] != "- " or lines[2][:2] != "+ ":
-        print("%s is not a file, a line that begins with - and one with +: %s" % (what, lines[0]))
-        bad = 1
-        continue
-    path, *programs = lines[0].split()
-    what += ", " + path
-    for name in [path] + ["tests/" + (p if p.endswith(".sh") else p + ".c") for p in programs]:
-        if not os.path.isfile(name):
-            print("%s: there is no %s" % (what, name))
-            bad = 1
-    if not programs or lines[1][2:] == lines[2][2:]:
-        print("%s: no test is named, or nothing is changed" % what)
-        bad = 1
-    found = open(path, encoding="utf-8").read().count(lines[1][2:]) if os.path.isfile(path) else 0
-    if found != 1:
-        print("%s: found %d times: %s" % (what, found, lines[1][2:]))
-        bad = 1
-print(len(entries))
-sys.exit(bad or len(entries) < 1)
+check "the list's format" tests/mutants.py check tests/mutants.list
+list=$scratch/list
+wrong() { # LINE...
+    printf '%s\n' "@ test_f" "$@" >"$list"
+    tests/mutants.py check "$list"
+}
+refuse "planted: a line without a place" "expected PLACE: OLD => NEW" wrong "x + 1 => x - 1"
+refuse "planted: a line without a change" "expected PLACE: OLD => NEW" wrong "f: x + 1"
+refuse "planted: nothing is changed" "nothing is changed" wrong "f: x + 1 => x  + 1"
+refuse "planted: no test is named" "no test is named" wrong "f: x + 1 => x - 1" "@"
+refuse "planted: an empty list" "no mutant" wrong
+
+# A tree with one source and one test, and what mutants.sh needs of this one.
+tree=$scratch/tree
+mkdir -p "$tree"/{src,tests/unit,tests/golden}
+cp tests/mutants.sh tests/mutants.py tests/patient.py "$tree/tests/"
+printf '%s\n' 'OUT := build/$(CONFIG)' 'programs: $(OUT)/unit/test_f' '$(OUT)/curtain-null $(OUT)/curtain-short:' \
+    '$(OUT)/unit/test_f: src/f.c tests/unit/test_f.c ; @mkdir -p $(@D) && echo built >>$(LOG) && $(CC) $^ -o $@' \
+    >"$tree/Makefile"
+cat >"$tree/tests/unit/test_f.c" <<'END'
+#include <stdio.h>
+int f(int x), g(int x);
+int main(void)
+{
+    printf("%sok 1 - f\n1..1\n", f(1) == 2 ? "" : "not ");
+    return f(1) != 2;
+}
 END
+printf '#!/bin/sh\n' >"$tree/tests/golden/run.sh"
+chmod +x "$tree/tests/golden/run.sh"
+source_is() { cat >"$tree/src/f.c"; }
+source_is <<'END'
+/* int f(int x) { return x + 1; } */
+static const int table[] = { 1, 2, 3 };
+int g(int x)
+{
+    return x + 1 + table[0];
 }
-
-# planted OLD NEW: the list with this in its first entry
-planted() {
-    sed "0,/q -= q & 1;/s,q -= q & 1;,$1," tests/mutants.list >"$scratch/list"
-    current "$scratch/list"
+int f(int x)
+{
+    return x + 1;
 }
+END
+plant() { # LINE: into a copy; prints the line that is another
+    printf '@ test_f\n%s\n' "$1" >"$list"
+    rm -rf "$scratch/copy"
+    cp -r "$tree" "$scratch/copy"
+    tests/mutants.py plant "$list" "$scratch/copy" 1 || return
+    diff -r "$tree/src" "$scratch/copy/src" | grep '^>'
+}
+plants() { plant "$1" | grep -qFx "> $2" || { plant "$1"; return 1; }; }
+check "a function's text, which another one has too" plants "f: x + 1 => x - 1" "    return x - 1;"
+check "a table's" plants "table: 1, 2 => 2, 1" "static const int table[] = { 2, 1, 3 };"
+check "a file's" plants "f.c: x + 1 + => x +" "    return x + table[0];"
+check "a file's function" plants "f.c:g: x + 1 => x" "    return x + table[0];"
+refuse "a text that is not there" "found 0 times in f" plant "f: x + 2 => x - 1"
+refuse "a text that is there often" "found 3 times in f.c" plant "f.c: x + 1 => x - 1"
+refuse "half a word" "found 0 times" plant "f: retur => x"
+refuse "a place that is not there" "there is no h" plant "h: x + 1 => x - 1"
+mkdir "$tree/src/moved"
+mv "$tree/src/f.c" "$tree/src/moved/g.c"
+printf 'int more;\nint f(int x) {\n  more++;\n  return x\n    +1;\n}\nint g(int x) { return x + 1; }\n' \
+    >"$tree/src/moved/g.c"
+check "in a file that was moved, edited and formatted" plants "f: return x + 1; => return x - 1;" "  return x - 1;"
+printf 'local t = 1\nlocal function f(x)\n  return x + 1\nend\nfunction t.f(x)\n  return x + 1\nend\n' \
+    >"$tree/src/f.lua"
+check "in Lua" plants "t.f: x + 1 => x - 1" "  return x - 1"
+rm -r "$tree/src/moved" "$tree/src/f.lua"
 
-check "every fault can be planted: its line is found once" current tests/mutants.list
-same_count() { [ "$(current tests/mutants.list | tail -n 1)" = "$(grep -c '^- ' tests/mutants.list)" ]; }
-check "no entry is lost between two" same_count
-refuse "planted: a line that is not there" "found 0 times" planted 'q -= q \& 3;'
-refuse "planted: a line that is there often" "found" planted 'return'
-refuse "planted: a file that is not there" "there is no src/base/fy.h" eval \
-    'sed "s,src/base/fx.h ,src/base/fy.h ," tests/mutants.list >"$scratch/list"; current "$scratch/list"'
-refuse "planted: a test that is not there" "there is no tests/unit/test_fy.c" eval \
-    'sed "s,unit/test_fx,unit/test_fy," tests/mutants.list >"$scratch/list"; current "$scratch/list"'
+# The run: killed, survived, not planted.
+source_is <<'END'
+int f(int x) { return x + 1; }
+int g(int x) { return x + 2; }
+END
+printf '@ test_f\nf: x + 1 => x - 1\ng: x + 2 => x - 2\nh: x => y\n' >"$tree/tests/mutants.list"
+git -C "$tree" init -q
+echo /build/ >"$tree/.gitignore"
+export LOG=$scratch/log
+run() { # ARGUMENT...: the last lines, and how often something was built
+    local code
+    : >"$LOG"
+    env -u MAKEFLAGS -u MAKELEVEL "$tree/tests/mutants.sh" "$@" >"$scratch/run" 2>&1
+    code=$?
+    grep -E "$pattern" "$scratch/run"
+    echo "built $(wc -l <"$LOG") exit $code"
+}
+pattern='^[0-9]+ killed|done before|^SURVIVED|^NOT PLANTED|starting'
+all_of_it=$'3 faults, 0 of them done before\nNOT PLANTED 3 there is no h: h: x => y\n1 killed, 2 survived'
+whole=$(run | sort -u)
+same "all faults: one is killed" "$(sort <<<"$all_of_it
+SURVIVED 2 src/f.c: g: x + 2 => x - 2
+built 3 exit 1")" "$whole"
+same "a second run builds nothing and says the same" \
+    "$(sed 's/, 0 of them/, 3 of them/; s/^built 3/built 0/' <<<"$whole")" "$(run | sort -u)"
+ls "$tree/build/mutants" | grep -E '^[0-9a-f]{40}$' | head -n 1 | sed "s,^,$tree/build/mutants/," | xargs rm
+pattern='killed|done before'
+stopped=$(run)
+check "a run that was stopped resumes" grep -q "2 of them done before" <<<"$stopped"
+check "and comes to the same end" grep -qx "1 killed, 2 survived" <<<"$stopped"
+one=$'1 faults, 1 of them done before\n1 killed, 0 survived\nbuilt 0 exit 0'
+same "one by its name" "$one" "$(run "f:" | grep -v '^killed')"
+same "--restart" "3 faults, 0 of them done before" "$(run --restart | head -n 1)"
+echo 'int more;' >>"$tree/src/f.c"
+pattern='starting|done before'
+same "a changed tree starts again" \
+    "the tree has changed since the results in build/mutants: starting again 3 faults, 0 of them done before" \
+    "$(run | head -n 2 | paste -sd ' ')"
 finish
