@@ -32,8 +32,7 @@ LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
-# stdio.c passes alarms on from thread to thread, library.c opens libraries. Before glibc 2.34 these are libraries of
-# their own; WebAssembly has none.
+# library.c opens libraries. Before glibc 2.34 what that needs are libraries of their own; WebAssembly has none.
 THREADS  := $(if $(findstring wasm,$(CC)),,-pthread -ldl)
 # Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
 HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
@@ -285,12 +284,12 @@ web: say-null-web
 	@$(OUT)/curtain-bare export $(GAME) --web -o $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
-# The guards' limits lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
-SHORT := board/vm board/vm_count board/board board/api/eval cab/run/guard
+# The limit of work lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
+SHORT := board/vm board/vm_count board/board board/api/eval
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"
-	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DGUARD_MS=20 -DMAX_RAM="(64ull << 20)" -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DMAX_RAM="(64ull << 20)" -MMD -MP -c $< -o $@
 
 $(OUT)/curtain-short: $(filter-out $(SHORT:%=$(OUT)/src/%.o),$(CORE_OBJ)) $(SHORT:%=$(OUT)/short/%.o) \
 		$(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o

@@ -8,8 +8,6 @@
 #ifndef TESTS_SPOIL_H
 #define TESTS_SPOIL_H
 
-#include <signal.h>
-#include <sys/time.h>
 #include "machine/rig.h"
 #include "repair.h"
 
@@ -81,28 +79,6 @@ static inline bool spoil_sentence(const char *s, size_t room)
         if ((unsigned char)s[i] < 32 || s[i] == 127)
             return false;
     return true;
-}
-
-/* Spoilt scripts may loop for ever; the verdict does not depend on when they are stopped, as a fault is a fault. The
- * first bell comes after a second of work in one ROM, when the board is long laid out. */
-static struct board *volatile spoil_board;
-
-static inline void spoil_bell(int sig)
-{
-    (void)sig;
-    if (spoil_board)
-        board_interrupt(spoil_board);
-}
-
-static inline void spoil_watch(struct board *b)
-{
-    struct itimerval second = { { 0, 200000 }, { b ? 1 : 0, 0 } };
-
-    spoil_board = b;
-    signal(SIGVTALRM, spoil_bell);
-    if (!b)
-        second.it_interval.tv_usec = 0;
-    setitimer(ITIMER_VIRTUAL, &second, NULL);
 }
 
 /* RAM and picture for one board after another. */
@@ -180,10 +156,8 @@ static inline enum spoil_outcome spoil_run(struct spoil_bench *s, const struct r
         return SPOIL_TOO_LARGE;
     } else {
         memset(s->ram, 0x5a, size < 1 << 20 ? size : 1 << 20);
-        spoil_watch(s->ram);
-        struct board *b = board_power(s->ram, size, rom, start, false, err, sizeof err);
+        struct board *b = board_power(s->ram, size, rom, start, err, sizeof err);
         out = b ? spoil_frames(s, b, d, &r) : SPOIL_REFUSED;
-        spoil_watch(NULL);
     }
     if (out == SPOIL_REFUSED)
         snprintf(s->said, sizeof s->said, "%s", err);

@@ -96,7 +96,6 @@ int main(int argc, char **argv)
         !demo_load(&d, argv[2], err, sizeof err) || !demo_fits(&d, &cart, err, sizeof err) ||
         !trial_open(&t, &image.rom, &d.start, err, sizeof err))
         fail(err);
-    board_count(t.b, false);
     for (uint32_t f = 0; f < d.frames && !board_last(t.b)->fault; f++) {
         const struct board_out *out = board_tick(t.b, d.pads[f]);
         for (int i = 0; i < out->markers; i++)

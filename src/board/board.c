@@ -350,8 +350,8 @@ static void end_texts(struct board_start *start)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
-static struct board *power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
-                           char *err, size_t err_size)
+static struct board *power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                           size_t err_size)
 {
     struct board *b = (struct board *)ram;
     const char *wrong = ieee_fault();
@@ -373,7 +373,6 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
     end_texts(&b->start);
-    b->vm.counting = count;
     if (!start_fits(&b->cart.m, start, err, err_size) || !open_lang(b, err, err_size))
         return NULL;
     lay_out(b);
@@ -388,13 +387,13 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     return b;
 }
 
-struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
-                          char *err, size_t err_size)
+struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                          size_t err_size)
 {
     struct host host;
 
     host_enter(&host);
-    struct board *b = power(ram, size, rom, start, count, err, err_size);
+    struct board *b = power(ram, size, rom, start, err, err_size);
     host_leave(&host);
     return b;
 }
@@ -594,8 +593,6 @@ static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
 
-    assert(o->fault.kind == FAULT_NONE);
-    clear_output(o);
     vm_begin(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
@@ -636,12 +633,18 @@ static void tick(struct board *b, const uint16_t pads[PADS])
 
 const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
 {
+    struct output *o = b->output;
     struct host host;
 
+    clear_output(o);
+    if (o->fault.kind != FAULT_NONE) { /* the run is over */
+        o->out.fault = &o->fault;
+        return &o->out;
+    }
     host_enter(&host);
     tick(b, pads);
     host_leave(&host);
-    return &b->output->out;
+    return &o->out;
 }
 
 const struct board_out *board_last(const struct board *b)

@@ -29,11 +29,10 @@ enum {
 
 enum board_fault_kind {
     FAULT_NONE,
-    FAULT_SCRIPT,      /* an error no pcall may catch, or an uncaught one */
-    FAULT_MEMORY,      /* out of Lua RAM */
-    FAULT_STACK,       /* call depth */
-    FAULT_LOOP,        /* over 2 * 10^8 VM instructions in one tick: "endless loop" */
-    FAULT_INTERRUPTED, /* board_interrupt stopped the tick: go back and run it again with board_count(b, true) */
+    FAULT_SCRIPT, /* an error no pcall may catch, or an uncaught one */
+    FAULT_MEMORY, /* out of Lua RAM */
+    FAULT_STACK,  /* call depth */
+    FAULT_LOOP,   /* over 2 * 10^8 VM instructions in one tick: "endless loop" */
 };
 
 struct board_fault {
@@ -133,7 +132,7 @@ struct board_out {
     struct board_full full[FULLS];
     int fulls;
     bool menu;                       /* a menu before a game stands: who has just come needs to know the keys */
-    const struct board_fault *fault; /* NULL: none. With a fault the board is dead: do not tick it again. */
+    const struct board_fault *fault; /* NULL: none. With a fault the run is over. */
 };
 
 struct board;
@@ -148,10 +147,10 @@ uint64_t board_room(const struct cart *cart);
 /* Powers a board in ram (16-byte aligned, size >= board_size) and runs the entry script. NULL and one sentence for a
  * ROM that cannot run, and where the build computes otherwise than others (ieee.h). A script fault while loading is not
  * NULL: it stands in board_last(b)->fault. */
-struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, bool count,
-                          char *err, size_t err_size);
+struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                          size_t err_size);
 
-/* One frame. pads: PAD_ bits of the two players. */
+/* One frame. pads: PAD_ bits of the two players. After a fault nothing happens, and the fault remains. */
 const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
 
 /* What the last tick (or power) handed out. */
@@ -273,13 +272,6 @@ void board_output_restore(struct board *b, const void *buf);
 
 /* The nvram image, *size bytes, portable between hosts; *changed counts the writes since power-on. */
 const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);
-
-/* Stops a running tick soon with FAULT_INTERRUPTED; may be called from a signal handler on the thread that ticks. */
-void board_interrupt(struct board *b);
-
-/* Counts VM instructions from now on (slower), so that an endless loop is found: FAULT_LOOP. Set again after a restore.
- */
-void board_count(struct board *b, bool on);
 
 /* Live things of a part by name ("bullets"), and how often it had no room for one; -1: no such part. */
 int64_t board_live(const struct board *b, const char *part);

@@ -176,7 +176,7 @@ const char *tasks_from(const struct board *b, lua_State *L)
 
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
 {
-    vm_charge(L, WORK_STEP); /* counting begins anew with a thread's turn: a chain of short tasks must end too */
+    vm_charge(L, WORK_TASK);
     int32_t i = take(b, owner, TASK_RUNS);
     if (i == NO_SLOT) {
         lua_pop(L, n + 1);
@@ -345,11 +345,10 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
 
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
-    b->vm.running = co;
     act_for_task(b, i);
-    vm_set_hook(b, co);
+    const uint32_t left = vm_enter(b, co);
     int status = lua_resetthread(co);
-    b->vm.running = L;
+    vm_leave(b, L, left);
     tasks_act_for(b, of_board);
     if (status != LUA_OK)
         fail(b, L, co, status);
@@ -366,10 +365,9 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->current = (int32_t)i;
     t->skipped = 0;
     act_for_task(b, i);
-    b->vm.running = co;
-    vm_set_hook(b, co);
+    const uint32_t left = vm_enter(b, co);
     int status = lua_resume(co, L, n, &results);
-    b->vm.running = L;
+    vm_leave(b, L, left);
     tasks_act_for(b, of_board);
     if (status != LUA_OK && status != LUA_YIELD)
         fail(b, L, co, status); /* reads tasks.current */

@@ -259,8 +259,7 @@ bool vm_call(struct board *b, lua_CFunction f)
 {
     lua_State *L = b->vm.L;
 
-    b->vm.running = L;
-    vm_set_hook(b, L);
+    vm_enter(b, L);
     lua_settop(L, 0);
     lua_pushcfunction(L, on_error);
     lua_pushcfunction(L, f);
@@ -559,6 +558,7 @@ bool vm_open(struct board *b, void *block, size_t size)
     b->vm.heap = heap_init(block, size);
     b->vm.heap_size = size;
     b->vm.text_max = SIZE_MAX;
+    b->vm.running = NULL;
     vm_begin(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);
     if (!b->vm.L)

@@ -18,15 +18,15 @@
 struct board;
 struct profile;
 
-/* VM instructions, or work in C worth as many, in one tick. Tests of the guards lower it. */
+/* VM instructions, or work in C worth as many, in one tick. Tests of endless loops lower it. */
 #ifndef WORK_LIMIT
 #define WORK_LIMIT 200000000
 #endif
 
 enum {
-    WORK_STEP = 1000, /* instructions between two looks when counting, on average */
-    WORK_CALL = 100,  /* what a call of an API function is worth */
-    WORK_FIRE = 20,   /* what a bullet that a motion program fires is worth */
+    WORK_TASK = 1000, /* the work of starting a task */
+    WORK_CALL = 100,  /* of calling an API function */
+    WORK_FIRE = 20,   /* of firing one bullet of a motion program */
     VM_PLACE = 80     /* bytes of "FILE:LINE: " */
 };
 
@@ -49,21 +49,19 @@ struct vm_guesses {
 
 struct vm {
     lua_State *L;
-    lua_State *running; /* the thread that has the turn: where an interrupt has to go */
+    lua_State *running; /* the thread that runs, or ran last */
     struct heap *heap;
     uint64_t work;                /* of this tick */
     uint64_t limit;               /* of work: WORK_LIMIT in a tick, less in a line of board_eval */
     uint64_t looked;              /* heap_work at the last look */
-    uint32_t step;                /* instructions before the next look */
-    uint32_t stream;              /* of the random numbers that step is drawn from */
+    uint32_t stream;              /* state of the random numbers that place the looks */
+    uint32_t left;                /* instructions before the next look, while there is a profile */
     struct vm_weight heaviest;    /* of this tick */
     uint64_t swept;               /* heap_work when the collector last could have had its turn */
     size_t heap_size, collect_at; /* bytes: the heap's, and in use when the collector's next round begins */
     bool collecting;              /* a round is going on */
     size_t text_block, text_max;  /* bytes of Lua's block for the last text, and for the longest that is allowed */
-    bool counting;
-    struct profile *profile;  /* the host's, while it counts lines (profile.h); else NULL */
-    volatile int interrupted; /* set by board_interrupt, perhaps from a signal handler */
+    struct profile *profile;      /* the host's, while it counts lines (profile.h); else NULL */
     bool loading;
     bool practice_read;         /* a script read the practice start (sys.practice) */
     enum board_fault_kind kind; /* what the error on its way is, when it is not FAULT_SCRIPT */
@@ -94,20 +92,26 @@ void vm_where(lua_State *L, char *place, size_t size);
 /* Puts the author's "FILE:LINE: " before the message on top of the stack if it has none. */
 void vm_place(lua_State *L);
 
-/* Starts counting work, of a tick, of power-on, or of a line; over `limit` it is FAULT_LOOP. */
+/* Starts counting the work of a tick, of power-on or of a line from 0; more than `limit` is FAULT_LOOP. */
 void vm_begin(struct board *b, uint64_t limit);
 
 /* Adds work (1: about one VM instruction) to the sum and raises FAULT_LOOP over the limit. */
 void vm_charge(lua_State *L, uint64_t work);
 
-/* Sets the hook of a thread that gets its turn: counting, interrupted, or none. */
-void vm_set_hook(struct board *b, lua_State *L);
+/* Thread L runs from now on, and its instructions are counted. Returns what vm_leave takes. */
+uint32_t vm_enter(struct board *b, lua_State *L);
+
+/* Thread L, which called vm_enter for another one, continues. */
+void vm_leave(struct board *b, lua_State *L, uint32_t left);
+
+/* Weighs the function that runs in L, charges it, and decides when to do so again. */
+void vm_look(lua_State *L, lua_Debug *ar);
 
 /* While lines are counted (profile.h): a thread gets its turn; work is counted from 0 again. */
 void vm_profile_turn(struct vm *vm, lua_State *L);
 void vm_profile_begin(struct vm *vm);
 
-/* Called after each allocation: when much was allocated, the counting hook runs at the next instruction. */
+/* Called after each allocation: when much was allocated, the next instruction is looked at. */
 void vm_allocated(struct board *b);
 
 /* Fills the board's fault from the error value on top of `from` (the thread it happened in). */

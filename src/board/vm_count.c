@@ -1,15 +1,17 @@
 /*
  * vm_count.c - the work of a tick, counted: see vm.h.
  *
- * Lua calls a hook every so many instructions, a thousand on average. An instruction is not always little work, and the
- * hook cannot see which ones have run, so it looks at what they had to work on: the registers and upvalues of the
- * function that runs. Comparing long texts, reading numbers out of them, walking a chain of __index or copying many
- * arguments takes long only where such things are at hand; there each instruction counts as several. Memory that was
- * allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no operation
+ * Lua calls a hook every so many instructions, about a thousand on average: a look. An instruction is not always little
+ * work, and the hook cannot see which ones have run, so it weighs what they had to work on: the registers and upvalues
+ * of the function that runs. Comparing long texts, reading numbers out of them, walking a chain of __index or copying
+ * many arguments takes long only where such things are at hand; there each instruction counts as several. Memory that
+ * was allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no operation
  * takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
  *
- * The number of instructions between two looks is drawn from a generator, so that no loop can keep its costly
- * instructions between looks; the generator starts alike in every tick.
+ * A look charges STEP instructions, and the number of instructions before it is drawn from 1 to 2 * STEP: no loop can
+ * keep its costly instructions between looks, and a thread whose turns are all shorter than a step is charged too. The
+ * stream of these numbers starts alike in every tick. So the sum depends on nothing but the run, and a run is stopped
+ * in the same frame on every machine.
  */
 #include <float.h>
 #include <math.h>
@@ -19,10 +21,19 @@
 #include "vm.h"
 
 enum {
-    STEP_LEAST = 500, /* instructions between two looks: so many, and up to STEP_MORE - 1 more */
-    STEP_MORE = 1001,
+    STEP = 1024,       /* instructions between two looks, on average */
     DEEP_CHAIN = 2000, /* Lua follows no longer chain */
     LOOK_NOW = 1 << 22 /* bytes allocated since the last look that make it due */
+};
+
+/* A look itself counts one for so many ... */
+enum {
+    A_LOOK = 64 /* bytes of a text */
+};
+/* ... and so many for each ... */
+enum {
+    A_VALUE = 2,       /* register or upvalue */
+    A_LOOK_AT_LINK = 8 /* table of a chain */
 };
 
 /* Each instruction counts as one and one more for so many of ... */
@@ -54,12 +65,13 @@ static size_t count_zeros(const char *s, size_t n)
     return zeros;
 }
 
-static struct vm_weight text_weight(lua_State *L)
+static struct vm_weight text_weight(lua_State *L, uint64_t *looking)
 {
     size_t n;
     const char *s = lua_tolstring(L, -1, &n);
 
     size_t zeros = count_zeros(s, n), numeral = numeral_bytes(s);
+    *looking += n / A_LOOK;
     if (numeral > A_NUMERAL)
         return (struct vm_weight){ numeral / A_NUMERAL, WEIGHT_NUMERAL, numeral };
     if (zeros > A_ZERO)
@@ -88,7 +100,7 @@ static size_t chain_length(lua_State *L, const char *field)
     return n;
 }
 
-static struct vm_weight table_weight(lua_State *L)
+static struct vm_weight table_weight(lua_State *L, uint64_t *looking)
 {
     int top = lua_gettop(L);
     size_t read = chain_length(L, "__index");
@@ -96,23 +108,25 @@ static struct vm_weight table_weight(lua_State *L)
     lua_settop(L, top);
     size_t written = chain_length(L, "__newindex"), n = read > written ? read : written;
     lua_settop(L, top);
+    *looking += (read + written) * A_LOOK_AT_LINK;
     return (struct vm_weight){ n / A_LINK, WEIGHT_CHAIN, n };
 }
 
-/* Keeps the heavier of w and what the value on top weighs, and pops it. */
-static void weigh(lua_State *L, struct vm_weight *w)
+/* Keeps the heavier of w and what the value on top weighs, and pops it. Returns the work of weighing it. */
+static uint64_t weigh(lua_State *L, struct vm_weight *w)
 {
     struct vm_weight one = { 0 };
+    uint64_t looking = A_VALUE;
 
     switch (lua_type(L, -1)) {
     case LUA_TSTRING:
-        one = text_weight(L);
+        one = text_weight(L, &looking);
         break;
     case LUA_TNUMBER:
         one = number_weight(L);
         break;
     case LUA_TTABLE:
-        one = table_weight(L);
+        one = table_weight(L, &looking);
         break;
     default:
         break;
@@ -120,6 +134,7 @@ static void weigh(lua_State *L, struct vm_weight *w)
     if (one.more > w->more)
         *w = one;
     lua_pop(L, 1);
+    return looking;
 }
 
 static bool has_argument(lua_State *L, lua_Debug *ar, int n)
@@ -148,48 +163,53 @@ static int count_arguments(lua_State *L, lua_Debug *ar)
     return least;
 }
 
-/* The function that runs: by how much its heaviest instruction may be more than one. */
-static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar)
+/* By how much the heaviest instruction of the function that runs may be more than one; adds the work of finding that
+ * out to *looking. */
+static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *looking)
 {
     int arguments = count_arguments(L, ar);
     struct vm_weight w = { (unsigned)arguments / AN_ARGUMENT, WEIGHT_ARGUMENTS, (unsigned)arguments };
 
     for (int i = 1; lua_getlocal(L, ar, i); i++)
-        weigh(L, &w);
+        *looking += weigh(L, &w);
     lua_getinfo(L, "f", ar);
     for (int i = 1; lua_getupvalue(L, -1, i); i++)
-        weigh(L, &w);
+        *looking += weigh(L, &w);
     lua_pop(L, 1);
     return w;
 }
 
-static void on_count(lua_State *L, lua_Debug *ar);
+static void on_count(lua_State *L, lua_Debug *ar)
+{
+    vm_look(L, ar);
+}
 
-/* Sets the hook for the next look, and says when that is. */
+/* The next look at thread L is before its n-th instruction from here. A profile counts them by itself: its hook runs
+ * before each instruction. */
+static void look_after(struct vm *vm, lua_State *L, uint32_t n)
+{
+    vm->left = n;
+    if (!vm->profile)
+        lua_sethook(L, on_count, LUA_MASKCOUNT, (int)n);
+}
+
 static void look_later(struct vm *vm, lua_State *L)
 {
     vm->stream = vm->stream * 1103515245 + 12345;
-    vm->step = STEP_LEAST + (vm->stream >> 16) % STEP_MORE;
-    lua_sethook(L, on_count, LUA_MASKCOUNT, (int)vm->step);
+    look_after(vm, L, 1 + (vm->stream >> 16) % (2 * STEP));
 }
 
-static void on_count(lua_State *L, lua_Debug *ar)
+void vm_look(lua_State *L, lua_Debug *ar)
 {
     struct vm *vm = &vm_board(L)->vm;
-    struct vm_weight w = weigh_function(L, ar);
-    uint64_t allocated = heap_work(vm->heap) - vm->looked;
+    uint64_t allocated = heap_work(vm->heap) - vm->looked, looking = 0;
+    struct vm_weight w = weigh_function(L, ar, &looking);
 
     if (w.more > vm->heaviest.more)
         vm->heaviest = w;
     vm->looked += allocated;
-    vm_charge(L, vm->step * (1 + w.more) + allocated / AN_ALLOCATION);
+    vm_charge(L, STEP * (1 + (uint64_t)w.more) + allocated / AN_ALLOCATION + looking);
     look_later(vm, L);
-}
-
-static void on_interrupt(lua_State *L, lua_Debug *ar)
-{
-    (void)ar;
-    vm_fault(L, FAULT_INTERRUPTED, "interrupted");
 }
 
 /* ---- the limit ---- */
@@ -216,8 +236,7 @@ static int over_limit(lua_State *L, struct vm *vm)
 {
     char weight[96];
 
-    if (vm->counting)
-        lua_sethook(L, on_count, LUA_MASKCOUNT, 1); /* the __close handlers on the way out get no turn of their own */
+    look_after(vm, L, 1); /* the __close handlers on the way out get no turn of their own */
     say_weight(&vm->heaviest, weight, sizeof weight);
     return vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one %s%s", (int)vm->limit,
                     vm->limit == WORK_LIMIT ? "frame" : "line", weight);
@@ -227,16 +246,12 @@ void vm_charge(lua_State *L, uint64_t work)
 {
     struct vm *vm = &vm_board(L)->vm;
 
-    if (vm->interrupted) /* hooks do not run inside C functions */
-        vm_fault(L, FAULT_INTERRUPTED, "interrupted");
-    vm->work += work;
+    vm->work = work < UINT64_MAX - vm->work ? vm->work + work : UINT64_MAX;
     if (vm->work > vm->limit)
         over_limit(L, vm);
 }
 
 /* ---- when ---- */
-
-enum { EVERYTHING = LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT };
 
 void vm_begin(struct board *b, uint64_t limit)
 {
@@ -249,45 +264,31 @@ void vm_begin(struct board *b, uint64_t limit)
     vm->looked = heap_work(vm->heap);
     vm->heaviest = (struct vm_weight){ 0 };
     vm->stream = 1;
-    vm->interrupted = 0;
     b->output->long_text = 0;
 }
 
-static void count_turn(struct vm *vm, lua_State *L)
+uint32_t vm_enter(struct board *b, lua_State *L)
 {
+    struct vm *vm = &b->vm;
+    const uint32_t left = vm->left;
+
+    vm->running = L;
     if (vm->profile)
         vm_profile_turn(vm, L);
-    else
-        look_later(vm, L);
+    look_later(vm, L);
+    return left;
 }
 
-void vm_set_hook(struct board *b, lua_State *L)
+void vm_leave(struct board *b, lua_State *L, uint32_t left)
 {
-    if (b->vm.counting)
-        count_turn(&b->vm, L);
-    else if (lua_gethook(L))
-        lua_sethook(L, NULL, 0, 0);
-    if (b->vm.interrupted) /* asked last: a signal handler may set it at any moment */
-        lua_sethook(L, on_interrupt, EVERYTHING, 1);
+    b->vm.running = L;
+    b->vm.left = left;
 }
 
 void vm_allocated(struct board *b)
 {
     struct vm *vm = &b->vm;
 
-    if (vm->counting && !vm->profile && vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
-        lua_sethook(vm->running, on_count, LUA_MASKCOUNT, 1);
-}
-
-void board_interrupt(struct board *b)
-{
-    b->vm.interrupted = 1;
-    if (b->vm.running)
-        lua_sethook(b->vm.running, on_interrupt, EVERYTHING, 1);
-}
-
-void board_count(struct board *b, bool on)
-{
-    b->vm.counting = on;
-    vm_set_hook(b, b->vm.L);
+    if (vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
+        look_after(vm, vm->running, 1);
 }

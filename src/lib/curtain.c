@@ -138,12 +138,10 @@ size_t curtain_memory(const struct curtain_config *config, char *err, size_t err
 
 bool lib_power(struct curtain *c, char *err, size_t err_size)
 {
-    c->board = board_power(c->ram, c->ram_size, &c->rom, &c->begin.start, true, err, err_size);
+    c->board = board_power(c->ram, c->ram_size, &c->rom, &c->begin.start, err, err_size);
     c->drawn = c->sounding = false;
     if (!c->board)
         return false;
-    if (!board_last(c->board)->fault)
-        board_count(c->board, c->counts);
     return true;
 }
 
@@ -182,7 +180,6 @@ struct curtain *curtain_open(const struct curtain_config *config, void *memory, 
         return too_little(config, memory, size, err, err_size);
     c->game_hash = rom_game_hash(&c->rom);
     lay_out(c, &p, config, board);
-    c->counts = !config->alarm;
     const bool plays = config->demo != NULL;
     if (plays && !demo_read(&c->demo, config->demo, config->demo_size, err, err_size))
         return NULL;
@@ -207,23 +204,6 @@ void curtain_close(struct curtain *c)
 }
 
 /* ---- a frame ---- */
-
-bool lib_tick(struct curtain *c, const uint16_t pads[PADS])
-{
-    const struct board_fault *fault = board_tick(c->board, pads)->fault;
-
-    if (!fault || fault->kind != FAULT_INTERRUPTED)
-        return !fault;
-    /* It took long. Once more, from a frame before it, and counted: then it ends, or is found to be endless. */
-    const bool counts = c->counts;
-    c->counts = true;
-    lib_again(c);
-    const bool good = !board_tick(c->board, pads)->fault;
-    c->counts = counts;
-    if (good)
-        board_count(c->board, counts);
-    return good;
-}
 
 static unsigned events_of(struct curtain *c)
 {
@@ -256,20 +236,15 @@ unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
     for (int i = 0; i < PADS; i++)
         held[i] = (pads ? pads : held)[i] & PAD_ALL;
     lib_keep_key(c);
-    lib_tick(c, held);
+    board_tick(c->board, held);
     pads_log_add(&c->log, held);
-    if (c->log.full && !c->counts) { /* there is no way back to a frame before one that takes long */
-        c->counts = true;
-        board_count(c->board, true);
-    }
     c->drawn = c->sounding = false;
     return events_of(c);
 }
 
 void curtain_interrupt(struct curtain *c)
 {
-    if (c->board && !c->counts)
-        board_interrupt(c->board);
+    (void)c; /* every frame ends by itself */
 }
 
 const char *curtain_attract(const struct curtain *c)

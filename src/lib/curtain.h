@@ -73,8 +73,7 @@ struct curtain_config {
     size_t demo_size;
     size_t state_room;  /* bytes for the pads of a run in a state, 5 for each change of them; 0: 128 KiB */
     uint32_t snapshots; /* states that this process comes back to without playing them again; 0: 16 */
-    bool alarm;         /* the host calls curtain_interrupt when a frame takes long; else instructions are counted,
-                           for endless loops to be found, which takes up to 2.3 times as long in tight ones */
+    bool alarm;         /* ignored: it had a meaning once, and hosts that set it still compile */
 };
 
 struct curtain;
@@ -114,8 +113,7 @@ enum {
 /* Plays a frame with these buttons held; returns its events. pads NULL: those of the demo, and none after its end. */
 CURTAIN_API unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS]);
 
-/* From a signal handler on the thread that plays the frame: it takes too long. It is looked at, and goes on unless it
- * would never end. Only with .alarm. */
+/* Does nothing: every frame ends by itself. Hosts that call it still link. */
 CURTAIN_API void curtain_interrupt(struct curtain *c);
 
 /* Of the last frame; good until the next one. Empty where there is none. */

@@ -46,7 +46,6 @@ struct curtain {
     struct fb fb;
     uint32_t rgb[256];
     bool drawn;    /* fb and rgb are of this frame */
-    bool counts;   /* VM instructions are counted in each frame */
     bool sounding; /* lr is of this frame */
     size_t taken;  /* of lr, frames */
     int16_t lr[2 * BOARD_SOUND];
@@ -80,16 +79,7 @@ bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size);
 /* Powers the board anew from c->begin. False: it cannot start Lua. */
 bool lib_power(struct curtain *c, char *err, size_t err_size);
 
-/* One tick, and again when it was interrupted; false: it ended in a fault. */
-bool lib_tick(struct curtain *c, const uint16_t pads[PADS]);
-
 /* ---- states.c ---- */
-
-/* The board of frame c->log.frames of the log, from the nearest snapshot or from power-on. */
-void lib_again(struct curtain *c);
-
-/* Counts instructions from now on, or not, as the host wanted. */
-void lib_set_counting(struct curtain *c);
 
 /* Keeps the frame that is, if one is due on the way. */
 void lib_keep_key(struct curtain *c);

@@ -129,30 +129,7 @@ static bool set_out(struct curtain *c, const struct from *from, char *err, size_
             return false;
         }
     }
-    if (!board_last(c->board)->fault)
-        board_count(c->board, true); /* no alarm is set for these frames */
     return true;
-}
-
-void lib_set_counting(struct curtain *c)
-{
-    if (!board_last(c->board)->fault)
-        board_count(c->board, c->counts);
-}
-
-void lib_again(struct curtain *c)
-{
-    struct pads_run pads = pads_log_read(&c->log);
-    const struct from from = search(c, pads, c->begin.hash, NULL);
-    uint32_t frame = 0;
-    char err[256];
-
-    if (!set_out(c, &from, err, sizeof err)) /* it could when it was opened */
-        return;
-    while (pads_run_next(&pads))
-        for (uint32_t i = 0; i < pads.frames; i++)
-            if (frame++ >= from.frame)
-                board_tick(c->board, pads.pads);
 }
 
 /* Plays the pads from that frame on; c->log becomes theirs. */
@@ -171,7 +148,6 @@ static bool go(struct curtain *c, struct pads_run pads, const struct from *from,
             }
             pads_log_add(&c->log, pads.pads);
         }
-    lib_set_counting(c);
     return true;
 }
 
@@ -292,7 +268,6 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
     swap_starts(c);
     board_restore(c->board, c->before);
     board_output_restore(c->board, c->before_out);
-    lib_set_counting(c);
     c->drawn = c->sounding = false;
     return false;
 }

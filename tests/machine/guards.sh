@@ -2,8 +2,8 @@
 # guards.sh - bombs: whatever a script does, the run ends with exit code 2, one line that names place and cause, and the
 # same line each time.
 #
-# Endless loops run on $OUT/curtain-short, the same program with a lower limit (50 million instructions a frame, and a
-# look after 20 ms), a few of them also with the real one. One that does not end prints no line: the runner sees it.
+# Endless loops run on $OUT/curtain-short, the same program with a lower limit (50 million instructions a frame), a few
+# of them also with the real one. One that does not end prints no line: the runner sees it.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 short=$OUT/curtain-short
@@ -226,20 +226,63 @@ program=
 
 # ---- heavy, but under the limit: only slow ----
 
-heavy() { # N: every 11th tick is of about N instructions; the others are light, so that going back means several frames
+heavy() { # N: every 11th tick is of about N instructions, the others are light
     game g <<LUA
 local function work(n) local x = 1 for i = 1, n // 4 do x = (x * 31 + i) & 0xffff end return x end
 task.go(function() for f = 1, forever do board.note(f % 11 == 5 and work($1) or rng.int(1, 1000000)) wait(1) end end)
 LUA
 }
-heavy 36000000 # over the 20 ms of the short alarm, under its limit
+heavy 36000000
 "$short" hash g --frames 200 --parts >one 2>&1
 same 'heavy ticks under the limit are only slow' 0 $?
 "$curtain" hash g --frames 200 --parts >two 2>&1
-same 'and hash as without the alarm' "$(cat two)" "$(cat one)"
+same 'and hash as with a higher limit' "$(cat two)" "$(cat one)"
 heavy 60000000
 "$short" hash g --frames 20 >/dev/null 2>one
 echo "exit $?" >>one
-same 'the alarm did ring: over the limit is a fault' \
+same 'over the limit is a fault' \
     $'main.lua:1: endless loop: more than 50000000 instructions in one frame\nexit 2' "$(cat one)"
+
+# ---- the same verdict on every host ----
+
+# Six loops share this one's processor.
+busy() { # COMMAND...
+    local cpu others=()
+    cpu=$(taskset -pc $$ | sed 's/.*: //; s/[-,].*//')
+    for _ in 1 2 3 4 5 6; do
+        taskset -c "$cpu" bash -c 'while :; do :; done' &
+        others+=($!)
+    done
+    taskset -c "$cpu" "$@"
+    local code=$?
+    kill "${others[@]}"
+    wait "${others[@]}" 2>/dev/null
+    return $code
+}
+# The second frame's turn of Lua is VERDICT in `hash`, idle and busy, in `verify` of its demo, and in `check`.
+verdict() { # NAME TURN VERDICT
+    game g <<<"task.go(function() wait(1) $2 board.note(1) end)"
+    run "$curtain" one
+    same "$1" "$3" "$(cat one)"
+    busy "$curtain" hash g --frames 5 >/dev/null 2>two
+    echo "exit $?" >>two
+    same "$1: on a busy machine" "$(cat one)" "$(cat two)"
+    rm -f g.demo
+    "$curtain" hash g --frames 5 --record g.demo >/dev/null 2>&1
+    check "$1: its demo holds" "$curtain" verify g g.demo
+    "$curtain" check g >two 2>&1
+    if [ "$3" = 'exit 0' ]; then
+        same "$1: in check" 0 "$(grep -c 'endless loop' two)"
+    else
+        check "$1: in check" grep -qF "${3%%$'\n'*}" two
+    fi
+}
+text='local s = ("x"):rep(65535) local n = 0'
+beside=' (one beside a text of 65535 bytes counts as 16)'
+verdict '11 million turns of a loop beside a long text' "$text for i = 1, 11000000 do n = n + 1 end" \
+    "main.lua:1: $LOOP$beside"$'\nexit 2'
+verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" "main.lua:1: $LOOP$beside"$'\nexit 2'
+verdict '5 million turns beside a long text' "$text for i = 1, 5000000 do n = n + 1 end" 'exit 0'
+verdict 'nearly as many turns of a loop as a frame may have' 'for i = 1, 190000000 do end' 'exit 0'
+verdict 'a few more' 'for i = 1, 201000000 do end' "main.lua:1: $LOOP"$'\nexit 2'
 finish

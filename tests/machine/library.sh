@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # library.sh - libcurtain: it has the names of curtain.h and no others, and no variable; C, C++ and another language
-# call it; states, several boards, an alarm; the example of the manual.
+# call it; states, several boards, slow frames; the example of the manual.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 cc=${CC:-cc}
@@ -83,14 +83,19 @@ tap ./host glasstide.rom attract "$repo/roms/glasstide/demos/attract.demo"
 command -v valgrind >/dev/null || not_ok 'valgrind is there'
 check 'no memory is lost or wrong when a board is opened 100 times' valgrind -q --error-exitcode=1 --leak-check=full \
     ./boards tiny.rom testcard.rom often
-cp -r tiny long && cp -r tiny endless
-echo 'for f = 1, 40 do wait(1) end for i = 1, 5000000 do end board.note(1)' >>long/main.lua
-sed -i '$s/^/task.go(function() /; $s/$/ end)/' long/main.lua
-sed 's/5000000/forever/' long/main.lua >endless/main.lua
-for name in long endless; do
-    "$curtain" pack $name -o $name.rom || not_ok "$name is packed"
-    tap ./slow $name.rom
-done
+# slow NAME FAULT LUA: its turn of Lua in frame 40 ends in FAULT.
+slow() {
+    cp -r tiny "$1"
+    echo "task.go(function() for f = 1, 40 do wait(1) end $3 board.note(1) end)" >>"$1/main.lua"
+    "$curtain" pack "$1" -o "$1.rom" || not_ok "$1 is packed"
+    tap ./slow "$1.rom" "$2"
+}
+at=$(($(wc -l <tiny/main.lua) + 1))
+slow long '' 'for i = 1, 5000000 do end'
+slow endless "main.lua:$at: endless loop" 'for i = 1, forever do end'
+slow beside "main.lua:$at: endless loop" 'local s = ("x"):rep(65535) for i = 1, 14000000 do end'
+slow below '' 'local s = ("x"):rep(65535) for i = 1, 9000000 do end'
+slow error "main.lua:$at: boo" 'for i = 1, 5000000 do end error("boo")'
 
 # ---- other languages ----
 

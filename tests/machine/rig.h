@@ -387,7 +387,7 @@ static inline void rig_power_any(struct rig *r, const struct rig_game *g, const 
     r->block = malloc(r->ram_size + 16);
     r->ram = (uint8_t *)r->block + (16 - (uintptr_t)r->block % 16) % 16;
     memset(r->ram, 0x5a, r->ram_size);
-    r->b = board_power(r->ram, r->ram_size, &g->image.rom, start ? start : &plain, false, err, sizeof err);
+    r->b = board_power(r->ram, r->ram_size, &g->image.rom, start ? start : &plain, err, sizeof err);
     if (!r->b)
         fail_msg("%s", err);
     board_screen(r->b, &w, &h);

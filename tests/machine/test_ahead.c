@@ -128,7 +128,6 @@ static void refuses(const char *script, enum board_fault_kind kind)
     struct ahead a = { 0 };
 
     power(&g, &game, script);
-    g.ms = 20;
     for (int i = 0; i < 3; i++)
         guard_tick(&g, pads);
     const uint64_t hash = board_hash(g.board);

@@ -34,7 +34,7 @@ static void power(struct bench *x, int n)
     assert_true(board_size(&x->image.rom, &size, err, sizeof err));
     x->ram = aligned_alloc(64, (size + 63) / 64 * 64);
     assert_non_null(x->ram);
-    x->b = board_power(x->ram, size, &x->image.rom, &start, false, err, sizeof err);
+    x->b = board_power(x->ram, size, &x->image.rom, &start, err, sizeof err);
     assert_non_null(x->b);
     assert_null(board_last(x->b)->fault);
 }

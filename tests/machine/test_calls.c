@@ -1,7 +1,7 @@
 /*
  * test_calls.c - the cabinet and the program by calls, for a host that has the loop: 40 opened and closed in the middle
- * leave nothing on the heap, two at once are as each alone, an endless loop is found without an alarm and with one that
- * the host calls, a crash is told of the cabinet that it happened in.
+ * leave nothing on the heap, two at once are as each alone, an endless loop is found, a crash is told of the cabinet that
+ * it happened in.
  *
  * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
  */
@@ -10,7 +10,6 @@
 #include <signal.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include "rig.h"
@@ -38,11 +37,6 @@ static struct window {
     const char *drop; /* a path that is dropped on it */
     bool crash;       /* the next picture is a crash */
 } windows[2], *at = windows;
-
-static enum { ALARM_NONE, ALARM_OF_HOST } alarms;
-static void (*volatile alarm_call)(void *context);
-static void *volatile alarm_context;
-static volatile sig_atomic_t interrupts;
 
 bool plat_open(const struct plat_want *want)
 {
@@ -110,32 +104,10 @@ bool plat_dropped(char *path, size_t size)
     return is;
 }
 
-bool plat_alarm(int ms, void (*fn)(void *context), void *context)
-{
-    alarm_call = NULL;
-    if (alarms == ALARM_NONE)
-        return false;
-    alarm_context = context;
-    alarm_call = ms ? fn : NULL;
-    return true;
-}
-
 void plat_log(const char *line)
 {
     (void)line;
     at->logged++;
-}
-
-/* What the host's watchdog does when a frame takes too long for it. */
-static void bark(int sig)
-{
-    void (*const call)(void *) = alarm_call;
-
-    (void)sig;
-    if (!call)
-        return;
-    interrupts++;
-    call(alarm_context);
 }
 
 /* ---- cabinets ---- */
@@ -258,7 +230,7 @@ static void test_two_at_once(void **state)
     assert_string_equal(windows[1].title, "Test Card");
 }
 
-/* ---- alarms ---- */
+/* ---- endless loops ---- */
 
 static void write_game(const char *folder, const char *script)
 {
@@ -295,29 +267,11 @@ static void expect_loop_found(void)
     games[0] = was;
 }
 
-static void test_endless_without_an_alarm(void **state)
+static void test_endless_loop(void **state)
 {
     (void)state;
     write_game("endless", "task.go(function() wait(5) while true do end end)\n");
-    alarms = ALARM_NONE;
     expect_loop_found();
-}
-
-static void test_endless_with_the_hosts_alarm(void **state)
-{
-    const struct itimerval every = { { 0, 50000 }, { 0, 50000 } }, never = { { 0, 0 }, { 0, 0 } };
-    struct sigaction act = { .sa_handler = bark, .sa_flags = SA_RESTART }, was;
-
-    (void)state;
-    alarms = ALARM_OF_HOST;
-    interrupts = 0;
-    assert_int_equal(sigaction(SIGALRM, &act, &was), 0);
-    assert_int_equal(setitimer(ITIMER_REAL, &every, NULL), 0);
-    expect_loop_found();
-    assert_int_equal(setitimer(ITIMER_REAL, &never, NULL), 0);
-    sigaction(SIGALRM, &was, NULL);
-    alarms = ALARM_NONE;
-    assert_true(interrupts > 0);
 }
 
 /* ---- crashes ---- */
@@ -458,8 +412,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_a_crash_is_its_own), /* reports are counted */
         cmocka_unit_test(test_nothing_is_kept),
         cmocka_unit_test(test_two_at_once),
-        cmocka_unit_test(test_endless_without_an_alarm),
-        cmocka_unit_test(test_endless_with_the_hosts_alarm),
+        cmocka_unit_test(test_endless_loop),
         cmocka_unit_test(test_the_program),
         cmocka_unit_test(test_the_program_without_a_window),
         cmocka_unit_test(test_a_sound_is_heard),

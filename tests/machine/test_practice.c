@@ -216,7 +216,7 @@ static void expect_refusal(const struct board_start *start, const char *message)
 
     assert_true(board_size(&game.image.rom, &size, err, sizeof err));
     void *ram = malloc(size);
-    assert_null(board_power(ram, size, &game.image.rom, start, false, err, sizeof err));
+    assert_null(board_power(ram, size, &game.image.rom, start, err, sizeof err));
     assert_string_equal(err, message);
     free(ram);
 }

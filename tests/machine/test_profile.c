@@ -5,7 +5,7 @@
 #include "rig.h"
 #include "../../src/board/lua/profile.h"
 
-enum { FRAMES = 20 };
+enum { FRAMES = 20, STACK = 200 /* work of growing a stack */ };
 
 static struct profile profile;
 
@@ -77,7 +77,7 @@ static void exact(void **state)
     end(&g, &r);
 }
 
-/* After the end nothing is counted, and nothing hooks the tasks any more. */
+/* After the end no line is counted, and the tasks have the hook again that every tick has. */
 static void ends(void **state)
 {
     struct rig_game g;
@@ -85,16 +85,19 @@ static void ends(void **state)
 
     (void)state;
     begin(&g, &r, counts);
+    rig_run(&r, 1);
+    const lua_Hook hook = lua_gethook(r.b->vm.L);
     board_profile(r.b, &profile);
     rig_run(&r, 2);
+    assert_true(lua_gethook(r.b->vm.L) != hook);
     board_profile(r.b, NULL);
     const uint64_t was = sum();
     rig_run(&r, FRAMES);
     assert_int_equal(sum(), was);
-    assert_null(lua_gethook(r.b->vm.L));
+    assert_true(lua_gethook(r.b->vm.L) == hook);
     assert_int_equal(r.b->tasks.s.live, 1);
     EACH_LIVE (i, &r.b->tasks.s)
-        assert_true(!r.b->tasks.thread[i] || !lua_gethook(r.b->tasks.thread[i]));
+        assert_true(!r.b->tasks.thread[i] || lua_gethook(r.b->tasks.thread[i]) == hook);
     end(&g, &r);
 }
 
@@ -129,7 +132,8 @@ static void of_author(void **state)
     end(&g, &r);
 }
 
-/* Every frame's hash is the one without; also through a reset, which gives the board another heap. */
+/* Every frame's hash is the one without, and so is its work, but for where Lua's stacks grow; also through a reset, which
+ * gives the board another heap, and with turns inside of turns. */
 static void changes_nothing(void **state)
 {
     static const char script[] =
@@ -139,6 +143,8 @@ static void changes_nothing(void **state)
         "    local t = { a = i, b = { i }, [i] = tostring(i) }\n"
         "    bullet.fire { kind = 'orb', x = rng.int(10, 200), y = 20, dir = 90, speed = #t.b }\n"
         "    for k in pairs(t) do board.note(#tostring(k)) end\n"
+        "    local s = task.go(function() for k = 1, 700 do if k == 300 then wait(1) end end end)\n"
+        "    for k = 1, 900 do if k == 400 then task.stop(s) end end\n"
         "    if board.frame() == 60 then board.reset() end\n"
         "    wait(1)\n"
         "  end\n"
@@ -154,11 +160,12 @@ static void changes_nothing(void **state)
         rig_run(&r, 1);
         rig_run(&other, 1);
         assert_true(board_hash(r.b) == board_hash(other.b));
+        assert_in_range(r.b->vm.work + STACK, other.b->vm.work, other.b->vm.work + 2 * STACK);
     }
     assert_true(line_of("main.lua:5")->calls >= 119 * WORK_CALL);
     assert_true(line_of("main.lua:4")->bytes > 119 * 100 && line_of("main.lua:4")->bytes < 119 * 4000);
     assert_int_equal(sum(), profile_work(&profile.all));
-    assert_in_range(profile_work(&profile.all), 119 * 500, 119 * 5000);
+    assert_in_range(profile_work(&profile.all), 119 * 500, 119 * 9000);
     rig_free(&other);
     end(&g, &r);
 }

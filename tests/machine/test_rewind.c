@@ -150,7 +150,7 @@ static void walk(const struct run *run, size_t budget, int steps, uint64_t seed)
         if (rng_below(&rng, 20) == 0)
             forward(&p, run, &r, 1 + (uint32_t)rng_below(&rng, 100));
         else
-            assert_true(rewind_to(&p, r.b, somewhere(&p, &r, &rng), rng_below(&rng, 9) == 0));
+            assert_true(rewind_to(&p, r.b, somewhere(&p, &r, &rng)));
         same_frame(run, &r, board_frame(r.b));
         in_budget(&p);
     }
@@ -180,7 +180,7 @@ static uint64_t backwards(struct rewind *p, const struct run *run, struct rig *r
 
     for (uint32_t f = board_frame(r->b); f-- > to;) {
         uint64_t before = p->again;
-        assert_true(rewind_to(p, r->b, f, false));
+        assert_true(rewind_to(p, r->b, f));
         same_frame(run, r, f);
         in_budget(p);
         most = p->again - before > most ? p->again - before : most;
@@ -205,7 +205,7 @@ static void a_minute_backwards(void **state)
     forward(&p, &glasstide, &r, 100);
     assert_int_equal(rewind_end(&p), 3600); /* nothing was pressed that was not pressed then */
     uint64_t again = p.again;
-    assert_true(rewind_to(&p, r.b, 3600, false));
+    assert_true(rewind_to(&p, r.b, 3600));
     same_frame(&glasstide, &r, 3600);
     assert_in_range(p.again - again, 0, 512); /* the key frames ahead are still there */
     rewind_close(&p);
@@ -261,7 +261,7 @@ static void taking_over(void **state)
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     rig_power(&straight, &glasstide.game, &glasstide.demo.start);
     forward(&p, &glasstide, &r, 900);
-    assert_true(rewind_to(&p, r.b, 700, false));
+    assert_true(rewind_to(&p, r.b, 700));
     for (uint32_t f = 0; f < 700; f++)
         rig_tick(&straight, glasstide.pads[f]);
     for (int i = 0; i < 200; i++) {
@@ -273,17 +273,17 @@ static void taking_over(void **state)
     }
     assert_true(board_hash(r.b) == board_hash(straight.b));
     assert_true(board_hash(r.b) != glasstide.hash[900]);
-    assert_false(rewind_to(&p, r.b, 901, false)); /* never was */
+    assert_false(rewind_to(&p, r.b, 901)); /* never was */
     assert_int_equal(board_frame(r.b), 900);
-    assert_true(rewind_to(&p, r.b, 650, false)); /* the past before is the old one */
+    assert_true(rewind_to(&p, r.b, 650)); /* the past before is the old one */
     same_frame(&glasstide, &r, 650);
-    assert_true(rewind_to(&p, r.b, 900, false));
+    assert_true(rewind_to(&p, r.b, 900));
     assert_true(board_hash(r.b) == board_hash(straight.b));
     rewind_drop(&p, 800);
     assert_int_equal(rewind_end(&p), 800);
-    assert_false(rewind_to(&p, r.b, 801, false));
+    assert_false(rewind_to(&p, r.b, 801));
     rewind_forget(&p);
-    assert_false(rewind_to(&p, r.b, 700, false));
+    assert_false(rewind_to(&p, r.b, 700));
     rewind_close(&p);
     rig_free(&r);
     rig_free(&straight);
@@ -305,8 +305,8 @@ static void another_place(void **state)
     assert_int_equal(rewind_first(&p), 105);
     assert_int_equal(rewind_end(&p), 106);
     rig_tick(&r, none);
-    assert_false(rewind_to(&p, r.b, 100, false));
-    assert_true(rewind_to(&p, r.b, 105, false));
+    assert_false(rewind_to(&p, r.b, 100));
+    assert_true(rewind_to(&p, r.b, 105));
     assert_int_equal(board_frame(r.b), 105);
     rewind_close(&p);
     rig_free(&r);
@@ -341,12 +341,12 @@ static void back_from_a_fault(void **state)
     assert_int_equal(dead, 150);
     for (int again = 0; again < 3; again++) {
         for (uint32_t f = dead + 1; f-- > 0; f -= f % 7 ? 0 : f / 9) {
-            assert_true(rewind_to(&p, r.b, f, false));
+            assert_true(rewind_to(&p, r.b, f));
             rig_sound(&r);
             assert_int_equal(board_frame(r.b), f);
             assert_true(board_hash(r.b) == hash[f]);
         }
-        assert_false(rewind_to(&p, r.b, dead + 1, again == 1));
+        assert_false(rewind_to(&p, r.b, dead + 1));
         assert_non_null(rig_fault(&r));
         assert_string_equal(rig_fault(&r)->message, "main.lua:3: the end");
     }
@@ -388,7 +388,7 @@ static void back_before_a_reset(void **state)
     hash[400] = board_hash(r.b);
     for (int i = 0; i < 600; i++) {
         uint32_t to = (uint32_t)rng_below(&rng, 401);
-        assert_true(rewind_to(&p, r.b, to, false));
+        assert_true(rewind_to(&p, r.b, to));
         assert_true(board_frame(r.b) == to && board_hash(r.b) == hash[to]);
     }
     rewind_close(&p);
@@ -421,7 +421,7 @@ static void lean(size_t budget, uint64_t one_in, int steps)
             rig_tick(&r, glasstide.pads[f]);
         } else if (p.n > 0 && board_frame(r.b) <= lean_end(&p)) {
             uint32_t first = lean_first(&p), span = lean_end(&p) - first, most = span < 90 ? span : 90;
-            assert_true(lean_to(&p, r.b, lean_end(&p) - (uint32_t)rng_below(&rng, most + 1), false));
+            assert_true(lean_to(&p, r.b, lean_end(&p) - (uint32_t)rng_below(&rng, most + 1)));
         }
         same_frame(&glasstide, &r, board_frame(r.b));
         in_budget(&p);

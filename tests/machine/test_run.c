@@ -28,7 +28,7 @@ static void power(struct game *g, const struct board_start *start)
     assert_true(cart_open(&g->cart, &g->image.rom, err, sizeof err));
     assert_true(board_size(&g->image.rom, &size, err, sizeof err));
     g->ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    g->b = board_power(g->ram, size, &g->image.rom, start, false, err, sizeof err);
+    g->b = board_power(g->ram, size, &g->image.rom, start, err, sizeof err);
     assert_non_null(g->b);
     assert_null(board_last(g->b)->fault);
 }

@@ -201,7 +201,7 @@ static void test_lang(void **state)
     hash = board_hash(rig.b);
     rig_spoil(&rig);
     assert_true(board_hash(rig.b) == hash);
-    assert_null(board_power(rig.ram, rig.ram_size, &g.image.rom, &start, false, err, sizeof err));
+    assert_null(board_power(rig.ram, rig.ram_size, &g.image.rom, &start, err, sizeof err));
     assert_string_equal(err, "language \"fr\": the game has no lang/fr.txt");
     end();
 }

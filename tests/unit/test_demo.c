@@ -101,7 +101,7 @@ static int teardown(void **state)
 
 static struct board *power(const struct board_start *start)
 {
-    struct board *b = board_power(ram, ram_size, &rom, start, false, err, sizeof err);
+    struct board *b = board_power(ram, ram_size, &rom, start, err, sizeof err);
 
     if (b == NULL || board_last(b)->fault != NULL)
         fail_msg("%s", b ? board_last(b)->fault->message : err);
@@ -492,7 +492,7 @@ static void test_nonsense(void **state)
     refused_with(n, second + 9, 0xff, "damaged (pads)");  /* a run far longer than the second */
     refused_with(n, second + 11, 0x80, "damaged (pads)"); /* a button that is none */
     refused_with(n, end, 99, "damaged (end mark)");
-    refused_with(n, end + 4, FAULT_INTERRUPTED, "damaged (end mark)");
+    refused_with(n, end + 4, FAULT_LOOP + 1, "damaged (end mark)");
     refused_with(n, end + 4, FAULT_SCRIPT, "the end does not match the track");
     demo_free(&w.demo);
 }
@@ -806,7 +806,7 @@ static void test_lang(void **state)
     static const char bad[] = { '\n', 127, (char)0xe9 };
     for (size_t i = 0; i < sizeof bad; i++) {
         start.lang[1] = bad[i];
-        assert_null(board_power(ram, ram_size, &rom, &start, false, err, sizeof err));
+        assert_null(board_power(ram, ram_size, &rom, &start, err, sizeof err));
         assert_non_null(strstr(err, "a language: expected printable ASCII"));
     }
 }

@@ -438,7 +438,7 @@ static struct bed bed_open(const char *text)
     t.image = packed(false);
     assert_true(board_size(&t.image.rom, &size, err, sizeof err));
     t.ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    t.b = board_power(t.ram, size, &t.image.rom, &start, true, err, sizeof err);
+    t.b = board_power(t.ram, size, &t.image.rom, &start, err, sizeof err);
     assert_non_null(t.b);
     if (board_last(t.b)->fault != NULL)
         fail_msg("%s", board_last(t.b)->fault->message);

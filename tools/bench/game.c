@@ -29,7 +29,7 @@ static void piano_open(struct player_piano *p, const struct rom *rom, const stru
     if (!board_size(rom, &size, err, sizeof err))
         report_fail(err);
     p->ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    if (!p->ram || !(p->b = board_power(p->ram, size, rom, &demo->start, false, err, sizeof err)))
+    if (!p->ram || !(p->b = board_power(p->ram, size, rom, &demo->start, err, sizeof err)))
         report_fail(p->ram ? err : "out of memory");
     board_screen(p->b, &w, &h);
     p->mem = malloc(fb_size(w, h));

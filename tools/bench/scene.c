@@ -148,7 +148,7 @@ static bool power(struct scene *s, const struct scene_want *want, char *err, siz
     s->ram = aligned_alloc(RAM_ALIGN, (s->ram_size + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN);
     if (!s->ram)
         return false;
-    s->b = board_power(s->ram, s->ram_size, &s->image.rom, &start, false, err, err_size);
+    s->b = board_power(s->ram, s->ram_size, &s->image.rom, &start, err, err_size);
     if (!s->b)
         return false;
     board_screen(s->b, &w, &h);

@@ -44,7 +44,7 @@ static void stand_open(struct stand *s)
     for (int i = 0; i < cart.m.n_dips; i++)
         start.dip[i] = cart.m.dips[i].value;
     s->ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    if (!s->ram || !(s->b = board_power(s->ram, size, &s->image.rom, &start, false, err, sizeof err)))
+    if (!s->ram || !(s->b = board_power(s->ram, size, &s->image.rom, &start, err, sizeof err)))
         report_fail(s->ram ? err : "out of memory");
     board_screen(s->b, &w, &h);
     s->mem = malloc(fb_size(w, h));

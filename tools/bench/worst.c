@@ -130,7 +130,6 @@ uint64_t worst_run(struct board *b, const struct worst *w, const char **fault)
     lua_State *L = b->vm.L;
 
     running = w;
-    board_count(b, true);
     vm_begin(b, WORST_LIMIT);
     *fault = vm_call(b, run) ? NULL : b->output->fault.message;
     lua_rawgetp(L, LUA_REGISTRYINDEX, &times_key);

@@ -157,7 +157,6 @@ static void record(struct run *r, const char *path, int prints, struct tally *t)
     if (!trial_again(&r->t, err, sizeof err))
         bot_fail(err);
     struct board *b = r->t.b;
-    board_count(b, false);
     if (!demo_begin(&w, path, r->cart, b, &r->start, 0) || !demo_prints(&w, (enum demo_prints)prints))
         bot_fail(w.err);
     while (board_frame(b) < r->limit) {

@@ -143,7 +143,7 @@ static bool power(struct board_game *g, char *err, size_t err_size)
         snprintf(err, err_size, "no memory");
         return false;
     }
-    g->b = board_power(g->ram, size, &g->image.rom, &start, false, err, err_size);
+    g->b = board_power(g->ram, size, &g->image.rom, &start, err, err_size);
     if (!g->b)
         return false;
     if (board_last(g->b)->fault) {

@@ -180,7 +180,7 @@ static bool open_game(struct scene *s, char *err, size_t err_size)
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     start.practice.invincible = section[0] != 0;
     s->ram = room_for(s->ram_size);
-    s->b = board_power(s->ram, s->ram_size, &game.rom, &start, false, err, err_size);
+    s->b = board_power(s->ram, s->ram_size, &game.rom, &start, err, err_size);
     if (!s->b)
         return false;
     board_screen(s->b, &w, &h);

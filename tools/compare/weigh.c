@@ -89,7 +89,7 @@ static struct board *load(struct weigh *w, int loads)
 
     for (int i = 0; i < loads; i++) {
         double from = now();
-        b = board_power(w->ram, w->ram_size, &w->rom, &w->start, false, err, sizeof err);
+        b = board_power(w->ram, w->ram_size, &w->rom, &w->start, err, sizeof err);
         double took = now() - from;
         if (!b)
             fail(err);

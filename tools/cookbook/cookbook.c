@@ -188,10 +188,9 @@ static bool run(const struct cookbook *c, const char *page, long frame, long ste
     char err[512];
 
     snprintf(start.practice.section, sizeof start.practice.section, "%s", page);
-    struct board *b = board_power(c->ram, c->ram_size, &c->image.rom, &start, true, err, sizeof err);
+    struct board *b = board_power(c->ram, c->ram_size, &c->image.rom, &start, err, sizeof err);
     if (!b)
         fail(err);
-    board_count(b, false);
     bool fine = sound(page, b);
     if (c->dir)
         strip_open(&strip, c, b);

@@ -54,7 +54,7 @@ static void *power(void *of)
     struct need *n = of;
     char err[512];
 
-    n->board = board_power(n->ram, n->ram_size, &n->image.rom, &n->start, true, err, sizeof err);
+    n->board = board_power(n->ram, n->ram_size, &n->image.rom, &n->start, err, sizeof err);
     if (!n->board)
         fail(err);
     return NULL;

@@ -97,10 +97,9 @@ static void open_own(struct own *o, const void *rom, size_t size, const char *se
         start.dip[i] = m->dips[i].value;
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     start.practice.invincible = true;
-    o->b = board_power(room_for(ram), ram, &o->rom, &start, true, err, sizeof err);
+    o->b = board_power(room_for(ram), ram, &o->rom, &start, err, sizeof err);
     if (!o->b)
         fail(err);
-    board_count(o->b, false);
     o->scratch = room_for(board_scratch(o->b));
     o->tables = room_for(board_sound_tables());
     board_sound_open(o->tables);
@@ -147,7 +146,7 @@ static struct curtain *open_library(const struct curtain_config *how, void **mem
 
 static void frames(const void *plain, size_t size, const char *section)
 {
-    struct curtain_config how = { .rom = plain, .rom_size = size, .seed = 1, .section = section, .alarm = true };
+    struct curtain_config how = { .rom = plain, .rom_size = size, .seed = 1, .section = section };
     static struct own own;
     double mine[TURNS], its[TURNS], ratio[TURNS];
     void *memory;

@@ -153,20 +153,20 @@ static bool eval(struct board *b, const char *line, struct values *values, char 
 {
     struct output *o = b->output;
     struct board_out was = o->out;
-    bool counting = b->vm.counting;
     struct host host;
 
-    assert(o->fault.kind == FAULT_NONE);
+    if (o->fault.kind != FAULT_NONE) {
+        snprintf(out, size, "%s", o->fault.message);
+        return false;
+    }
     host_enter(&host);
     o->line = line;
     o->values = values;
     o->log_size = 0;
     vm_begin(b, EVAL_LIMIT);
-    board_count(b, true);
     bool fine = vm_call(b, run_line) && vm_call(b, events_run);
     snprintf(out, size, "%.*s", fine ? (int)o->log_size : -1, fine ? o->log : without_place(o->fault.message));
     b->vm.limit = WORK_LIMIT;
-    board_count(b, counting);
     o->line = NULL;
     o->values = NULL;
     o->log_size = 0;

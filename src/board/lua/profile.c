@@ -111,7 +111,8 @@ static void on_instruction(lua_State *L, lua_Debug *ar)
     p->now = find_line(p, L, ar);
     p->now->instructions++;
     p->all.instructions++;
-    vm_charge(L, 1);
+    if (--vm->left == 0)
+        vm_look(L, ar);
     p->seen = vm->work;
 }
 
@@ -143,5 +144,4 @@ void board_profile(struct board *b, struct profile *p)
         p->now = NULL;
         pause(&b->vm);
     }
-    board_count(b, p != NULL);
 }

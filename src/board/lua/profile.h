@@ -39,8 +39,8 @@ struct profile {
     uint64_t seen, allocated;
 };
 
-/* Counts from now on into p, zeroes at first; NULL: no more. Call it after power-on and after a restore. Meanwhile a
- * tick counts its instructions as after board_count(b, true), and so must not be interrupted. */
+/* Counts from now on into p, zeroes at first; NULL: no more. Call it after power-on and after a restore. An
+ * endless loop is found as it is without. */
 void board_profile(struct board *b, struct profile *p);
 
 /* A line's work in all: instructions and calls. */

@@ -178,7 +178,6 @@ bool trial_script(void *memory, const struct trial_host *host, const char *chunk
     bool good = vm_open(&t->board, (uint8_t *)memory + trial_size() - TRIAL_HEAP, TRIAL_HEAP);
     if (good) {
         vm_begin(&t->board, TRIAL_WORK);
-        board_count(&t->board, true);
         good = vm_call(&t->board, run_script);
     }
     host_leave(&settings);

@@ -253,7 +253,7 @@ static void note_rooms(struct measure *m, const struct board *b)
     m->lua_peak = m->lua_peak > board_lua_peak(b) ? m->lua_peak : board_lua_peak(b);
 }
 
-/* Nothing is timed, so that counting may take as long as it likes: no alarm rings. */
+/* Nothing is timed, so that counting may take as long as it likes. */
 static enum result count_round(struct player *p)
 {
     struct profile *profile = &p->m->profile;

@@ -1,12 +1,6 @@
 /*
- * guard.h - a board, its RAM and its past; endless loops are found without counting every instruction.
+ * guard.h - a board, its RAM, and its past if that is wanted.
  * floor: cab
- *
- * Counting a tick's VM instructions costs up to 2.3 times on tight loops, so it is done only when a tick takes
- * suspiciously long: plat_alarm interrupts it, the guard goes back to the last key frame of its past and runs the
- * frames since again, counting. Over 2 * 10^8 in one tick is FAULT_LOOP (a server of 2.6 GHz takes 0.6 s for so many);
- * under it the machine is only slow, and the run goes on as if nothing had happened. The clock decides whether to look,
- * never what is found. Loading always counts, and so does a host without alarms.
  */
 #ifndef CAB_GUARD_H
 #define CAB_GUARD_H
@@ -14,24 +8,14 @@
 #include "../../board/board.h"
 #include "rewind.h"
 
-/* A tick that runs longer is looked at. Tests of the guards lower it. */
-#ifndef GUARD_MS
-#define GUARD_MS 200
-#endif
-
-enum { GUARD_COUNTS = 60 /* frames, once a tick was interrupted */ };
-
 struct guard {
     const struct rom *rom;
     struct board *board;
     void *block; /* malloc; RAM is the 64-byte aligned part of it */
     void *ram;
     size_t ram_size;
-    struct rewind past; /* one key frame, unless guard_remember said more */
-    bool counting;
-    int counts; /* frames left to count */
-    int ms;     /* GUARD_MS; tests lower it */
-    uint32_t interrupts;
+    struct rewind past; /* empty before guard_remember */
+    bool remembers;
     void (*before)(void *context); /* called before each tick; may be NULL */
     void *context;
 };
@@ -44,11 +28,11 @@ bool guard_power(struct guard *g, const struct rom *rom, const struct board_star
  * afterwards the guard is closed. */
 bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size);
 
-/* board_tick, and never FAULT_INTERRUPTED. */
+/* board_tick, which the past remembers. */
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS]);
 
-/* Ticks once for somebody who has a snapshot and goes back to it: the past is not told, and nobody measures the phases.
- * False: the tick faulted, or it takes too long. */
+/* Ticks once for a caller that has a snapshot and restores it: the past does not remember this tick, and nobody measures
+ * its phases. False: the tick ended in a fault. */
 bool guard_ahead(struct guard *g, const uint16_t pads[PADS]);
 
 /* Forgets the past: call it after board_restore or anything else that changed the board between frames. */

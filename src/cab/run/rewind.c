@@ -255,7 +255,7 @@ const uint16_t *rewind_pads(const struct rewind *r, uint32_t frame)
     return pads_of(r, frame);
 }
 
-bool rewind_to(struct rewind *r, struct board *b, uint32_t frame, bool count)
+bool rewind_to(struct rewind *r, struct board *b, uint32_t frame)
 {
     if (r->n == 0 || frame < rewind_first(r) || frame > r->end)
         return false;
@@ -266,7 +266,6 @@ bool rewind_to(struct rewind *r, struct board *b, uint32_t frame, bool count)
         from = k->frame;
         fill = fill_apart(r, frame - from, k->room);
     }
-    board_count(b, count);
     for (uint32_t f = from; f < frame; f++) {
         if (fill && f > from && (f - from) % fill == 0)
             put_key(r, b);

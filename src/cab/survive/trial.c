@@ -142,7 +142,7 @@ bool trial_again(struct trial *t, char *err, size_t err_size)
     t->starts = 0;
     t->moved = t->astray = t->touched = false;
     t->ship = (struct danger_ship){ 0 };
-    t->b = board_power(ram, t->size, t->rom, t->start, true, err, err_size);
+    t->b = board_power(ram, t->size, t->rom, t->start, err, err_size);
     return t->b != NULL;
 }
 
@@ -318,7 +318,6 @@ bool trial_save(const struct trial *t, struct trial_mark *m)
 void trial_restore(struct trial *t, const struct trial_mark *m)
 {
     board_restore(t->b, m->at);
-    board_count(t->b, true);
     t->ship = m->ship;
     t->starts = m->starts;
 }
