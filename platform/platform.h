@@ -171,12 +171,6 @@ void plat_icon(const uint8_t *rgba, int w, int h);
  * was. */
 bool plat_dropped(char *path, size_t size);
 
-/* Calls fn(context) once, ms from now, on the thread that armed it (from a signal handler: fn may do little); 0
- * cancels, and once that has returned fn is not called. One alarm at a time. A host that looks after us itself may keep
- * fn and context and call them when a frame takes too long for it. False: there are no alarms: then instructions are
- * counted. */
-bool plat_alarm(int ms, void (*fn)(void *context), void *context);
-
 /* Says what is plugged in as number i of plat_input.controllers, from 0. False: nothing. A number stays a controller's
  * while it is plugged in. The default knows of none: each is there, unknown, without a name, and never goes. */
 bool plat_controller(int i, struct plat_controller *controller);

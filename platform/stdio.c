@@ -3,8 +3,8 @@
  * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A compiler without weak symbols leaves those
- * out that the port has, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _LOOP, _ALARM, _CONTROLLER,
- * _SOUND, _LOG, _NAME, _PROGRAM, _CRASH, _ABOUT, _SYSTEM and _FILES (path, size, load, save, append, remove, list and
+ * out that the port has, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _LOOP, _CONTROLLER, _SOUND,
+ * _LOG, _NAME, _PROGRAM, _CRASH, _ABOUT, _SYSTEM and _FILES (path, size, load, save, append, remove, list and
  * runnable together).
  */
 #if defined(__unix__) || defined(__APPLE__) || defined(__HAIKU__) || defined(__wasi__)
@@ -32,9 +32,7 @@
 #include <unistd.h>
 #endif
 #ifdef PROCESSES
-#include <pthread.h>
 #include <signal.h>
-#include <sys/time.h>
 #include <sys/utsname.h>
 #endif
 #ifdef __linux__
@@ -224,60 +222,6 @@ DEFAULT bool plat_beside(const char *path, char *name, size_t size)
     return false;
 #endif
 }
-#endif
-
-/* ---- alarm ---- */
-
-#ifndef PLAT_OWN_ALARM
-#ifdef PROCESSES
-/* SIGALRM is sent to the process and may land on any thread (SDL has some), so the handler passes it on to the one that
- * armed. */
-static pthread_t alarm_thread;
-static void (*volatile alarm_call)(void *context);
-static void *volatile alarm_context;
-
-static void alarm_rings(int sig)
-{
-    int saved = errno;
-    if (!pthread_equal(pthread_self(), alarm_thread)) {
-        pthread_kill(alarm_thread, sig);
-    } else {
-        void (*fn)(void *) = alarm_call;
-        alarm_call = 0;
-        if (fn)
-            fn(alarm_context);
-    }
-    errno = saved;
-}
-
-DEFAULT bool plat_alarm(int ms, void (*fn)(void *context), void *context)
-{
-    struct itimerval when = { 0 };
-    if (ms <= 0) {
-        alarm_call = 0;
-        return setitimer(ITIMER_REAL, &when, 0) == 0;
-    }
-    struct sigaction act = { 0 };
-    act.sa_handler = alarm_rings;
-    act.sa_flags = SA_RESTART;
-    alarm_thread = pthread_self();
-    if (sigaction(SIGALRM, &act, 0) != 0)
-        return false;
-    alarm_context = context;
-    alarm_call = fn;
-    when.it_value.tv_sec = ms / 1000;
-    when.it_value.tv_usec = ms % 1000 * 1000;
-    return setitimer(ITIMER_REAL, &when, 0) == 0;
-}
-#else
-DEFAULT bool plat_alarm(int ms, void (*fn)(void *context), void *context)
-{
-    (void)ms;
-    (void)fn;
-    (void)context;
-    return false;
-}
-#endif
 #endif
 
 /* ---- names ---- */

@@ -1,13 +1,10 @@
-/* test_stdio.c - the defaults of the platform seam: files, folders, the alarm. Works in a folder of its own under
- * TMPDIR. */
+/* test_stdio.c - the defaults of the platform seam: files, folders. Works in a folder of its own under TMPDIR. */
 #define _XOPEN_SOURCE 700
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <fcntl.h>
-#include <pthread.h>
-#include <sched.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -448,52 +445,6 @@ static void a_failed_save_leaves_all(void **state)
     assert_int_equal(plat_size("dir/taken/file"), 1);
 }
 
-static volatile sig_atomic_t rang, wrong_thread;
-static pthread_t main_thread;
-
-static void ring(void *count)
-{
-    ++*(volatile sig_atomic_t *)count;
-    if (!pthread_equal(pthread_self(), main_thread))
-        wrong_thread = 1;
-}
-
-static void *idle(void *stop)
-{
-    while (!*(volatile int *)stop)
-        sched_yield();
-    return 0;
-}
-
-/* The signal is raised, not waited for: on another thread, which must pass it on to the one that armed. */
-static void the_alarm_rings_where_it_was_armed(void **state)
-{
-    pthread_t other;
-    int stop = 0;
-    (void)state;
-    main_thread = pthread_self();
-    assert_int_equal(pthread_create(&other, 0, idle, &stop), 0);
-    assert_true(plat_alarm(1000000, ring, (void *)&rang));
-    pthread_kill(other, SIGALRM);
-    while (!rang)
-        sched_yield();
-    assert_int_equal(wrong_thread, 0);
-    raise(SIGALRM); /* only once */
-    assert_int_equal(rang, 1);
-    assert_true(plat_alarm(1000000, ring, (void *)&rang));
-    raise(SIGALRM);
-    assert_int_equal(rang, 2);
-    assert_true(plat_alarm(1000000, ring, (void *)&rang));
-    assert_true(plat_alarm(0, NULL, NULL));
-    raise(SIGALRM);
-    assert_int_equal(rang, 2);
-    stop = 1;
-    pthread_join(other, 0);
-    assert_true(plat_alarm(1, ring, (void *)&rang));
-    while (rang < 3)
-        sched_yield();
-}
-
 /* Sizes, pitches and places of any kind: as pixel by pixel, and nothing between the rows. */
 static void pictures_become_colours(void **state)
 {
@@ -544,7 +495,6 @@ int main(void)
         cmocka_unit_test(programs),
         cmocka_unit_test(same_files),
         cmocka_unit_test(a_failed_save_leaves_all),
-        cmocka_unit_test(the_alarm_rings_where_it_was_armed),
     };
     return cmocka_run_group_tests(tests, into_folder, out_of_folder);
 }
