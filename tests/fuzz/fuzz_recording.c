@@ -61,7 +61,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     if (size)
         memcpy(copy, data, size);
-    if (recording_read(name, copy, size, &pcm, err, sizeof err)) {
+    if (recording_read(name, copy, size, &own, &pcm, err, sizeof err)) {
         if (recording_prepare(&pcm, &own, err, sizeof err))
             make(&pcm);
         else

@@ -50,7 +50,7 @@ static void check_recording(struct check *c, const struct art_sound *s)
 
     if (!art_is_recording(s->file) || !tree_has(&c->files, s->file) || !check_load(c, s->file, TREE_FILE, &data, &n))
         return;
-    bool good = recording_read(s->file, data, n, &p, why, sizeof why);
+    bool good = recording_read(s->file, data, n, &s->loop, &p, why, sizeof why);
     free(data);
     if (good) {
         flaws_of_frames(&p, &f);

@@ -566,7 +566,7 @@ static bool add_recording(struct packer *p, const struct art_sound *s, bool musi
 
     if (!load_named(p, s->file, TREE_FILE, &data, &n))
         return false;
-    bool good = recording_read(s->file, data, n, &pcm, why, sizeof why);
+    bool good = recording_read(s->file, data, n, &s->loop, &pcm, why, sizeof why);
     free(data);
     if (good) {
         good = recording_prepare(&pcm, &s->loop, why, sizeof why) && make_recording(p, s, &pcm, music, why, sizeof why);

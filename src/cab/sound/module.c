@@ -1,7 +1,8 @@
 /*
- * module.c - see module.h. The first pass begins in silence; in the second what rings from the first one's end is heard
- * too, so that the third one is, as a rule, the second one to the last bit. Then that is the loop. Where it is the end
- * of the first pass too it is not kept twice.
+ * module.c - see module.h. The first pass starts in silence; the second also has what still rings from the end of the
+ * first, so the third usually equals the second to the last bit. Then that one is the loop. A loop that is already the
+ * end of what came before is not stored twice. If no pass equals the one before, or the next one is too long to store,
+ * the last pass loops as it is.
  */
 #include "module.h"
 
@@ -20,9 +21,9 @@
 
 #ifndef HAS_OPENMPT
 
-bool module_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, char *err, size_t err_size)
 {
-    (void)data, (void)n;
+    (void)data, (void)n, (void)loops;
     *out = (struct pcm){ .loop = -1, .loop_end = -1 };
     return err_set(err, err_size,
                    "this curtain was built without libopenmpt, which reads tracker modules "
@@ -84,39 +85,44 @@ static bool ends_with(const struct pcm *p, const struct pcm *pass)
            memcmp(p->frames + (size_t)(p->n - pass->n) * PCM_CHANNELS, pass->frames, pass->n * frame) == 0;
 }
 
-/* Passes until one is as the one before, which becomes the loop. */
-static bool read_passes(const struct functions *f, openmpt_module *module, struct pcm *out, char *err, size_t err_size)
+/* Adds passes until one equals the one before, which becomes the loop. */
+static bool read_loop(const struct functions *f, openmpt_module *module, struct pcm *out, char *err, size_t err_size)
 {
-    bool good = true, found = false;
+    bool good = true, more = true;
 
-    for (int i = 0; good && !found && i < PASSES; i++) {
+    out->loop = 0;
+    for (int i = 1; good && more && i < PASSES; i++) {
         struct pcm pass;
         good = read_pass(f, module, &pass, err, err_size);
-        found = good && i > 0 && ends_with(out, &pass);
-        if (good)
-            out->loop = found ? (int64_t)out->n - pass.n : out->n;
-        if (good && !found && !pcm_join(out, &pass))
-            good = err_set(err, err_size, "too long: %d passes have more than %d frames", i + 1, (int)SAMPLE_MOST);
-        if (i == 0)
-            out->once = out->n;
+        if (good && ends_with(out, &pass)) {
+            out->loop = (int64_t)out->n - pass.n;
+            more = false;
+        } else if (good) {
+            const uint32_t start = out->n;
+            more = pcm_join(out, &pass);
+            if (more)
+                out->loop = start;
+        }
         pcm_free(&pass);
     }
     return good;
 }
 
-static bool decode(const struct functions *f, openmpt_module *module, struct pcm *out, char *err, size_t err_size)
+static bool decode(const struct functions *f, openmpt_module *module, bool loops, struct pcm *out, char *err,
+                   size_t err_size)
 {
     const double seconds = f->duration(module), most = (double)SAMPLE_MOST / SND_RATE;
 
     if (!(seconds > 0 && seconds <= most))
         return err_set(err, err_size, "expected music of at most %.0f s, got %.1f", most, seconds);
-    out->channels = PCM_CHANNELS;
-    out->rate = SND_RATE;
-    out->tempo = f->tempo(module);
-    return read_passes(f, module, out, err, err_size);
+    const double tempo = f->tempo(module); /* of its start */
+    if (!read_pass(f, module, out, err, err_size))
+        return false;
+    out->tempo = tempo;
+    return !loops || read_loop(f, module, out, err, err_size);
 }
 
-bool module_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, char *err, size_t err_size)
 {
     static const openmpt_module_initial_ctl ctls[] = { { "play.at_end", "continue" }, { NULL, NULL } };
     struct functions f;
@@ -127,7 +133,7 @@ bool module_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size
     openmpt_module *module = f.open(data, n, NULL, NULL, ignore, NULL, NULL, NULL, ctls);
     if (!module)
         return err_set(err, err_size, "libopenmpt knows no module in it, or a damaged one");
-    const bool good = decode(&f, module, out, err, err_size);
+    const bool good = decode(&f, module, loops, out, err, err_size);
     f.close(module);
     if (!good)
         pcm_free(out);

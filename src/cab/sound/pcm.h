@@ -17,7 +17,6 @@ struct pcm {
     uint32_t rate;
     int channels;
     uint32_t clipped, clipped_at; /* samples that were louder than full scale; the frame of the first */
-    uint32_t once;                /* frames of it that are heard where it does not loop; 0: all */
     double tempo;                 /* beats a minute, if the file says it; else 0 */
     int64_t loop, loop_end;       /* frames; loop_end is the one behind its last. loop -1: none; loop_end -1: the end */
 };

@@ -28,14 +28,39 @@ static bool ends(const char *s, const char *tail)
     return n > m && strcmp(s + n - m, tail) == 0;
 }
 
-bool recording_read(const char *file, const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+/* Taggers put ID3 tags around any file: version 2 in front, with its length in four bytes of seven bits each, and
+ * version 1, 128 bytes, at the end. Source: id3.org, "ID3 tag version 2.4.0", section 3.1. */
+static void skip_id3(const uint8_t **data, size_t *n)
+{
+    enum { HEAD = 10, HAS_FOOTER = 16, TAIL = 128 };
+    const uint8_t *p = *data;
+
+    if (*n > HEAD && memcmp(p, "ID3", 3) == 0 && p[3] < 0xff && p[4] < 0xff) {
+        const size_t body =
+            (size_t)(p[6] & 127) << 21 | (size_t)(p[7] & 127) << 14 | (size_t)(p[8] & 127) << 7 | (size_t)(p[9] & 127);
+        const size_t tag = HEAD + body + (p[5] & HAS_FOOTER ? HEAD : 0);
+        if (tag < *n) {
+            *data += tag;
+            *n -= tag;
+        }
+    }
+    if (*n > TAIL && memcmp(*data + *n - TAIL, "TAG", 3) == 0)
+        *n -= TAIL;
+}
+
+bool recording_read(const char *file, const uint8_t *data, size_t n, const struct art_loop *loop, struct pcm *out,
+                    char *err, size_t err_size)
 {
     static const char *const library[] = { ".ogg", ".oga", ".opus", ".flac" };
+    const bool wav = ends(file, ".wav");
+    bool sndfile = false;
 
     for (size_t i = 0; i < sizeof library / sizeof *library; i++)
-        if (ends(file, library[i]))
-            return sndfile_read(data, n, out, err, err_size);
-    return ends(file, ".wav") ? wav_read(data, n, out, err, err_size) : module_read(data, n, out, err, err_size);
+        sndfile |= ends(file, library[i]);
+    if (!wav && !sndfile)
+        return module_read(data, n, loop->kind == LOOP_OF_FILE, out, err, err_size);
+    skip_id3(&data, &n);
+    return (wav ? wav_read : sndfile_read)(data, n, out, err, err_size);
 }
 
 bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, size_t err_size)
@@ -43,7 +68,6 @@ bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, si
     const double each = loop->seconds ? p->rate : 1;
 
     if (loop->kind != LOOP_OF_FILE) {
-        p->n = p->once ? p->once : p->n;
         p->loop = loop->kind == LOOP_NONE ? -1 : 0;
         p->loop_end = -1;
     }

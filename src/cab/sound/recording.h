@@ -8,8 +8,10 @@
 #include "../../board/rom/manifest.h"
 #include "pcm.h"
 
-/* Reads a file's bytes by the ending of its name; pcm_free what it gives. False and one sentence without its name. */
-bool recording_read(const char *file, const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size);
+/* Reads a file's bytes by the ending of its name, for this loop; pcm_free what it gives. ID3 tags around the file are
+ * skipped. False and one sentence without its name. */
+bool recording_read(const char *file, const uint8_t *data, size_t n, const struct art_loop *loop, struct pcm *out,
+                    char *err, size_t err_size);
 
 /* Sets the loop that rom.lua says, if it says one, and makes p ready: pcm_prepare. False and one sentence. */
 bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, size_t err_size);

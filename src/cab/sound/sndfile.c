@@ -99,6 +99,7 @@ static sf_count_t memory_tell(void *user)
 /* ---- a recording ---- */
 
 enum { PART = 1024 /* frames at a time */ };
+#define LENGTH_UNKNOWN INT64_MAX /* of a FLAC file that a program wrote into a pipe */
 
 static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t promised, struct pcm *out, char *err,
                         size_t err_size)
@@ -110,7 +111,7 @@ static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t pro
             return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
     if (f->error(file) != 0)
         return err_set(err, err_size, "it is damaged behind frame %" PRIu32 " (%s)", out->n, f->say(file));
-    if (out->n != promised)
+    if (promised != LENGTH_UNKNOWN && out->n != promised)
         return err_set(err, err_size, "it says that it has %" PRId64 " frames, and has %" PRIu32, (int64_t)promised,
                        out->n);
     return true;

@@ -83,14 +83,47 @@ static bool read_comments(const uint8_t *p, size_t n, struct tags *out, char *er
 
 /* ---- FLAC ---- */
 
+enum { STREAMINFO_BYTES = 34, FRAME_MOST = 1 << 20 /* bytes; 65535 samples of two channels have half as many */ };
+
+/* Does STREAMINFO, at p, state how many samples there are? 36 bits; 0 is "unknown": RFC 9639, section 8.2. */
+static bool states_length(const uint8_t *p)
+{
+    return (p[13] & 15) != 0 || bytes_get32(p + 14) != 0;
+}
+
+/* The remainder of a frame with its checksum behind it is 0: RFC 9639, section 9.3. */
+static uint16_t crc16(const uint8_t *p, size_t n)
+{
+    uint32_t crc = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        crc ^= (uint32_t)p[i] << 8;
+        for (int k = 0; k < 8; k++)
+            crc = crc << 1 ^ (crc & 0x8000 ? 0x8005u : 0);
+    }
+    return (uint16_t)crc;
+}
+
+/* Is there a whole frame at the end? Without a stated length nothing else shows that a file was cut off. */
+static bool ends_in_frame(const uint8_t *data, size_t from, size_t n)
+{
+    const size_t least = n - from > FRAME_MOST ? n - FRAME_MOST : from;
+
+    for (size_t at = n; at-- > least;)
+        if (n - at > 2 && data[at] == 0xff && (data[at + 1] & 0xfe) == 0xf8 && crc16(data + at, n - at) == 0)
+            return true;
+    return false;
+}
+
 bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size)
 {
-    bool last = false;
+    bool last = false, open = false;
+    size_t at = 4;
 
     *out = (struct tags){ "FLAC", -1, -1, -1 };
     if (n < 4 || memcmp(data, "fLaC", 4) != 0)
         return err_set(err, err_size, "expected a FLAC file (fLaC)");
-    for (size_t at = 4; !last;) {
+    while (!last) {
         if (n - at < 4)
             return err_set(err, err_size, "it ends before its samples");
         const size_t size = (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
@@ -99,10 +132,14 @@ bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_
         if (size > n - at - 4)
             return err_set(err, err_size, "block %d, of %zu bytes, at byte %zu runs past the end of the file", kind,
                            size, at);
+        if (kind == 0 && size == STREAMINFO_BYTES)
+            open = !states_length(data + at + 4);
         if (kind == 4 && !read_comments(data + at + 4, size, out, err, err_size))
             return false;
         at += 4 + size;
     }
+    if (open && !ends_in_frame(data, at, n))
+        return err_set(err, err_size, "it ends in the middle of a frame");
     return true;
 }
 

@@ -1,5 +1,7 @@
 /*
  * wav.c - see wav.h. A file is chunks: four letters, a length, that many bytes, one more if the length is odd.
+ * The length of the whole, in front of them, is ignored as players do: many programs write another one. A file that was
+ * cut off is found by its last chunk.
  */
 #include "wav.h"
 
@@ -11,7 +13,7 @@
 #include "../../snd/adpcm.h"
 
 enum { INTEGERS = 1, FLOATS = 3 };
-#define UNKNOWN UINT32_MAX /* bytes of a file that a program wrote into a pipe */
+#define UNFINISHED 0x7ffff000u /* lengths from here on, and 0, are of a program that wrote into a pipe */
 
 struct wav {
     const uint8_t *samples;
@@ -72,18 +74,25 @@ static bool read_chunks(struct wav *w, const uint8_t *data, size_t n, char *err,
     *w = (struct wav){ .loop = -1 };
     if (n < 12 || memcmp(data, "RIFF", 4) != 0 || memcmp(data + 8, "WAVE", 4) != 0)
         return err_set(err, err_size, "expected a WAV file (RIFF, WAVE)");
-    if (bytes_get32(data + 4) > n - 8 && bytes_get32(data + 4) != UNKNOWN)
-        return err_set(err, err_size, "it says that it has %" PRIu32 " bytes behind the first 8, and has %zu",
-                       bytes_get32(data + 4), n - 8);
-    for (size_t at = 12; at + 8 <= n;) {
-        const uint32_t size = bytes_get32(data + at + 4);
-        if (size > n - at - 8)
+    const uint32_t riff = bytes_get32(data + 4);
+    const bool unfinished = riff == 0 || riff >= UNFINISHED;
+    size_t at = 12;
+    while (at + 8 <= n) {
+        const size_t left = n - at - 8;
+        uint32_t size = bytes_get32(data + at + 4);
+        if (unfinished && memcmp(data + at, "data", 4) == 0 && (size == 0 || size >= UNFINISHED))
+            size = (uint32_t)left;
+        if (size > left && w->samples && at >= 8 + (size_t)riff)
+            break; /* not of the RIFF chunk */
+        if (size > left)
             return err_set(err, err_size, "chunk \"%.4s\" of %" PRIu32 " bytes runs past the end of the file",
                            (const char *)data + at, size);
         if (!read_chunk(w, data + at, size, err, err_size))
             return false;
         at += 8 + (size_t)size + (size & 1);
     }
+    if (at < n && at < 8 + (size_t)riff && !unfinished)
+        return err_set(err, err_size, "it ends in the middle of a chunk");
     if (w->bits == 0)
         return err_set(err, err_size, "it has no chunk \"fmt \"");
     if (w->samples == NULL)
