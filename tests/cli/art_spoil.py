@@ -118,7 +118,7 @@ HOWS = {
     "link_none": lambda: cel(Cel(0, None, link=5), 2),
     "index": lambda: cel(Cel(0, [[9]])),
     "palette": lambda: palette(0),
-    "palette_large": lambda: palette(257),
+    "palette_large": lambda: palette(65537),
     "tilemap": lambda: layer(kind=TILEMAP),
     "group": lambda: group(opacity=90),
     "group_blend": lambda: group(blend=1),

@@ -2,8 +2,8 @@
 """ase_make.py DIR: games that have a sprite twice, once from an .ase and once from a PNG on which this program has put
 what it must become.
 
-The layers are merged here a second time, in fractions, as the formulas of the blend modes are in books; each game's
-palette has just the colours that come of it. DIR/NAME has sprites `a` and `b`, which are to become the same lump.
+The layers are merged here a second time, with the blend modes in fractions, as books have them, and Aseprite's rounding;
+each game's palette has just the colours that come of it. DIR/NAME has sprites `a` and `b`, which are to become the same lump.
 """
 import os
 import random
@@ -27,7 +27,7 @@ MODES = {
     "burn": (7, lambda b, s: F(1) if b == 1 else F(0) if s == 0 else 1 - min(F(1), (1 - b) / s)),
     "hard_light": (8, lambda b, s: 2 * b * s if s < F(128, 255) else b + (2 * s - 1) - b * (2 * s - 1)),
     "difference": (10, lambda b, s: abs(b - s)),
-    "exclusion": (11, lambda b, s: b + s - 2 * b * s),
+    "exclusion": (11, lambda b, s: b + s - 2 * F(nearest(b * s * 255), 255)),
     "addition": (16, lambda b, s: min(F(1), b + s)),
     "subtract": (17, lambda b, s: max(F(0), b - s)),
     "divide": (18, lambda b, s: F(0) if b == 0 else F(1) if s == 0 else min(F(1), b / s)),
@@ -35,18 +35,30 @@ MODES = {
 BY_NUMBER = {number: mix for number, mix in MODES.values()}
 
 
-def over(under, colour, mode, share):
-    """The colour on another one, R G B A each from 0 to 255; fractions as long as it goes."""
-    a, comes = F(under[3], 255), F(colour[3], 255) * share
-    whole = comes + a * (1 - comes)
-    if whole == 0:
-        return (0, 0, 0, 0)
-    out = []
-    for b, s in zip(under[:3], colour[:3]):
-        b, s = F(b, 255), F(s, 255)
-        mixed = (1 - a) * s + a * BY_NUMBER[mode](b, s)
-        out.append((mixed * comes + b * a * (1 - comes)) / whole * 255)
-    return tuple(out) + (whole * 255,)
+def nearest(x):
+    return int(x + F(1, 2)) if x >= 0 else -int(-x + F(1, 2))
+
+
+def normal(under, colour):
+    """The colour on another one, R G B A each from 0 to 255. Of an opacity of `whole` the colour has a / whole."""
+    if under[3] == 0:
+        return colour
+    a = colour[3]
+    whole = a + under[3] - nearest(F(under[3] * a, 255))
+    return tuple(b + int(F((s - b) * a, whole)) for b, s in zip(under[:3], colour[:3])) + (whole,)
+
+
+def over(under, colour, mode, opacity):
+    """The same in a blend mode. Where the one below is not opaque, the blended result and the plain one are mixed."""
+    colour = colour[:3] + (nearest(F(colour[3] * opacity, 255)),)
+    plain = normal(under, colour)
+    if mode == 0 or under[3] == 0:
+        return plain
+    mixed = tuple(nearest(BY_NUMBER[mode](F(b, 255), F(s, 255)) * 255) for b, s in zip(under[:3], colour[:3]))
+    blended = normal(under, mixed + colour[3:])
+    for part in (under[3], nearest(F(under[3] * colour[3], 255))):
+        plain = tuple(p + nearest(F((b - p) * part, 255)) for p, b in zip(plain[:3], blended[:3])) + plain[3:]
+    return plain
 
 
 def colour_of(ase, layer, pixel):
@@ -79,10 +91,10 @@ def merged(ase, frame):
         for y, row in enumerate(at.pixels):
             for x, pixel in enumerate(row):
                 if 0 <= x + cel.x < ase.w and 0 <= y + cel.y < ase.h:
-                    share = F(cel.opacity, 255) * F(layer.opacity if ase.flags & 1 else 255, 255)
+                    opacity = nearest(F(cel.opacity * (layer.opacity if ase.flags & 1 else 255), 255))
                     to = picture[y + cel.y]
-                    to[x + cel.x] = over(to[x + cel.x], colour_of(ase, layer, pixel), layer.blend, share)
-    return [[tuple(int(c + F(1, 2)) for c in p) if p[3] >= 128 else (0, 0, 0, 0) for p in row] for row in picture]
+                    to[x + cel.x] = over(to[x + cel.x], colour_of(ase, layer, pixel), layer.blend, opacity)
+    return [[p if p[3] >= 128 else (0, 0, 0, 0) for p in row] for row in picture]
 
 
 def order(ase, tag):
@@ -146,6 +158,12 @@ def blends(out):
         ase.frame(Cel(0, blot(1, 8, 8, [CLEAR, RED, (90, 160, 60, 255)])),
                   Cel(1, blot(2, 8, 8, [CLEAR, BLUE, GOLD]), x=1))
         game(out + "/blend_" + name, ase, "", ", every = 6")
+        ase = Ase(8, 8)  # all of it half transparent
+        ase.layer("under", opacity=170)
+        ase.layer("over", blend=number, opacity=100)
+        ase.frame(Cel(0, blot(1, 8, 8, [(0, 0, 0, 180), RED, (90, 160, 60, 255)])),
+                  Cel(1, blot(2, 8, 8, [CLEAR, BLUE[:3] + (200,), GOLD]), x=1))
+        game(out + "/half_" + name, ase, "", ", every = 6")
 
 
 def layers(out):
@@ -173,8 +191,9 @@ def modes(out):
     ase.layer("grey")
     ase.frame(Cel(0, blot(7, 8, 6, [(0, 0), (90, 255), (200, 255), (30, 100)])))
     game(out + "/grey", ase, "", ", every = 6")
-    for name, named in (("indexed", {}), ("clear", {"clear": 3}), ("old", {"old_palette": True})):
-        ase = Ase(8, 6, mode="indexed", palette=INK, **named)
+    for name, named in (("indexed", {}), ("clear", {"clear": 3}), ("old", {"old_palette": True}),
+                        ("long", {"palette": INK + [(9, 9, 9)] * 300})):
+        ase = Ase(8, 6, mode="indexed", **{"palette": INK, **named})
         ase.layer("ground", background=name == "clear")
         ase.layer("ink")
         ase.frame(Cel(0, blot(8, 8, 6, [0, 1, 2, 3])), Cel(1, blot(9, 5, 5, [0, 3, 4]), x=-2, y=3))

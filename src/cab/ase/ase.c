@@ -17,7 +17,8 @@ enum {
     FILE_HEADER = 128,
     FRAME_HEADER = 16,
     CHUNK_HEADER = 6,
-    MAX_LEVEL = 64, /* groups in groups */
+    MAX_LEVEL = 64,        /* groups in groups */
+    MAX_PALETTE = 1 << 16, /* colours */
     CHUNK_PALETTE_OLD = 0x0004,
     CHUNK_PALETTE_OLDER = 0x0011, /* channels of 6 bits */
     CHUNK_LAYER = 0x2004,
@@ -298,11 +299,14 @@ static bool read_palette(struct reader *r)
     skip(r, 8);
     if (r->past)
         return true;
-    if (size < 1 || size > 256 || first > last || last >= size)
-        return refuse(r, "an Aseprite file with a palette of %lu colours, expected 1 to 256", (unsigned long)size);
+    if (size < 1 || size > MAX_PALETTE || first > last || last >= size)
+        return refuse(r, "an Aseprite file with a palette of %lu colours, expected 1 to %d", (unsigned long)size,
+                      MAX_PALETTE);
     for (uint32_t i = first; i <= last && !r->past; i++) {
         const int named = take16(r) & 1;
-        memcpy(a->palette[i], take(r, 4), 4);
+        const uint8_t *rgba = take(r, 4);
+        if (i < 256)
+            memcpy(a->palette[i], rgba, 4);
         if (named)
             skip(r, (size_t)take16(r));
     }
@@ -321,13 +325,10 @@ static bool read_old_palette(struct reader *r, bool six_bits)
     for (int p = 0; p < packets && !r->past; p++) {
         at += take8(r);
         const int given = take8(r), n = given ? given : 256;
-        if (at + n > 256)
-            return refuse(r, "an Aseprite file with a palette of more than 256 colours");
         for (int i = 0; i < n; i++, at++) {
             const uint8_t *rgb = take(r, 3);
-            for (int c = 0; c < 3; c++)
-                a->palette[at][c] = (uint8_t)(six_bits ? rgb[c] % 64 * 255 / 63 : rgb[c]);
-            a->palette[at][3] = 255;
+            for (int c = 0; c < 4 && at < 256; c++)
+                a->palette[at][c] = (uint8_t)(c == 3 ? 255 : six_bits ? rgb[c] % 64 * 255 / 63 : rgb[c]);
         }
         a->colours = at > a->colours ? at : a->colours;
     }

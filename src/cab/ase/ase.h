@@ -91,7 +91,7 @@ struct ase {
     int clear;       /* the transparent index */
     bool mixed;      /* something shown is blended, so that pixels of an indexed sprite have no index */
     uint8_t palette[256][4];
-    int colours;
+    int colours; /* of the file: those from 256 on have no index in a pixel, and are not stored */
     struct ase_layer *layers;
     struct ase_image *images;
     struct ase_cel *cels;
@@ -112,7 +112,7 @@ void ase_close(struct ase *a);
  * of the topmost pixels; of an indexed sprite that is not `mixed`. False and one sentence. */
 bool ase_merge(const struct ase *a, int frame, uint8_t *rgba, uint8_t *index, char *err, size_t err_size);
 
-/* A colour over another, both R G B and opacity: `over` is replaced. */
-void ase_blend(enum ase_blend mode, uint8_t over[4], const uint8_t colour[4]);
+/* A colour over another, both R G B and opacity: `under` is replaced. */
+void ase_blend(enum ase_blend mode, uint8_t under[4], const uint8_t colour[4]);
 
 #endif

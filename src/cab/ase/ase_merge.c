@@ -1,15 +1,20 @@
 /*
- * ase_merge.c - see ase.h: the layers of a frame over each other. Arithmetic is whole numbers of 255ths, rounded to the
- * nearest. A blend mode works on the colour that is there; where that is not opaque, the plain colour has the rest.
+ * ase_merge.c - see ase.h: the layers of a frame over each other. A palette must have the very colours that Aseprite
+ * shows and exports, so the arithmetic is Aseprite's, to the last bit: whole numbers of 255ths, where products are
+ * rounded to the nearest and quotients cut. Over something half transparent the result of a blend mode is mixed with
+ * the plain one twice. Source: src/doc/blend_funcs.cpp of Aseprite 1.2.18 to 1.3.
  */
 #include "ase.h"
 
 #include <string.h>
 #include "../../base/err.h"
 
+/* a * b / 255, to the nearest; a may be negative. */
 static int mul(int a, int b)
 {
-    return (a * b + 127) / 255;
+    const int t = a * b + 128;
+
+    return ((t >> 8) + t) >> 8;
 }
 
 static int least(int a, int b)
@@ -56,7 +61,7 @@ static int channel(enum ase_blend mode, int under, int over)
     case ASE_DIFFERENCE:
         return under > over ? under - over : over - under;
     case ASE_EXCLUSION:
-        return under + over - mul(2 * under, over);
+        return under + over - 2 * mul(under, over);
     case ASE_ADDITION:
         return least(255, under + over);
     case ASE_SUBTRACT:
@@ -68,17 +73,40 @@ static int channel(enum ase_blend mode, int under, int over)
     }
 }
 
-void ase_blend(enum ase_blend mode, uint8_t over[4], const uint8_t colour[4])
+/* `colour` over `under`: R G B and opacity. Quotients are cut towards 0. */
+static void put_over(const uint8_t under[4], const uint8_t colour[4], uint8_t out[4])
 {
-    const int there = over[3], comes = colour[3], part = mul(there, 255 - comes);
+    const int ours = colour[3], all = ours + under[3] - mul(under[3], ours);
 
-    if (comes == 0)
+    if (under[3] == 0) {
+        memcpy(out, colour, 4);
         return;
-    for (int c = 0; c < 3; c++) {
-        const int mixed = (channel(mode, over[c], colour[c]) * there + colour[c] * (255 - there) + 127) / 255;
-        over[c] = (uint8_t)((mixed * comes + over[c] * part + (comes + part) / 2) / (comes + part));
     }
-    over[3] = (uint8_t)(comes + part);
+    for (int c = 0; c < 3; c++)
+        out[c] = (uint8_t)(under[c] + (colour[c] - under[c]) * ours / all);
+    out[3] = (uint8_t)all;
+}
+
+/* Moves `from` towards `to`, which has the same opacity, by part / 255. */
+static void move_towards(uint8_t from[4], const uint8_t to[4], int part)
+{
+    for (int c = 0; c < 3; c++)
+        from[c] = (uint8_t)(from[c] + mul(to[c] - from[c], part));
+}
+
+void ase_blend(enum ase_blend mode, uint8_t under[4], const uint8_t colour[4])
+{
+    uint8_t plain[4], blended[4] = { 0, 0, 0, colour[3] };
+
+    put_over(under, colour, plain);
+    if (mode != ASE_NORMAL && under[3] != 0) {
+        for (int c = 0; c < 3; c++)
+            blended[c] = (uint8_t)channel(mode, under[c], colour[c]);
+        put_over(under, blended, blended);
+        move_towards(plain, blended, under[3]);
+        move_towards(plain, blended, mul(under[3], colour[3]));
+    }
+    memcpy(under, plain, 4);
 }
 
 /* The colour of a pixel of a cel; false: it is transparent, or (with a sentence) its index is none of the palette. */
