@@ -18,7 +18,6 @@ enum {
     DOCUMENT_FILE = 1 << 20,  /* bytes */
     DOCUMENT_NODES = 1 << 16, /* elements */
     DOCUMENT_NEST = 64,       /* elements in one another */
-    DOCUMENT_LABEL = 63,      /* bytes of a label */
     DOCUMENT_NONE = -1        /* no such node */
 };
 

@@ -18,11 +18,6 @@ static void read_label(struct document_reader *r, struct document_node *node, co
                          "<%s>: its label has letters beyond ASCII; save the document as UTF-8", name);
             return;
         }
-    if (n > DOCUMENT_LABEL) {
-        document_bad(r, node->line, node->column, "<%s>: expected a label of at most %d bytes, got %zu", name,
-                     (int)DOCUMENT_LABEL, n);
-        return;
-    }
     const char *kept = document_keep(r, value, n + 1);
     if (kept)
         node->label = kept;
