@@ -76,6 +76,9 @@ static void test_commands(void **state)
     EVENTS("[[c32]2 d32]2", "0i0 0n60 60o 60n60 120o 120n62 180o 180n60 240o 240n60 300o 300n62 360o 360. ");
     EVENTS("{c>g}4,8 c", "0i0 0n60 240/79 480o 480n72 960o 960. ");
     EVENTS("{{cde}}4 c", "0i0 0n60 160o 160n62 320o 320n64 480o 480n60 960o 960. ");
+    EVENTS("{{cde}}4 & c", "0i0 0n60 160o 160n62 320o 320n64 480s60 960o 960. ");
+    EVENTS("c & {{ d e }}4. & c", "0i0 0n60 480s62 840o 840n64 1200s60 1680o 1680. ");
+    EVENTS("{{cd}}4&4 {{ef}}4&", "0i0 0n60 480o 480n62 960o 960n64 1200o 1200n65 1440o 1440. ");
     EVENTS("Q4 c4 Q8 q60 c4", "0i0 0n60 240o 480n60 900o 960. ");
     EVENTS("v15 c8 V40 ( c8 p100 D50 c8 D0 K2 c8",
            "0v127 0i0 0n60 240o 240v40 240v32 240n60 480o 480p100 480n60.5 720o 720n62 960o 960. ");
@@ -163,6 +166,12 @@ static void test_mistakes(void **state)
         { "c4 & r4 & d", "x.mml:1:9: expected a note before \"&\"" },
         { "A ^4 c", "x.mml:1:3: expected a note before \"^\"" },
         { "c \xFF", "x.mml:1:3: unknown command \"?\"" },
+        { "{{cr}}4 & c", "x.mml:1:9: expected a note before \"&\"" },
+        { "c}} d", "x.mml:1:2: } without {" },
+        { "{{cd}4", "x.mml:1:1: {{ without }}" },
+        { "[c : d]2", "x.mml:1:4: unknown command \":\" (\"/\" leaves a loop)" },
+        { "c `d` e", "x.mml:1:3: unknown command \"`\" (\";\" starts a comment)" },
+        { "_M2 c", "x.mml:1:1: unknown command \"_M\" (\"K\" transposes)" },
         { "o9 c+4 b+", "x.mml:1:8: the note is too high" },
         { "x4", "x.mml:1:1: x repeats the note before, and there is none" },
         { "{cd}4,2 {c}4", "x.mml:1:1: it slides when the note is over" },

@@ -238,9 +238,24 @@ static int pitch(struct reader *r)
     return v;
 }
 
+static bool ends_group(const struct reader *r)
+{
+    return r->group_n && peek(r) == '}' && peek_at(r, 1) == '}';
+}
+
+/* Is the note before p slurred to the next one? The last note of {{ }} is by the & behind it, which end_group takes. */
 static bool slurs_on(struct reader *r)
 {
     skip(r);
+    if (ends_group(r)) {
+        const uint32_t end = r->p;
+        r->p += 2;
+        length(r);
+        skip(r);
+        const bool on = peek(r) == '&';
+        r->p = end;
+        return on;
+    }
     if (peek(r) != '&')
         return false;
     r->p++;
@@ -430,11 +445,14 @@ static void group(struct reader *r)
 
 static void end_group(struct reader *r)
 {
-    if (r->group_n == 0)
+    if (!ends_group(r))
         BAD(r, r->p, "} without {");
     r->p += 2;
     r->group_n = 0;
     length(r);
+    skip(r);
+    if (peek(r) == '&' && r->slurred)
+        r->p++;
 }
 
 /* ---- loops ---- */
@@ -699,6 +717,8 @@ static void set_transpose(struct reader *r)
 {
     const bool more = peek(r) == '_' && peek_at(r, 1) == '_';
 
+    if (peek(r) == '_' && peek_at(r, 1) == 'M')
+        BAD(r, r->p, "unknown command \"_M\" (\"K\" transposes)");
     r->p += more ? 2 : 1;
     r->transpose = number(r, "semitones", -48, 48) + (more ? r->transpose : 0);
     if (r->transpose < -48 || r->transpose > 48)
@@ -858,6 +878,10 @@ static void command(struct reader *r)
     case '^':
     case '&':
         BAD(r, r->p, "expected a note before %s", seen(r, got));
+    case ':':
+        BAD(r, r->p, "unknown command %s (\"/\" leaves a loop)", seen(r, got));
+    case '`':
+        BAD(r, r->p, "unknown command %s (\";\" starts a comment)", seen(r, got));
     default:
         BAD(r, r->p, "unknown command %s", seen(r, got));
     }
