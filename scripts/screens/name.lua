@@ -59,7 +59,7 @@ local function edit(e)
   e.signs[n] = (e.signs[n] + step) % #SIGNS
   if page.pressed("start", e.p) and n >= MIN then
     e.done = true
-  elseif page.pressed("fire", e.p) or page.stepped("right", e.p) then
+  elseif n < MAX and page.stepped("right", e.p) or page.pressed("fire", e.p) then -- right that is held ends no name
     if n == MAX then e.done = true else e.signs[n + 1] = e.signs[n] end
   elseif (page.pressed("bomb", e.p) or page.stepped("left", e.p)) and n > 1 then
     e.signs[n] = nil

@@ -181,14 +181,15 @@ local function show_form(c, ships, i)
   c.picture.sprite = shown(c, ships).sprite
 end
 
--- One frame of a column; false for back.
+-- One frame of a column; false for back. Who is ready can only go back: more presses of fire change nothing, so that
+-- even a turbo button gets from here into the game.
 local function go_on(c, ships)
   local step = c.ready and 0 or page.step("left", "right", c.switches) + page.step("up", "down", c.switches)
   if step ~= 0 then
     turn(c, ships, step)
     c.picture.sprite = shown(c, ships).sprite
-  elseif page.accepted(c.switches) and not shown(c, ships).closed then
-    local asks = not c.ready and not c.form and ships[c.at].forms
+  elseif not c.ready and page.accepted(c.switches) and not shown(c, ships).closed then
+    local asks = not c.form and ships[c.at].forms
     if asks then show_form(c, ships, first_form(c, ships[c.at])) else c.ready = true end
   elseif page.pressed("bomb", c.switches) then
     if not c.ready and (not c.form or #ships == 1) then return false end

@@ -264,6 +264,42 @@ static void test_leaving(void **state)
     close_game();
 }
 
+/* However fast fire is pressed, by hand or by a turbo button: the choices lead into the game. */
+static void test_mashed(void **state)
+{
+    static const uint16_t down[PADS] = { PAD_FIRE };
+
+    (void)state;
+    for (int every = 2; every <= 12; every++) {
+        open_game(run_all);
+        soon("PRESS START", 60);
+        for (int f = 0; f < 60 * every && !r.b->player.in[0]; f++)
+            rig_tick(&r, f % every < every / 2 ? down : (const uint16_t[PADS]){ 0 });
+        if (!r.b->player.in[0])
+            fail_msg("fire every %d frames: no game has begun", every);
+        close_game();
+    }
+}
+
+/* Right that is held fills a name, and does not end it. */
+static void test_held_in_a_name(void **state)
+{
+    static const uint16_t right[PADS] = { PAD_RIGHT };
+
+    (void)state;
+    open_game("boot.run { players = { 'heron' }, stages = { 'one' }, screens = { results = function() end,\n"
+              "  title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end,\n"
+              "  ending = function() end } }");
+    soon("YOUR NAME?", 600);
+    for (int f = 0; f < 200; f++)
+        rig_tick(&r, right);
+    assert_true(at("A A A A A A A A") >= 0 && at("YOUR NAME?") >= 0);
+    gone("READY");
+    press(PAD_FIRE, 0);
+    soon("BEST SCORES", 30);
+    close_game();
+}
+
 /* What is asked for in this frame; ASKS: nothing. */
 static enum board_ask asked(void)
 {
@@ -700,11 +736,12 @@ static void test_snapshots(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
-        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
-        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
-        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title)
+        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),          cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),      cmocka_unit_test(test_puts_back),
+        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),       cmocka_unit_test(test_opening),
+        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),         cmocka_unit_test(test_page_mistakes),
+        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots),     cmocka_unit_test(test_long_title),
+        cmocka_unit_test(test_mashed),   cmocka_unit_test(test_held_in_a_name)
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
