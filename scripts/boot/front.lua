@@ -47,24 +47,34 @@ local function expect_place(what, list)
   sys.fail("boot.run", said:format(table.concat(list, ", "), got, sys.hint(got, list)))
 end
 
--- Nobody came: a demo, the next each time, then the scores.
+local function pressed(button) return pad.take(button, 0, 1) or pad.take(button, 0, 2) end
+
+-- Nobody came: a demo, the next each time, then the scores. True: somebody pressed fire or START, and wants the menu.
 local function attract(a, show)
   local demos = a.demos or { a.demo }
   if #demos > 0 then
     a.shown = (a.shown or 0) % #demos + 1
     board.attract(demos[a.shown])
-    wait(1)
+    wait(1) -- and the board stands while it is shown; the press that ends it comes in the frame after
+    if pressed("start") or pressed("fire") then return true end
   end
-  show("scores", board.difficulty(), SCORES)
-  a.told = false
+  a.told = show("scores", board.difficulty(), SCORES) == true
+  return a.told
 end
 
--- What is told before the title: once the power is on, and each time nobody came.
+-- What is told before the title: once the power is on, and each time nobody came. True: START has ended it.
 local function tell(a)
-  if not a.opening then return end
+  if not a.opening then return false end
   text.clear()
-  a.opening()
+  local scope, left = sys.scope(), false
+  local teller = task.own(scope, a.opening)
+  while task.alive(teller) and not left do
+    wait(1)
+    left = pressed("start")
+  end
+  task.stop(scope)
   sys.wipe()
+  return left
 end
 
 -- The mission that is to be played, and with which ship; nil: back to the title. last: the one that was played before.
@@ -94,12 +104,13 @@ end
 -- The title, and back to it, until somebody starts. Returns how many play, or a run of a mission. last: the mission that
 -- was played before; its list comes first then.
 local function wait_for_players(a, show, last, choices)
-  local what, players = last and "missions", nil
+  local what, players, from = last and "missions", nil, nil -- from: the place of the list that one comes from
   while what ~= "start" do
-    if not a.told then tell(a) end
+    if not a.told then from = tell(a) and "start" or from end
     a.told = true
     local list = places(a)
-    if last then last = nil else what, players = show("title", ATTRACT, list, what) end
+    if last then last = nil else what, players = show("title", ATTRACT, list, from) end
+    from = what
     if what == "missions" then
       expect_place(what, list)
       local run = choose_mission(a, show, a.mission, choices)
@@ -108,7 +119,7 @@ local function wait_for_players(a, show, last, choices)
         return nil, run
       end
     elseif what == nil then
-      attract(a, show)
+      from = attract(a, show) and "start" or nil
     elseif what == "replays" or what == "settings" then
       board.ask(what)
     elseif what ~= "start" and page_of(a, what) then

@@ -300,6 +300,55 @@ static void test_held_in_a_name(void **state)
     close_game();
 }
 
+/* Presses START in this frame; the list of the title is there then, without another press. */
+static void start_leads_to_the_list(void)
+{
+    const uint16_t down[PADS] = { PAD_START };
+
+    rig_tick(&r, down);
+    for (int f = 0; f < 20; f++) {
+        frames(1);
+        gone("PRESS START");
+    }
+    gone("ONCE");
+    gone("BEST SCORES");
+    soon("SETTINGS", 1);
+    press(PAD_BOMB, 0);
+    soon("PRESS START", 60);
+}
+
+static void until_attract(void)
+{
+    for (int f = 0; board_last(r.b)->request != REQUEST_ATTRACT; f++) {
+        assert_true(f < 700);
+        frames(1);
+    }
+}
+
+/* START leads to the title's list from each part that is shown while nobody comes: the opening, a demo (which the
+ * cabinet ends by that press) and the scores. */
+static void test_attract(void **state)
+{
+    (void)state;
+    open_game("boot.run { players = { 'heron' }, stages = { 'one' }, demos = { 'a' },\n"
+              "  opening = function() hud.centre(3, 'ONCE') wait(600) end }");
+    soon("ONCE", 5);
+    start_leads_to_the_list();
+    until_attract();
+    start_leads_to_the_list();
+    until_attract();
+    soon("BEST SCORES", 10);
+    start_leads_to_the_list();
+    until_attract();
+    soon("BEST SCORES", 10);
+    soon("ONCE", 400);
+    start_leads_to_the_list();
+    until_attract();
+    soon("ONCE", 400); /* and when nobody comes, all of it */
+    soon("PRESS START", 700);
+    close_game();
+}
+
 /* What is asked for in this frame; ASKS: nothing. */
 static enum board_ask asked(void)
 {
@@ -736,12 +785,12 @@ static void test_snapshots(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),          cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),      cmocka_unit_test(test_puts_back),
-        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),       cmocka_unit_test(test_opening),
-        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),         cmocka_unit_test(test_page_mistakes),
-        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots),     cmocka_unit_test(test_long_title),
-        cmocka_unit_test(test_mashed),   cmocka_unit_test(test_held_in_a_name)
+        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
+        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
+        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
+        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title),
+        cmocka_unit_test(test_mashed),   cmocka_unit_test(test_attract),   cmocka_unit_test(test_held_in_a_name)
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
