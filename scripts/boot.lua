@@ -15,14 +15,28 @@ on.game_over(function() over = true end)
 -- Shows a screen, the game's own or else the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
+-- Hides what would be drawn over a screen's window, a plate with the text on it. Returns the list of it.
+local function set_aside()
+  local plates, list = sys.covers()
+  for _, s in ipairs(plates) do
+    local col, row = s.x // 8 | 0, s.y // 8 | 0
+    text.clear { col = col, row = row, w = ((s.x + s.w) // 8 | 0) - col + 1, h = ((s.y + s.h) // 8 | 0) - row + 1 }
+    list[#list + 1] = s
+  end
+  for _, s in ipairs(list) do s.hidden = true end
+  return list
+end
+
 -- Calls f, a screen, while the game stands, and puts back all text that stood there. A frozen board gives turns to the
 -- tasks of one scope alone; the screen gets a scope of its own, so that none of the game's tasks run.
 local function stand(f)
-  local screen, written = sys.scope(), sys.keep_text()
+  local screen, written, aside = sys.scope(), sys.keep_text(), nil
   local menu_task = task.own(screen, function()
+    aside = set_aside()
     f()
     sys.freeze() -- without a scope: all go on
     sys.text_back(written)
+    for _, s in ipairs(aside) do s.hidden = false end
     task.stop(screen)
   end)
   if not task.alive(menu_task) then return task.stop(screen) end -- no room for it, and nobody would unfreeze the board
@@ -88,8 +102,10 @@ local function last_words(line)
   wait_until(function() return left end, 180)
 end
 
--- Removes what would go on moving over the results. Sprites stay: they are the picture behind the results.
+-- Removes what would go on moving over the results. Sprites stay, but for those that would cover the results: they are
+-- the picture behind them.
 local function quieten()
+  set_aside()
   bullet.clear { all = true }
   enemy.each(nil, function(e) e:remove() end)
 end

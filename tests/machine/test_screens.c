@@ -17,7 +17,8 @@ static const char kinds[] =
     "stage.def('end', function() while true do player.each(function(p) p.safe = 0\n"
     "  bullet.fire { kind = 'orb', x = p.x, y = p.y, dir = 0, speed = 0 } end) wait(5) end end)\n";
 
-static bool widens; /* the cells of the next game hold any character */
+static bool widens;        /* the cells of the next game hold any character */
+static int lines_of_board; /* of the next game */
 
 static void open_sized(const char *text, int w, int h, int field_w, int players)
 {
@@ -31,6 +32,7 @@ static void open_sized(const char *text, int w, int h, int field_w, int players)
     m.players = (uint8_t)players;
     m.n_difficulties = 2;
     m.wide = widens;
+    m.lines = lines_of_board;
     memcpy(m.difficulties[0], "calm\0\0", 7);
     memcpy(m.difficulties[1], "wild", 5);
     snprintf(full, sizeof full, "%s%s", kinds, text);
@@ -443,6 +445,66 @@ static void test_puts_back(void **state)
     }
 }
 
+/* Plates, sprites of the layer over and lines that are seen. */
+static int over_all(void)
+{
+    int n = 0;
+
+    EACH_LIVE (i, &r.b->sprites.s)
+        n += r.b->sprites.layer[i] >= LAYER_OVER && !(r.b->sprites.flags[i] & SPRITE_HIDDEN);
+    EACH_LIVE (i, &r.b->lines.s)
+        n += !(r.b->lines.flags[i] & LINE_HIDDEN);
+    return n;
+}
+
+/* Nothing of the game is drawn over a window, or bright beside it: a portrait, a plate with its words and a line are
+ * away while it is there. What stands beside the field stays. */
+static void test_nothing_over(void **state)
+{
+    static const char own[] =
+        "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' } })\n"
+        "stage.def('long', function()\n"
+        "  text.line { x = 60, y = 160, text = 'A LINE' }\n"
+        "  sprite.put { sprite = 'dot', x = 240, y = 9, layer = 'over', screen = true }\n"
+        "  sprite.plate { x = 216, y = 40, w = 80, h = 40, front = true }\n"
+        "  text.put { col = 28, row = 6, text = 'PANEL' }\n"
+        "  if player.get(1).kind == 'heron' then say('sen', 'WORDS', { letter = 0 })\n"
+        "  else choose { 'FIRST', 'SECOND' } end\n"
+        "end)\n"
+        "boot.run { players = { '%s' }, stages = { 'long' },\n"
+        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
+    static const struct {
+        const char *ship, *words;
+        int over; /* a portrait; one plate or two; line, dot and plate of the panel */
+    } talks[] = { { "heron", "WORDS", 1 + 2 + 3 }, { "tern", "SECOND", 1 + 3 } };
+    static char text[2048];
+    static uint8_t before[40 * 40];
+    const int panel = 2, window = 6; /* it, its bar and four items */
+
+    (void)state;
+    for (size_t i = 0; i < sizeof talks / sizeof *talks; i++) {
+        snprintf(text, sizeof text, own, talks[i].ship);
+        lines_of_board = 8;
+        open_sized(text, 320, 320, 208, 1);
+        lines_of_board = 0;
+        soon(talks[i].words, 60);
+        frames(60);
+        assert_int_equal(over_all(), talks[i].over);
+        memcpy(before, r.b->fix.code, sizeof before);
+        press(PAD_START, 0);
+        soon("PAUSE", 5);
+        frames(20);
+        gone(talks[i].words);
+        assert_true(at("PANEL") >= 0);
+        assert_int_equal(over_all(), panel + window);
+        press(PAD_BOMB, 0);
+        frames(5);
+        assert_int_equal(over_all(), talks[i].over);
+        assert_memory_equal(before, r.b->fix.code, sizeof before);
+        close_game();
+    }
+}
+
 /* The window counts down, faster with bomb; START goes on, and without a continue the game is over. */
 static void test_continue(void **state)
 {
@@ -785,12 +847,13 @@ static void test_snapshots(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
-        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
-        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
-        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title),
-        cmocka_unit_test(test_mashed),   cmocka_unit_test(test_attract),   cmocka_unit_test(test_held_in_a_name)
+        cmocka_unit_test(test_all),           cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_asks),          cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
+        cmocka_unit_test(test_own),           cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
+        cmocka_unit_test(test_mistakes),      cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
+        cmocka_unit_test(test_answers),       cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title),
+        cmocka_unit_test(test_mashed),        cmocka_unit_test(test_attract),   cmocka_unit_test(test_nothing_over),
+        cmocka_unit_test(test_held_in_a_name)
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -777,6 +777,58 @@ static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+/* Does a rectangle of the screen overlap the field? px. */
+static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
+{
+    const struct manifest *m = &b->cart.m;
+    const int left = fx_floor(x) - m->field_x, top = fx_floor(y) - m->field_y;
+
+    return left < m->field_w && left + w > 0 && top < m->field_h && top + h > 0;
+}
+
+static bool sprite_covers(const struct board *b, uint32_t i)
+{
+    const struct sprites *s = &b->sprites;
+    const struct sprite *p = &b->pictures[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0];
+
+    if (s->layer[i] < LAYER_OVER || s->flags[i] & SPRITE_HIDDEN)
+        return false;
+    if (s->layer[i] >= LAYER_PLATE)
+        return overlaps_field(b, s->x[i], s->y[i], s->sprite[i], (int)s->born[i]);
+    return !(s->flags[i] & SPRITE_SCREEN) ||
+           overlaps_field(b, s->x[i] - p->ox * FX_ONE, s->y[i] - p->oy * FX_ONE, p->w, p->h);
+}
+
+/* Of a line that stands on the screen its place is asked. */
+static bool line_covers(const struct lines *l, const struct board *b, uint32_t i)
+{
+    return !(l->flags[i] & LINE_HIDDEN) &&
+           (!(l->flags[i] & LINE_SCREEN) || overlaps_field(b, l->dx[i], l->dy[i], 1, 1));
+}
+
+/* Into the list at `list` of the stack. */
+static void append_thing(lua_State *L, int list, int64_t handle)
+{
+    lua_pushinteger(L, handle);
+    lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
+}
+
+static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    vm_charge(L, (b->sprites.s.live + b->lines.s.live) / 8);
+    lua_newtable(L);
+    lua_newtable(L);
+    const int others = lua_gettop(L), plates = others - 1;
+    EACH_LIVE (i, &b->sprites.s)
+        if (sprite_covers(b, i))
+            append_thing(L, b->sprites.layer[i] < LAYER_PLATE ? others : plates, board_handle(b, H_SPRITE, (int32_t)i));
+    EACH_LIVE (i, &b->lines.s)
+        if (line_covers(&b->lines, b, i))
+            append_thing(L, others, board_handle(b, H_LINE, (int32_t)i));
+    return 2;
+}
+
 static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
 
 static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
@@ -927,6 +979,8 @@ static const struct api_entry entries[] = {
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
     { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", "all that stands in the cells" },
     { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL, "puts it there again" },
+    { "sys.covers", sys_covers, NO_PARAMS, 0, API_SYS, "plates, others",
+      "what would be drawn over a window in the field, two lists: plates; sprites of the layer over, and lines" },
     { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
       "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
