@@ -12,6 +12,8 @@ local HOLDS = { none = 0, fire = 1, all = 2 } -- as sys.hold_players counts them
 
 local talkers, names = {}, {} -- who -> definition; in the order they were declared
 local now -- the talk that runs: its box, and task, which may be stopped at any time
+local fire = {} -- player -> frames fire is held since it was pressed in a talk: what was held before shot at somebody;
+                -- seen, the clock when that was counted
 
 local function expect_word(api, what, word, words, list)
   for _, known in ipairs(words) do
@@ -49,7 +51,7 @@ local function begin(a)
   if now and task.alive(now.task) then
     sys.fail("talk.run", "a talk is running: say and choose speak in it (a phase { talk = f } is one)")
   end
-  local t = sys.read("talk/box")(talk.look, a.skip)
+  local t = sys.read("talk/box")(talk.look, a.skip, fire)
   t.task = sys.task()
   sys.hold_players(HOLDS[a.hold])
   t.hold = HOLDS[a.hold]

@@ -5,7 +5,9 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local ROWS = 3   -- of words, two cells apart
 local TALL = 14  -- cells a portrait takes above the first row
 local HELD = 20  -- frames special is held before it skips
-local AWAY = 40  -- px a portrait comes from
+local HURRY = 30 -- frames fire is held before it goes on by itself,
+local QUICK = 6  -- and from then on from one time to the next
+local AWAY = 40  -- px a portrait comes from, where the field goes to the screen's edge; elsewhere there is a panel
 local BLINK = 24 -- frames the mark is seen, and is not
 local BEEP = 4   -- frames from one beep of a voice to the next, at least
 local PAN = 0.3  -- how far to its side a voice is heard
@@ -18,6 +20,8 @@ local cols = math.max(8, math.min(field_cols - 4, 40))
 local left = field_col + (field_cols - cols) // 2
 local last = (field.y + field.h) // 8 - 3
 local first = last - 2 * (ROWS - 1)
+local AWAY_LEFT = field.x > 0 and 0 or -AWAY
+local AWAY_RIGHT = field.x + field.w < rom.screen.w and 0 or AWAY
 local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 12 }
 local ARROW = hud.glyph(140, ">")
 
@@ -35,7 +39,7 @@ local function pressed(how, button, p)
   return sys.pad(how, button, 1) or sys.pad(how, button, 2)
 end
 
-return function(look, may_skip)
+return function(look, may_skip, fire)
   local t = {}
   local sides, parts = {}, {} -- "left", "right" -> sprite, talker, x, y, where it stands; plates by what they are
   local mark -- the mark blinks
@@ -84,7 +88,7 @@ return function(look, may_skip)
     if not s.sprite.alive then return nil end
     sides[side] = s
     aim(side, true)
-    s.sprite.x, s.sprite.y = s.x + (side == "left" and -AWAY or AWAY), s.y
+    s.sprite.x, s.sprite.y = s.x + (side == "left" and AWAY_LEFT or AWAY_RIGHT), s.y
     return s
   end
 
@@ -124,11 +128,13 @@ return function(look, may_skip)
     write(col, first - 3, name, hud.banks.bright)
   end
 
-  -- Waits so many frames, or until fire is pressed: true.
+  local function hurries(p) return fire[p] and fire[p] >= HURRY and (fire[p] - HURRY) % QUICK == 0 end
+
+  -- Waits so many frames, or until fire is pressed, or held for long: true.
   local function answered(n)
     for _ = 1, n do
       wait(1)
-      if sys.skipping() or pressed("pressed", "fire") then return true end
+      if sys.skipping() or pressed("pressed", "fire") or hurries(1) or hurries(2) then return true end
     end
     return false
   end
@@ -273,6 +279,12 @@ return function(look, may_skip)
     while true do
       step()
       blink()
+      local goes_on = fire.seen == sys.clock() - 1 -- the talk before ended right now
+      fire.seen = sys.clock()
+      for p = 1, 2 do
+        local since = sys.pad("pressed", "fire", p) and 0 or goes_on and fire[p]
+        fire[p] = since and sys.pad("down", "fire", p) and since + 1 or nil
+      end
       held = pressed("down", "special") and held + 1 or 0
       if may_skip and held == HELD then
         t.skipped = true

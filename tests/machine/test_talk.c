@@ -452,6 +452,36 @@ static void test_stop(void **state)
     close_it();
 }
 
+/* Fire that is held goes on by itself, quickly, after half a second; not if it was held before the talk, and a list
+ * waits for a press. */
+static void test_hurry(void **state)
+{
+    (void)state;
+    open_it("wait(5) for i = 1, 4 do say(nil, 'ABCDEFGHIJ' .. i) end told = told .. 'all '\n"
+            "choose { 'YES', 'NO' } say(nil, 'X')");
+    hold(200, PAD_FIRE, 0); /* as when it shot at somebody */
+    assert_string_equal(words(0), "ABCDEFGHIJ1");
+    hold(1, 0, 0);
+    press(PAD_FIRE, 0);
+    hold(4, 0, 0);
+    assert_string_equal(words(0), "ABC");
+    hold(25, PAD_FIRE, 0); /* this press shows the rest */
+    assert_string_equal(words(0), "ABCDEFGHIJ2");
+    hold(10, PAD_FIRE, 0);
+    assert_string_equal(words(0), "ABC");
+    hold(12, PAD_FIRE, 0);
+    assert_true(strlen(words(0)) < 6);
+    hold(12, PAD_FIRE, 0);
+    told("all ");
+    hold(200, PAD_FIRE, 0);
+    told("all ");
+    press(0, 0);
+    press(PAD_FIRE, 0);
+    hold(200, 0, 0);
+    assert_string_equal(words(0), "X");
+    close_it();
+}
+
 /* What freezes the board sees all buttons, and its presses are not the talk's. */
 static void test_pause(void **state)
 {
@@ -598,6 +628,7 @@ int main(void)
         cmocka_unit_test(test_banner),  cmocka_unit_test(test_stage),  cmocka_unit_test(test_practice),
         cmocka_unit_test(test_stop),    cmocka_unit_test(test_pause),  cmocka_unit_test(test_snapshots),
         cmocka_unit_test(test_boss),    cmocka_unit_test(test_packed), cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_hurry),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
