@@ -14,10 +14,14 @@ local LINE <const>, FIRST <const>, LAST <const> = hud.glyph(141, "-"), hud.glyph
 -- n characters of s from the i-th on.
 local function part(s, i, n) return s:sub(utf8.offset(s, i), (utf8.offset(s, i + n) or #s + 1) - 1) end
 
+-- Its rounded ends are off the screen where the field goes to the screen's edge; nothing of it lies beside the field.
+local BEYOND <const> = 8
+local BAR_X <const> = rom.field.x > 0 and rom.field.x or -BEYOND
+local BAR_END <const> = rom.field.x + rom.field.w
+local BAR_W <const> = (BAR_END < rom.screen.w and BAR_END or BAR_END + BEYOND) - BAR_X
+
 local function bar(row)
-  return sprite.plate {
-    x = rom.field.x - 8, y = row * 8 + 4, w = rom.field.w + 16, h = 8, bank = hud.banks.alarm, stay = true,
-  }
+  return sprite.plate { x = BAR_X, y = row * 8 + 4, w = BAR_W, h = 8, bank = hud.banks.alarm, stay = true }
 end
 
 -- Of its height so much is open. Where there was no room for it, there is none.

@@ -505,6 +505,55 @@ static void test_nothing_over(void **state)
     }
 }
 
+/* How far plates and the screen's sprites reach to the right in some frames, px. */
+static int reach_right(int n)
+{
+    const struct sprites *s = &r.b->sprites;
+    int most = 0;
+
+    for (; n > 0; n--) {
+        frames(1);
+        EACH_LIVE (i, &s->s) {
+            const int w = s->layer[i] >= LAYER_PLATE ? s->sprite[i] : r.b->pictures[s->sprite[i]].w;
+            if (s->flags[i] & SPRITE_SCREEN && fx_floor(s->x[i]) + w > most)
+                most = fx_floor(s->x[i]) + w;
+        }
+    }
+    return most;
+}
+
+/* A warning and a talk stay in a field that has a panel beside it; where there is none the bars have no ends. */
+static void test_beside_a_panel(void **state)
+{
+    static const char own[] =
+        "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
+        "boss.def('b', { title = 'B', kind = 'e', x = 90, y = 60, warning = 90, phases = {\n"
+        "  { id = 'p', hp = 9, time = 9, run = function() end } } })\n"
+        "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' }, side = 'right' })\n"
+        "stage.def('s', function() boss.fight 'b' say('sen', 'WORDS') end)\n"
+        "boot.run { players = { 'heron' }, stages = { 's' },\n"
+        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
+
+    (void)state;
+    for (int panel = 0; panel < 2; panel++) {
+        open_sized(own, 320, 320, panel ? 208 : 320, 1);
+        soon("WARNING", 120);
+        const int warned = reach_right(40);
+        assert_int_equal(warned, panel ? 208 : 328);
+        soon("WORDS", 600);
+        assert_in_range(reach_right(1), 1, panel ? 208 : 320);
+        close_game();
+
+        open_sized(own, 320, 320, panel ? 208 : 320, 1);
+        soon("WARNING", 120);
+        int most = 0;
+        for (int f = 0; at("SEN") < 0 && f < 600; f++)
+            most = reach_right(1);
+        assert_true(panel ? most <= 208 : most > 320); /* the portrait, as it comes */
+        close_game();
+    }
+}
+
 /* The window counts down, faster with bomb; START goes on, and without a continue the game is over. */
 static void test_continue(void **state)
 {
@@ -846,15 +895,26 @@ static void test_snapshots(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),           cmocka_unit_test(test_back),      cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_asks),          cmocka_unit_test(test_continue),  cmocka_unit_test(test_puts_back),
-        cmocka_unit_test(test_own),           cmocka_unit_test(test_endings),   cmocka_unit_test(test_opening),
-        cmocka_unit_test(test_mistakes),      cmocka_unit_test(test_pages),     cmocka_unit_test(test_page_mistakes),
-        cmocka_unit_test(test_answers),       cmocka_unit_test(test_snapshots), cmocka_unit_test(test_long_title),
-        cmocka_unit_test(test_mashed),        cmocka_unit_test(test_attract),   cmocka_unit_test(test_nothing_over),
-        cmocka_unit_test(test_held_in_a_name)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),
+                                        cmocka_unit_test(test_back),
+                                        cmocka_unit_test(test_leaving),
+                                        cmocka_unit_test(test_asks),
+                                        cmocka_unit_test(test_continue),
+                                        cmocka_unit_test(test_puts_back),
+                                        cmocka_unit_test(test_own),
+                                        cmocka_unit_test(test_endings),
+                                        cmocka_unit_test(test_opening),
+                                        cmocka_unit_test(test_mistakes),
+                                        cmocka_unit_test(test_pages),
+                                        cmocka_unit_test(test_page_mistakes),
+                                        cmocka_unit_test(test_answers),
+                                        cmocka_unit_test(test_snapshots),
+                                        cmocka_unit_test(test_long_title),
+                                        cmocka_unit_test(test_mashed),
+                                        cmocka_unit_test(test_attract),
+                                        cmocka_unit_test(test_nothing_over),
+                                        cmocka_unit_test(test_held_in_a_name),
+                                        cmocka_unit_test(test_beside_a_panel) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
