@@ -14,7 +14,7 @@ local TURNED <const> = {
 local BUT <const> = {
   { picture = "wave", lines = { "She rings once, and breaks." } },
   { picture = "flood", lines = { "The tide turns, but slowly,", "and does not look at you." } },
-  { picture = "dry", lines = { "By evening it is gone again.", "Next time, without help,",
+  { picture = "dry", lines = { "By evening it is gone again.", "Next time, in rougher water,",
                                "it might stay." } },
 }
 local TRUE <const> = {
@@ -33,7 +33,6 @@ local function dived(run) return run.mode == nil or run.mode == "dive" end
 return {
   { when = function(run) return not dived(run) end, show = function() return false end },
   { when = function(_) return moon.outlived() end, show = told(TRUE), music = "true_ending" },
-  { when = function(run) return run.difficulty == "easy" or run.continues > 0 end,
-    show = told(BUT) },
+  { when = { difficulty = "easy" }, show = told(BUT) },
   { show = told(TURNED) },
 }

@@ -7,11 +7,11 @@ require "players/pilots"
 require "stages/one"
 require "stages/two"
 require "stages/three"
-require "stages/moon"
 require "stages/rush"
 require "stages/caravan"
 require "unlocks"
 require "missions"
+local moon = require "stages/moon"
 local sea = require "sea"
 local craft = require "players/craft"
 local fx = require "fx"
@@ -77,5 +77,6 @@ boot.run { modes = {
   music = pieces, pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
-            { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, take no hand",
-              "that is held out to them,", "and come with shards at x3:", "look down once more." } } }
+            { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, and come",
+              "with shards at x3:", "look down once more.",
+              when = function() return not moon.outlived() end } } }

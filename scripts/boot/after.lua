@@ -11,6 +11,15 @@ local function holds(when, run)
   return true
 end
 
+-- The parts that are for this run.
+local function staff_of(a, run)
+  local parts = {}
+  for _, part in ipairs(a.staff) do
+    if holds(part.when, run) then parts[#parts + 1] = part end
+  end
+  return parts
+end
+
 -- The first ending that is for this run. Returns false if it says that no staff is to be shown.
 local function ending(a, show, run)
   if type(a.ending) == "function" then return a.ending(run) end
@@ -50,7 +59,7 @@ return function(a, show, run)
   if run.clear then
     local staff = ending(a, show, run)
     sys.wipe()
-    if a.staff and staff ~= false then show("staff", a.staff) end
+    if a.staff and staff ~= false then show("staff", staff_of(a, run)) end
   end
   enter_names(a, show, run)
 end

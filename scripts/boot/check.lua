@@ -106,8 +106,16 @@ local function check_ships(ships, players)
   end
 end
 
--- Of what an ending tells when it is shown: { show, when?, music? } each.
 local RUN = { "mode", "difficulty", "ship", "players", "continues" }
+
+-- Of which runs an ending, or a part of the staff, is: values of some of RUN, or a function of the run.
+local function check_when(what, of, when)
+  if type(when) == "function" then return end
+  expect_type(what .. ": when", when, "table")
+  expect_names("condition of " .. of .. ":", when or {}, RUN)
+end
+
+-- A list of { show, when?, music? }.
 
 local function check_endings(ending)
   if type(ending) == "function" then return end
@@ -116,10 +124,7 @@ local function check_endings(ending)
     if type(e) ~= "table" then fail(("ending %d"):format(i), "a table", type(e)) end
     expect_names("argument of an ending:", e, { "when", "show", "music" })
     if type(e.show) ~= "function" then fail(("ending %d: show"):format(i), "a function", type(e.show)) end
-    if type(e.when) ~= "function" then
-      expect_type(("ending %d: when"):format(i), e.when, "table")
-      expect_names("condition of an ending:", e.when or {}, RUN)
-    end
+    check_when(("ending %d"):format(i), "an ending", e.when)
   end
 end
 
@@ -128,6 +133,7 @@ local function check_staff(parts)
     local what = ("staff %d"):format(i)
     if type(part) ~= "table" then fail(what, 'a list of texts, as { "Art", "A. Name" }', type(part)) end
     for k, s in ipairs(part) do expect_text(("%s: text %d"):format(what, k), s, true) end
+    check_when(what, "the staff", part.when)
   end
 end
 

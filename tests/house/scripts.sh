@@ -25,4 +25,15 @@ refuse "planted: a name the sandbox lacks" "unknown name os" planted 'local t = 
 refuse "planted: a random number of the host" "unknown name math.random" planted 'return math.random(6)'
 refuse "planted: a misspelt local" "unknown name conut" planted 'local count = 1 return function() return conut + 1 end'
 refuse "planted: a syntax error" "does not compile" planted 'local = 1'
+
+# A game that has no continues asks for none, in no story and no condition.
+no_continues() { # FOLDER
+    grep -rq 'continues = [0-9]' "$1"/main.lua || ! grep -rn --include=*.lua 'continues' "$1"
+}
+for game in roms/*/ examples/*/; do
+    check "${game%/} speaks of no continues that it has not" no_continues "${game%/}"
+done
+cp -r examples/first "$scratch/first"
+echo 'local function won(run) return run.continues == 0 end' >>"$scratch/first/main.lua"
+refuse "planted: a condition on continues" "run.continues" no_continues "$scratch/first"
 finish

@@ -658,6 +658,29 @@ static void test_endings(void **state)
     close_game();
 }
 
+/* A part of the staff may be of some runs alone. */
+static void test_staff(void **state)
+{
+    static const char own[] =
+        "stage.def('s', function() wait(5) end)\n"
+        "boot.run { stages = { 's' }, players = { 'heron' }, staff = { { 'A' }, { 'B', when = { ship = 'tern' } },\n"
+        "    { 'C', when = { continues = 0 } }, { 'D', when = function(run) return not run.clear end } },\n"
+        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end,\n"
+        "    results = function() end, ending = function() end,\n"
+        "    staff = function(parts) for _, p in ipairs(parts) do print(p[1]) end end } }";
+    char got[64] = "";
+
+    (void)state;
+    open_game(own);
+    for (int i = 0; i < 400 && !rig_fault(&r) && strlen(got) < 4; i++) {
+        frames(1);
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)board_last(r.b)->log_size,
+                 board_last(r.b)->log);
+    }
+    assert_string_equal(got, "A\nC\n");
+    close_game();
+}
+
 /* An opening comes before the title, and again where nobody came; an ending's condition may be a function, and one
  * that returns false is followed by no staff. */
 static void test_opening(void **state)
@@ -729,6 +752,9 @@ static void test_mistakes(void **state)
     says("ending = { { when = 5, show = print } }", "boot.run: ending 1: when: expected a table, got number");
     says("opening = 5", "opening: expected a function");
     says("staff = { 'me' }", "boot.run: staff 1: expected a list of texts, as { \"Art\", \"A. Name\" }, got string");
+    says("staff = { { 'me', when = { shpi = 'heron' } } }",
+         "boot.run: unknown condition of the staff: \"shpi\" (did you mean \"ship\"?)");
+    says("staff = { { 'me', when = 5 } }", "boot.run: staff 1: when: expected a table, got number");
     says("demos = { 5 }", "boot.run: demos: 1: expected a string, got number");
     says("screen = {}", "boot.run: unknown argument \"screen\" (did you mean \"screens\"?)");
 }
@@ -895,26 +921,15 @@ static void test_snapshots(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all),
-                                        cmocka_unit_test(test_back),
-                                        cmocka_unit_test(test_leaving),
-                                        cmocka_unit_test(test_asks),
-                                        cmocka_unit_test(test_continue),
-                                        cmocka_unit_test(test_puts_back),
-                                        cmocka_unit_test(test_own),
-                                        cmocka_unit_test(test_endings),
-                                        cmocka_unit_test(test_opening),
-                                        cmocka_unit_test(test_mistakes),
-                                        cmocka_unit_test(test_pages),
-                                        cmocka_unit_test(test_page_mistakes),
-                                        cmocka_unit_test(test_answers),
-                                        cmocka_unit_test(test_snapshots),
-                                        cmocka_unit_test(test_long_title),
-                                        cmocka_unit_test(test_mashed),
-                                        cmocka_unit_test(test_attract),
-                                        cmocka_unit_test(test_nothing_over),
-                                        cmocka_unit_test(test_held_in_a_name),
-                                        cmocka_unit_test(test_beside_a_panel) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),           cmocka_unit_test(test_leaving),
+        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),       cmocka_unit_test(test_puts_back),
+        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),        cmocka_unit_test(test_opening),
+        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),          cmocka_unit_test(test_page_mistakes),
+        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots),      cmocka_unit_test(test_long_title),
+        cmocka_unit_test(test_mashed),   cmocka_unit_test(test_attract),        cmocka_unit_test(test_nothing_over),
+        cmocka_unit_test(test_staff),    cmocka_unit_test(test_held_in_a_name), cmocka_unit_test(test_beside_a_panel)
+    };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
