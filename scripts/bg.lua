@@ -26,11 +26,12 @@ local function change(n, dark)
   if n > 0 then scenes[n]() end
 end
 
--- On the way to a practice mark it is there before the next line, as it is by then where the stage is played.
-local function show(n, over)
+-- at_once: it is there before the next line, without a fade. So it is on the way to a practice mark, for by then it is
+-- shown where the stage is played.
+local function show(n, over, at_once)
   if coming then task.stop(coming) end
   next_one = n
-  if sys.skipping() then return sys.turn(task.go(change, n, 0)) end
+  if at_once or sys.skipping() then return sys.turn(task.go(change, n, 0)) end
   coming = task.go(change, n, sys.bg_fade(over))
 end
 
@@ -41,12 +42,12 @@ function bg.show(name, args)
 end
 
 -- For boss.lua: shows that background, or the one of that number; returns the number of the one before. `what` names
--- it where nobody declared it. The one that is shown, or comes, goes on: it does not fade to itself.
-function sys.backdrop(name, what)
+-- it where nobody declared it. The one that is shown, or comes, goes on: it does not fade to itself. at_once: no fade.
+function sys.backdrop(name, what, at_once)
   local before = coming and task.alive(coming) and next_one or sys.bg_shown()
   if what and not numbers[name] then sys.unknown("boss.def", what, name, names) end
   local n = numbers[name] or name
-  if n ~= before then show(n, 30) end
+  if n ~= before then show(n, 30, at_once) end
   return before
 end
 

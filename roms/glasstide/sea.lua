@@ -28,6 +28,7 @@ function sea.still()
 end
 
 function sea.run()
+  wait(1) -- what is practised shows its own scene first
   while true do
     if not (bg.layer(1).map or bg.plane().map) then bg.show("shallows", { over = 0 }) end -- all was emptied
     now = now + (wanted - now) * 0.02

@@ -53,11 +53,11 @@ local function leave(b, team, beaten)
   if not beaten then gather(b, team, FLIGHT, "in", true) end
 end
 
--- bg.lua is there if the game declares a background.
-local function backdrop(b, phase)
-  local what = ('boss "%s": phase "%s": background'):format(b.name, phase.id)
-  if not rawget(sys, "backdrop") then sys.unknown("boss.def", what, phase.bg, {}) end
-  return sys.backdrop(phase.bg, what)
+-- bg.lua is there if the game declares a background. what: whose it is; nil: the boss's own.
+local function backdrop(b, name, what, at_once)
+  what = ('boss "%s": %sbackground'):format(b.name, what and ('phase "%s": '):format(what) or "")
+  if not rawget(sys, "backdrop") then sys.unknown("boss.def", what, name, {}) end
+  return sys.backdrop(name, what, at_once)
 end
 
 -- Starts what the phase runs; returns the scene of it, and the function that tells when its bars are down. The fight's
@@ -88,7 +88,7 @@ local function play(now, b, team, phase, after, all, alone)
   local status = now.status
   sys.mark("phase", phase.id, b.name, phase.spell)
   status.phase, status.began, status.missed, status.hit = phase, sys.clock(), false, false
-  local before = phase.bg and (now.before or backdrop(b, phase)) -- that of the phase before may stand still
+  local before = phase.bg and (now.before or backdrop(b, phase.bg, phase.id)) -- that of the phase before may stay
   if phase.music and not now.song then now.song = sys.music_on(phase.music, not alone and 0 or nil) and phase.music end
   local armour = phase.armour > 0 and sys.read("boss/armour")(team, phase)
   local scene, down = begin(b, team, phase)
@@ -183,6 +183,9 @@ return function(now, b, phases, args)
     if now.song then sys.music_back(now.song) end
     now.task, now.status, now.before, now.tune, now.song = nil, nil, nil, nil, nil
   end)
+  local first = phases[1].bg
+  if b.bg then backdrop(b, b.bg, nil, not args) end
+  if first and not args then now.before = backdrop(b, first, phases[1].id, true) end -- no stage has shown anything
   if b.music then now.tune = sys.music_on(b.music, args and b.warning) and b.music end
   for i = 2, args and 0 or #b.phases do -- practised: what the phase before plays too
     local song = b.phases[i] == phases[1] and b.phases[i].music

@@ -542,6 +542,50 @@ static void test_practice(void **state)
     rig_game_free(&g);
 }
 
+/* A boss that is practised has its background, and its phase's, from the first frame on; in a stage they fade in. */
+static void test_boss(void **state)
+{
+    static const char text[] =
+        "for _, name in ipairs { 'day', 'dusk', 'dark' } do bg.def(name, function() bg.layer(1).map = 'sea' end) end\n"
+        "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 9 })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "boss.def('b', { title = 'B', kind = 'foe', x = 30, y = 30, bg = 'dusk', phases = {\n"
+        "  { id = 'one', survive = true, time = 50, run = function() wait(forever) end },\n"
+        "  { id = 'two', survive = true, time = 50, bg = 'dark', run = function() wait(forever) end } } })\n"
+        "stage.def('s', function() bg.show('day', { over = 0 }) wait(20) boss.fight('b') end)\n"
+        "task.go(function() wait(1) while true do if not bg.layer(1).map then bg.show('day', { over = 0 }) end wait(1) "
+        "end end)\n"
+        "boot.run { stages = { 's' }, players = { 'ship' } }";
+    static const struct {
+        const char *section;
+        int first, then; /* shown in frame 1, and in the phase */
+    } practised[] = { { "b/one", 2, 2 }, { "b/two", 3, 3 }, { "s", 1, 2 } };
+    struct manifest m = rig_manifest();
+    struct rig_game g;
+    struct rig r;
+
+    (void)state;
+    m.bg = 1;
+    rig_script(&g, &m, text);
+    rig_maps(&g);
+    for (size_t i = 0; i < sizeof practised / sizeof *practised; i++) {
+        struct board_start start = { .difficulty = -1 };
+        snprintf(start.practice.section, sizeof start.practice.section, "%s", practised[i].section);
+        rig_power(&r, &g, &start);
+        for (int f = 0; f < 90; f++) {
+            rig_run(&r, 1);
+            if (practised[i].first == practised[i].then || f < 20)
+                assert_int_equal(r.b->bg.shown[0], practised[i].first);
+            assert_true(!strcmp(practised[i].section, "s") || bg_dark(&r.b->bg) == 0);
+        }
+        assert_int_equal(r.b->bg.shown[0], practised[i].then);
+        rig_run(&r, 140); /* the next try, or in the stage the next phase */
+        assert_int_equal(r.b->bg.shown[0], i == 2 ? 3 : practised[i].first);
+        rig_free(&r);
+    }
+    rig_game_free(&g);
+}
+
 /* ---- without ---- */
 
 static void test_off(void **state)
@@ -668,10 +712,11 @@ static void test_said(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain),  cmocka_unit_test(test_covers), cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_shades), cmocka_unit_test(test_motion), cmocka_unit_test(test_wave),
-        cmocka_unit_test(test_show),   cmocka_unit_test(test_phase),  cmocka_unit_test(test_practice),
-        cmocka_unit_test(test_off),    cmocka_unit_test(test_said),   cmocka_unit_test(test_lumps),
+        cmocka_unit_test(test_plain),    cmocka_unit_test(test_covers), cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_shades),   cmocka_unit_test(test_motion), cmocka_unit_test(test_wave),
+        cmocka_unit_test(test_show),     cmocka_unit_test(test_phase),  cmocka_unit_test(test_boss),
+        cmocka_unit_test(test_practice), cmocka_unit_test(test_off),    cmocka_unit_test(test_said),
+        cmocka_unit_test(test_lumps),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

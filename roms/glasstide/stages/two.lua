@@ -5,6 +5,7 @@ local waves = require "waves"
 require "stages/two/creatures"
 require "stages/two/bellows"
 require "stages/two/eels"
+require "stages/two/scene"
 
 local sweep = path.def {
   { x = -16, y = 60 }, { x = 80, y = 40, over = 50, ease = "out" }, { x = 180, y = 96, over = 60 },

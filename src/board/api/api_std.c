@@ -119,6 +119,7 @@ static const struct api_param boss_def[] = { NAME,
                                              { "warning", A_INT, OPT, 0, 65535, "frames", "0" },
                                              { "epithet", A_STR, OPT, 1, 63, NULL, NULL },
                                              { "entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+                                             { "bg", A_STR, OPT, 0, 0, NULL, NULL },
                                              { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
 static const struct api_param boss_cast[] = { NAME,
                                               { "title", A_STR, REQ, 0, 63, NULL, NULL },
@@ -327,9 +328,8 @@ static const struct api_entry entries[] = {
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
         "it, "
-        "or a phase's; warning: frames of a WARNING round a card with epithet and title; entrance: sparks; music: "
-        "plays "
-        "during the fight"),
+        "or a phase's; warning: frames of a WARNING round a card with epithet and title; entrance: sparks; "
+        "music and bg: of the fight"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
         "one phase of boss.def; drops = { NAME = n } of a phase that is beaten; safe, then armour frames at that rate "
         "of "

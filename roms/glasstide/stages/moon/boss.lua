@@ -127,7 +127,7 @@ local function tolled(run)
 end
 
 boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
-  epithet = "What Pulls the Water", entrance = "bubbles",
+  epithet = "What Pulls the Water", entrance = "bubbles", bg = "moon",
   music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = tolled(gibbous), clear = FOAM,

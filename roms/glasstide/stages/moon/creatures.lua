@@ -2,13 +2,8 @@
 local kinds = require "kinds"
 
 -- It wanes and waxes: each phase of the fight has a picture of its own.
--- Where it comes it is night, in practice too.
-local function night()
-  if bg.layer(1).map ~= "water" then bg.show("moon", { over = 0 }) end
-end
-
 enemy.def("moon", { sprite = "moon", bank = 0, hit = { circle = 58 }, hp = 100, score = 200000,
                     spark = "crumb", blink = 4, blink_soft = true,
-                    run = night, on_hit = kinds.chip, on_death = kinds.collapse,
+                    on_hit = kinds.chip, on_death = kinds.collapse,
                     pictures = { half = "moon_half", sickle = "moon_sickle", new = "moon_new",
                                  full = "moon_full", eclipse = "moon_eclipse" } })

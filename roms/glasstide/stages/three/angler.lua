@@ -225,7 +225,7 @@ end
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("angler", { title = "Anglerlamp", kind = "angler", x = 120, y = 94, music = "lantern",
-  entrance = "bubbles",
+  entrance = "bubbles", bg = "lightless",
   phases = {
   { id = "bait", hp = 660, time = 26 * 60, run = bait, clear = FOAM, drops = { pearl = 5 } },
   { id = "match", spell = "Lamp Sign: Struck Match", hp = 740, time = 30 * 60, bonus = 20000,

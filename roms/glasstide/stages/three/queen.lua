@@ -3,7 +3,6 @@
 local sea = require "sea"
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
-local scene = require "stages/three/scene"
 local figures = require "stages/three/queen_figures"
 local meeting = require "stages/three/meeting"
 local fx = require "fx"
@@ -33,7 +32,6 @@ local function moon(e, dir)
 end
 
 local function wheels(e)
-  scene.court()
   local moons = by(2, 4, 5, 6)
   for i = 1, moons do moon(e, 360 * i / moons) end
   task.go(pattern.spiral, { from = e, kind = "rice", bank = 1, n = forever, step = 7,
@@ -90,7 +88,6 @@ local function let_go(e)
 end
 
 local function held(e)
-  scene.court()
   local breath = bullet.group("breath")
   for k = 1, forever do
     local n = by(8, 15, 24, 39)
@@ -150,7 +147,6 @@ local function wall(first)
 end
 
 local function ebb(e)
-  scene.court()
   task.go(rain_over, e)
   for k = 1, forever do
     wait(by(96, 61, 50, 90))
@@ -186,7 +182,6 @@ local function petals(e, turn, motion_name, bank)
 end
 
 local function flower(e, full)
-  scene.court()
   local left = by("bloom left", "bloom left", "bloom left", "slow flower left")
   local right = by("bloom right", "bloom right", "bloom right", "slow flower right")
   for k = 1, forever do
@@ -211,7 +206,6 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what is left of her bullets when a phase is beaten
 
 local function window(e)
-  scene.court()
   figures.window(e)
 end
 
@@ -219,13 +213,12 @@ local returns = 0 -- how often she came back already
 
 -- Each time she has less left: whoever cannot reach her is not held here for ever.
 local function again(e)
-  scene.court()
   e.hp = math.max(60, e.hp - 240 * returns)
   figures.again(e)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
-                    epithet = "Who Took Back the Sea", entrance = "bubbles",
+                    epithet = "Who Took Back the Sea", entrance = "bubbles", bg = "court",
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
@@ -241,7 +234,7 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
 
 -- Outlasting her is not enough: she comes back until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
-  music = "queen",
+  music = "queen", bg = "court",
   phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
                bonus = 30000, bonus_to = 5000, run = again } } })
 

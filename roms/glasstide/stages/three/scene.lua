@@ -49,19 +49,9 @@ end)
 
 local scene = {}
 
--- Where a phase begins that is tried alone, nobody has shown its scene yet.
+-- Only the lamp gives light: what a phase before it has lit goes dark.
 function scene.lightless()
-  if bg.layer(1).map ~= "depths" or bg.layer(2).map or bg.plane().map then
-    bg.show("lightless", { over = 0 })
-  else
-    palette.fade { to = "dark", over = 40, first = 10 * 16 + 1, last = 13 * 16 + 15 }
-  end
-end
-
-function scene.court()
-  if bg.plane().map ~= "trench" or bg.layer(2).map ~= "walls" then
-    bg.show("court", { over = 0 })
-  end
+  palette.fade { to = "dark", over = 40, first = 10 * 16 + 1, last = 13 * 16 + 15 }
 end
 
 return scene

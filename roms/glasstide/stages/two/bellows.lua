@@ -134,7 +134,7 @@ end
 local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
 
 boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
-                      entrance = "bubbles",
+                      entrance = "bubbles", bg = "hearth",
                       phases = {
   { id = "breath", hp = 560, time = 20 * 60, run = breath, clear = FOAM, drops = { pearl = 5 } },
   { id = "draught", spell = "Breath Sign: Held Draught", hp = 760, time = 26 * 60, bonus = 12000,

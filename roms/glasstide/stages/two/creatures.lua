@@ -1,6 +1,5 @@
 -- stages/two/creatures.lua - who works in the drowned glassworks, and what they make: gobs, ingots,
 -- cogs, steam, panes.
-local hearth = require "stages/two/scene"
 local kinds = require "kinds"
 local creature, small, large, burst = kinds.creature, kinds.small, kinds.large, kinds.burst
 local collapse, COPPER, STEEL = kinds.collapse, 0, 1
@@ -19,7 +18,7 @@ creature("kiln",     COPPER, 46, 44, 260, 6000,  large, { pearl = 6, conch = 1 }
 local function boss_kind(name, w, h, score, on_death)
   enemy.def(name, { sprite = name, hit = { box = { w, h } }, hp = 100, score = score,
                     spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
-                    on_death = on_death, drops = { pearl = 8 }, run = hearth })
+                    on_death = on_death, drops = { pearl = 8 } })
 end
 
 boss_kind("bellows", 64, 60, 20000, large)

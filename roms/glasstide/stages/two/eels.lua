@@ -280,7 +280,7 @@ end
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
-  epithet = "Who Kept the Fire In", entrance = "bubbles",
+  epithet = "Who Kept the Fire In", entrance = "bubbles", bg = "hearth",
   cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90,
              portrait = "cinder_cross" },
            { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90,

@@ -42,8 +42,3 @@ bg.def("hearth", function()
   sea.flow { { bg.layer(1), 0.6 }, { bg.layer(3), 1.4 } }
   embers(5, 60, 340)
 end)
-
--- A boss that is practised comes to where no stage has set the scene.
-return function()
-  if bg.layer(1).map ~= "works" then bg.show("hearth", { over = 0 }) end
-end
