@@ -4,8 +4,9 @@
 #     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
 #     [firefox]
 #
-# null: what curtain-null is built with; play: that, and SDL2; with what test has, curtain packs OGG, FLAC and modules
-# too; ports: RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are
+# null: what curtain-null is built with, and expat, for BulletML; play: that, and SDL2; test: also the libraries with
+# which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); ports:
+# RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are
 # run beside it; web: what a page is built with, and tested in; firefox: where it is tested too. Without arguments:
 # play, test, fuzz and bench. With --say it installs nothing: it says, in one line to paste, what is missing, and
 # exits with 3.
@@ -20,6 +21,9 @@ fi
 missing=""
 have() { command -v "$1" >/dev/null 2>&1; }
 header() { [ -e "/usr/include/$1" ]; }
+shared() { # NAME: a shared library that curtain opens; without a compiler it is not known, so it is asked for
+    have cc && [ "$(cc -print-file-name="$1")" != "$1" ]
+}
 library() { # NAME HEADER: the Makefile asks pkg-config for it
     if have pkg-config; then pkg-config --exists "$1"; else header "$2"; fi
 }
@@ -43,12 +47,12 @@ for what; do
         library lua5.4 lua5.4/lua.h || need liblua5.4-dev
         [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
-        header expat.h || need libexpat1-dev
+        shared libexpat.so.1 || need libexpat1
         ;;
     test)
         header cmocka.h || need libcmocka-dev
-        header sndfile.h || need libsndfile1-dev
-        header libopenmpt/libopenmpt.h || need libopenmpt-dev
+        shared libsndfile.so.1 || need libsndfile1
+        shared libopenmpt.so.0 || need libopenmpt0
         header libfixmath/fix16.h || need libfixmath-dev
         header mpfr.h || need libmpfr-dev
         have luac5.4 || need lua5.4
@@ -59,6 +63,8 @@ for what; do
         have clang-format || need clang-format
         have git || need git
         have nm || need binutils
+        have jq || need jq
+        have pgrep || need procps
         have clang || need clang
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
         have Xvfb || need xvfb
@@ -87,8 +93,8 @@ for what; do
     fuzz)
         have clang || need clang
         header cmocka.h || need libcmocka-dev
-        header sndfile.h || need libsndfile1-dev
-        header libopenmpt/libopenmpt.h || need libopenmpt-dev
+        shared libsndfile.so.1 || need libsndfile1
+        shared libopenmpt.so.0 || need libopenmpt0
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-14-dev
         ;;
     nightly)

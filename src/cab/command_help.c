@@ -9,10 +9,12 @@
 #include <string.h>
 #include "../board/api_table.h"
 #include "../board/board.h"
+#include "../../platform/platform.h"
 #include "editor/annotations.h"
 #include "editor/luacheck.h"
 #include "host/config.h"
 #include "host/keys.h"
+#include "host/library.h"
 #include "host/report.h"
 #include "host/version.h"
 #include "share/own.h"
@@ -144,6 +146,20 @@ static const char *byte_order(void)
     return *(const uint8_t *)&one ? "little" : "big";
 }
 
+/* The window's library, and those that packing opens: an exported game packs nothing. */
+static void version_of_libraries(void)
+{
+    char text[192];
+
+    plat_about(text, sizeof text);
+    text[strcspn(text, ",")] = '\0';
+    printf("platform %s\n", text);
+    for (enum library l = 0; l < LIBRARIES && !own_sealed(); l++) {
+        library_about(l, text, sizeof text);
+        puts(text);
+    }
+}
+
 enum result command_version(void)
 {
     if (own_game()->rom)
@@ -152,5 +168,6 @@ enum result command_version(void)
     printf("compiler %s\n", COMPILER);
     printf("flags %s\n", CURTAIN_CFLAGS);
     printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
+    version_of_libraries();
     return report_stdout(RESULT_DONE);
 }

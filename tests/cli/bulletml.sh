@@ -151,18 +151,22 @@ same "a bullet that fires nothing has a motion program" "{ wait = 20 }, { turn =
 { aim = true }, { loop = 3, { speed = 0.5 * unit, over = 10 }, { accel = 1 * unit / 10, over = 10 }, { wait = 10 } }, \
 { die = true }" "$(sed -n 's/.*motion.def { \(.*\) }$/\1/p' pair/played.lua)"
 
-# ---- a build of a machine that has no expat ----
+# ---- a build without shared libraries, and a machine that has no expat ----
 
 "$curtain" pack "$gallery" -o gallery.rom
 cd "$repo" || exit 2
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
-    src/cab/bulletml/document_xml.c $(find "$OUT/src" -name '*.o' ! -name document_xml.o) "$OUT"/fb/*.o \
+    src/cab/host/library.c $(find "$OUT/src" -name '*.o' ! -name library.o) "$OUT"/fb/*.o \
     "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o \
     $(pkg-config --libs lua5.4) -lm -pthread -ldl
 cd "$scratch" || exit 2
-refuse "without expat a document is refused" "built without expat, which reads BulletML (Debian: libexpat1-dev, then" \
+refuse "without shared libraries a document is refused" "without shared libraries; libexpat reads BulletML" \
     ./plain pack "$gallery" -o plain.rom
+mkdir none
+touch none/libexpat.so.1
+refuse "without libexpat too" "libexpat, which reads BulletML, is missing (Debian: libexpat1)" \
+    env LD_LIBRARY_PATH="$scratch/none" "$curtain" pack "$gallery" -o plain.rom
 same "what was packed elsewhere runs" "$("$curtain" hash gallery.rom --stage gallery --frames 200 --every 200)" \
     "$(./plain hash gallery.rom --stage gallery --frames 200 --every 200)"
 finish

@@ -105,19 +105,30 @@ echo hello >g/music/x.wav
 refuse "check: a file that is none" 'music/x.wav: expected a WAV file (RIFF, WAVE)' "$curtain" check g
 cp "$seeds"/* g/music
 
-# A build of a machine that has neither library.
+# A build without shared libraries.
 cd "$repo" || exit 2
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
-    src/cab/sound/{sndfile,module}.c \
-    $(find "$OUT/src" -name '*.o' ! -name sndfile.o ! -name module.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
+    src/cab/host/library.c $(find "$OUT/src" -name '*.o' ! -name library.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
     "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread -ldl
 cd "$scratch" || exit 2
 curtain=$scratch/plain
 check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
-bad "OGG is refused" 'music/loop.ogg: this curtain was built without libsndfile' "a = { file = 'music/loop.ogg' }"
-bad "and which package has it" '(Debian: libsndfile1-dev, then build again)' "a = { file = 'music/loop.ogg' }"
-bad "modules too" 'without libopenmpt, which reads tracker modules (Debian: libopenmpt-dev' \
-    "a = { file = 'music/tiny.xm' }"
+without='this curtain was built without shared libraries'
+bad "OGG is refused" "music/loop.ogg: $without; libsndfile reads OGG and FLAC" "a = { file = 'music/loop.ogg' }"
+bad "modules too" "music/tiny.xm: $without; libopenmpt reads tracker modules" "a = { file = 'music/tiny.xm' }"
 check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
+
+# A machine without the libraries: files that are none are in their place.
+mkdir none
+touch none/libsndfile.so.1 none/libopenmpt.so.0 none/libexpat.so.1
+curtain=$OUT/curtain-null
+export LD_LIBRARY_PATH=$scratch/none
+bad "a library that is missing is named, with its package" \
+    'music/loop.ogg: libsndfile, which reads OGG and FLAC, is missing (Debian: libsndfile1)' \
+    "a = { file = 'music/loop.ogg' }"
+bad "that of modules too" \
+    'music/tiny.xm: libopenmpt, which reads tracker modules, is missing (Debian: libopenmpt0)' \
+    "a = { file = 'music/tiny.xm' }"
+check "without them WAV packs" packs "a = { file = 'music/loop.wav' }"
 finish

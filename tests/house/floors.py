@@ -7,6 +7,7 @@ Besides:
   - a chip includes of the chips only its own header, slots.h (what a chip is made of) and motion.h (how things move);
   - Lua's headers are seen in src/board alone; stb in src/cab/pack/png.c alone;
   - platform.h is included by src/cab; a port includes that header and nothing else of ours;
+  - a header that need not be installed is not included, and not asked for: what a build can do depends on none;
   - below the cabinet only the headers of C that reach no host; host.h alone sees what the host has set.
 Tests and tools may include anything."""
 import os
@@ -21,8 +22,12 @@ LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
 # stdio.h: snprintf into the caller's buffer; stdlib.h: strtod, qsort, abort. What is called is checked by calls.sh.
 PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "stdarg.h", "stdbool.h", "stddef.h",
         "stdint.h", "stdio.h", "stdlib.h", "string.h"}
+# The other headers of the C library and POSIX; the compiler's packages bring them.
+SYSTEM = PURE | {"ctype.h", "dirent.h", "dlfcn.h", "elf.h", "errno.h", "fcntl.h", "poll.h", "pthread.h", "signal.h",
+                 "sys/auxv.h", "sys/stat.h", "sys/time.h", "sys/utsname.h", "sys/wait.h", "time.h", "unistd.h"}
+LINKED = {"src/cab/pack/png.c", "platform/sdl2.c"}  # these include headers of libraries that every build needs
 HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]|.*__has_include\(<([^>]+)>\)')
 
 
 def house(folder):
@@ -67,6 +72,8 @@ def system(path, name):
         return None if path in HOST_FILES else "the host's settings are for src/base/host.h alone"
     if FLOORS[folder] < 4 and name not in PURE:
         return "below the cabinet there is no <%s>" % name
+    if name not in SYSTEM and path not in LINKED:
+        return "<%s> need not be installed; declare what is used (src/cab/host/library.h)" % name
     return None
 
 
@@ -76,7 +83,7 @@ def check(path):
         for number, line in enumerate(f, 1):
             m = INCLUDE.match(line)
             if m:
-                wrong = (own if m[1] == '"' else system)(path, m[2])
+                wrong = (own if m[1] == '"' else system)(path, m[2] or m[3])
                 if wrong:
                     found.append("%s:%d: %s" % (path, number, wrong))
     return found

@@ -31,6 +31,9 @@ refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/ba
 refuse "planted: the host's locale" "for src/base/host.h alone" planted src/cab/verify.c '<locale.h>'
 refuse "planted: rooms in a circle" "rooms in a circle: src/board -> src/board/api (src/board/board.c:" \
     planted src/board/board.c '"api/api_parts.h"'
+refuse "planted: a library's header" "<sndfile.h> need not be installed" planted src/cab/sound/sndfile.c '<sndfile.h>'
+has_include() { planted src/cab/sound/module.c $'"module.h"\n#if __has_include(<libopenmpt/libopenmpt.h>)\n#endif'; }
+refuse "planted: a question for one" "<libopenmpt/libopenmpt.h> need not be installed" has_include
 for i in $(seq 27); do echo >"$scratch/src/board/rom/more$i.c"; done
 files=$(find "$scratch/src/board/rom" -name '*.[ch]' | wc -l)
 refuse "planted: a room too large" "src/board/rom: $files files; a room has 26 at most" \

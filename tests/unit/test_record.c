@@ -23,14 +23,15 @@
 #include "../../src/snd/tune.h"
 #include "../temp.h"
 
-/* The readers once more, as they are where the libraries' headers were not there. */
+/* A build without shared libraries has this in place of what library.h declares. */
 #define WITHOUT_LIBRARIES
-#define sndfile_read sndfile_read_without
-#define module_read  module_read_without
-#include "../../src/cab/sound/module.c"
-#include "../../src/cab/sound/sndfile.c"
-#undef sndfile_read
-#undef module_read
+#define library_open    without_open
+#define library_missing without_missing
+#define library_about   without_about
+#include "../../src/cab/host/library.c"
+#undef library_open
+#undef library_missing
+#undef library_about
 
 #define SEEDS "tests/fuzz/seeds/fuzz_recording/"
 static const char *const seeds[] = { "stereo.wav", "loop.wav", "loop.ogg", "mono.opus", "loop.flac",
@@ -216,7 +217,7 @@ static float *played_on(const char *name, size_t n)
     size_t size;
     uint8_t *data = load(name, &size);
 
-    assert_true(library_open("libopenmpt.so.0", list, 4));
+    assert_true(library_open(LIBRARY_OPENMPT, list, 4));
     void *module = open(data, size, NULL, NULL, NULL, NULL, NULL, NULL, NULL);
     assert_true(out && module && repeat(module, -1) == 1);
     assert_int_equal(read(module, 48000, n, out), n);
@@ -309,24 +310,23 @@ static void test_modules(void **state)
     }
 }
 
-/* Without the headers of the libraries, or without the libraries, the rest is there, and it is said what is not. */
-static void test_without(void **state)
+/* Where a library is missing, a sentence says which and what for. */
+static void test_missing(void **state)
 {
     void (*function)(void);
     const struct library_function here = { "sf_open_virtual", &function }, nowhere = { "sf_open_door", &function };
-    struct pcm p;
     char err[256];
 
     (void)state;
-    assert_false(sndfile_read_without(NULL, 0, &p, err, sizeof err));
-    assert_string_equal(err, "this curtain was built without libsndfile, which reads OGG and FLAC (Debian: "
-                             "libsndfile1-dev, then build again)");
-    assert_false(module_read_without(NULL, 0, true, &p, err, sizeof err));
-    assert_string_equal(err, "this curtain was built without libopenmpt, which reads tracker modules (Debian: "
-                             "libopenmpt-dev, then build again)");
-    assert_false(library_open("libsndfile.so.99", &here, 1));
-    assert_false(library_open("libsndfile.so.1", &nowhere, 1));
-    assert_true(library_open("libsndfile.so.1", &here, 1));
+    assert_true(library_open(LIBRARY_SNDFILE, &here, 1));
+    assert_false(library_open(LIBRARY_SNDFILE, &nowhere, 1));
+    assert_false(library_missing(LIBRARY_OPENMPT, err, sizeof err));
+    assert_string_equal(err, "libopenmpt, which reads tracker modules, is missing (Debian: libopenmpt0)");
+    assert_false(without_open(LIBRARY_SNDFILE, &here, 1));
+    assert_false(without_missing(LIBRARY_SNDFILE, err, sizeof err));
+    assert_string_equal(err, "this curtain was built without shared libraries; libsndfile reads OGG and FLAC");
+    without_about(LIBRARY_EXPAT, err, sizeof err);
+    assert_string_equal(err, "this curtain was built without shared libraries; libexpat reads BulletML");
 }
 
 /* ---- ADPCM ---- */
@@ -808,10 +808,10 @@ int main(void)
     };
     const struct CMUnitTest with_libraries[] = {
         cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),   cmocka_unit_test(test_open_flac),
-        cmocka_unit_test(test_id3),       cmocka_unit_test(test_without),   cmocka_unit_test(test_sound),
+        cmocka_unit_test(test_id3),       cmocka_unit_test(test_missing),   cmocka_unit_test(test_sound),
         cmocka_unit_test(test_truncated), cmocka_unit_test(test_cut_pages), cmocka_unit_test(test_damage),
     };
-    const bool there = sizeof(void *) > 4 || library_open("libsndfile.so.1", NULL, 0);
+    const bool there = sizeof(void *) > 4 || library_open(LIBRARY_SNDFILE, NULL, 0);
 
     if (!there)
         printf("# libsndfile is not there in 32 bits: WAV and ADPCM alone\n");

@@ -12,26 +12,36 @@
 #include <stdlib.h>
 #include <string.h>
 
-#if defined __has_include && !defined WITHOUT_LIBRARIES
-#if __has_include(<expat.h>)
-#define HAS_EXPAT
-#endif
-#endif
-
-#ifndef HAS_EXPAT
-
-void document_xml(struct document_reader *r, const char *bytes, size_t n)
-{
-    (void)bytes, (void)n;
-    document_bad(
-        r, 1, 1,
-        "this curtain was built without expat, which reads BulletML (Debian: libexpat1-dev, then build again)");
-}
-
-#else
-
-#include <expat.h>
 #include "../host/library.h"
+
+/* ---- libexpat, as its version 1 declares it in expat.h ---- */
+
+typedef struct XML_ParserStruct *XML_Parser;
+typedef char XML_Char;
+typedef unsigned char XML_Bool;
+typedef long XML_Index;
+typedef unsigned long XML_Size;
+enum XML_Status { XML_STATUS_ERROR, XML_STATUS_OK };
+enum XML_Error { XML_ERROR_INVALID_TOKEN = 4 };
+enum { XML_FALSE = 0 };
+
+typedef struct {
+    int map[256];
+    void *data;
+    int (*convert)(void *data, const char *s);
+    void (*release)(void *data);
+} XML_Encoding;
+
+typedef void (*XML_StartElementHandler)(void *user, const XML_Char *name, const XML_Char **attributes);
+typedef void (*XML_EndElementHandler)(void *user, const XML_Char *name);
+typedef void (*XML_CharacterDataHandler)(void *user, const XML_Char *s, int length);
+typedef void (*XML_CommentHandler)(void *user, const XML_Char *s);
+typedef void (*XML_ProcessingInstructionHandler)(void *user, const XML_Char *target, const XML_Char *s);
+typedef void (*XML_EntityDeclHandler)(void *user, const XML_Char *name, int parameter, const XML_Char *value, int n,
+                                      const XML_Char *base, const XML_Char *system, const XML_Char *public,
+                                      const XML_Char *notation);
+typedef void (*XML_SkippedEntityHandler)(void *user, const XML_Char *name, int parameter);
+typedef int (*XML_UnknownEncodingHandler)(void *user, const XML_Char *name, XML_Encoding *info);
 
 struct functions {
     XML_Parser (*create)(const XML_Char *encoding);
@@ -47,7 +57,7 @@ struct functions {
     void (*skipped)(XML_Parser parser, XML_SkippedEntityHandler skipped);
     void (*encoding)(XML_Parser parser, XML_UnknownEncodingHandler encoding, void *user);
     enum XML_Error (*error)(XML_Parser parser);
-    const XML_LChar *(*say)(enum XML_Error error);
+    const char *(*say)(enum XML_Error error);
     XML_Size (*line)(XML_Parser parser);
     XML_Size (*column)(XML_Parser parser);
     XML_Index (*index)(XML_Parser parser);
@@ -73,7 +83,7 @@ static bool find(struct functions *f)
                                              { "XML_GetCurrentColumnNumber", &f->column },
                                              { "XML_GetCurrentByteIndex", &f->index } };
 
-    return library_open("libexpat.so.1", list, sizeof list / sizeof *list);
+    return library_open(LIBRARY_EXPAT, list, sizeof list / sizeof *list);
 }
 
 enum { TEXT = 8192 /* bytes of a number */ };
@@ -132,7 +142,7 @@ static void bad_element(struct reader *x, const char *name, const char *near)
                  near[0] ? " (did you mean <" : "", near, near[0] ? ">?)" : "");
 }
 
-static void XMLCALL begin_element(void *user, const XML_Char *name, const XML_Char **attributes)
+static void begin_element(void *user, const XML_Char *name, const XML_Char **attributes)
 {
     struct reader *x = user;
     const char *near;
@@ -204,7 +214,7 @@ static void read_number(struct reader *x, int32_t at)
         document_told(x->r, at, "a number beyond 2147483647 is taken for the greatest there is");
 }
 
-static void XMLCALL end_element(void *user, const XML_Char *name)
+static void end_element(void *user, const XML_Char *name)
 {
     struct reader *x = user;
 
@@ -225,7 +235,7 @@ static void XMLCALL end_element(void *user, const XML_Char *name)
 
 /* ---- text ---- */
 
-static void XMLCALL add_text(void *user, const XML_Char *s, int length)
+static void add_text(void *user, const XML_Char *s, int length)
 {
     struct reader *x = user;
     const size_t n = (size_t)length;
@@ -264,13 +274,13 @@ static void pass_comment(struct reader *x)
         x->n = 0;
 }
 
-static void XMLCALL on_comment(void *user, const XML_Char *s)
+static void on_comment(void *user, const XML_Char *s)
 {
     (void)s;
     pass_comment(user);
 }
 
-static void XMLCALL on_instruction(void *user, const XML_Char *target, const XML_Char *s)
+static void on_instruction(void *user, const XML_Char *target, const XML_Char *s)
 {
     (void)target, (void)s;
     pass_comment(user);
@@ -278,9 +288,8 @@ static void XMLCALL on_instruction(void *user, const XML_Char *target, const XML
 
 /* ---- what is refused ---- */
 
-static void XMLCALL on_entity(void *user, const XML_Char *name, int parameter, const XML_Char *value, int n,
-                              const XML_Char *base, const XML_Char *system, const XML_Char *public,
-                              const XML_Char *notation)
+static void on_entity(void *user, const XML_Char *name, int parameter, const XML_Char *value, int n,
+                      const XML_Char *base, const XML_Char *system, const XML_Char *public, const XML_Char *notation)
 {
     struct reader *x = user;
 
@@ -290,7 +299,7 @@ static void XMLCALL on_entity(void *user, const XML_Char *name, int parameter, c
     go_on(x);
 }
 
-static void XMLCALL on_skipped(void *user, const XML_Char *name, int parameter)
+static void on_skipped(void *user, const XML_Char *name, int parameter)
 {
     struct reader *x = user;
 
@@ -303,7 +312,7 @@ static void XMLCALL on_skipped(void *user, const XML_Char *name, int parameter)
 /* ---- encodings ---- */
 
 /* A character beyond ASCII becomes some one: comments alone have such, labels are refused. */
-static int XMLCALL some_character(void *user, const char *s)
+static int some_character(void *user, const char *s)
 {
     (void)user;
     return (s[1] & 0xff) >= 0x40 ? 0x3000 : -1;
@@ -316,7 +325,7 @@ static bool same_word(const char *a, const char *b)
     return *a == *b;
 }
 
-static int XMLCALL on_encoding(void *user, const XML_Char *name, XML_Encoding *info)
+static int on_encoding(void *user, const XML_Char *name, XML_Encoding *info)
 {
     static const char *const shift[] = { "Shift_JIS", "x-sjis", "Windows-31J", "cp932" };
     struct reader *x = user;
@@ -372,6 +381,7 @@ static void bad_xml(struct reader *x, const char *bytes, size_t n)
 void document_xml(struct document_reader *r, const char *bytes, size_t n)
 {
     struct reader *x = calloc(1, sizeof *x);
+    char why[128];
 
     if (!x) {
         document_bad(r, 1, 1, "out of memory");
@@ -379,10 +389,12 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
     }
     x->r = r;
     x->open = DOCUMENT_NONE;
-    if (!find(&x->f))
-        document_bad(r, 1, 1, "there is no libexpat here, which reads BulletML (Debian: libexpat1)");
-    else if (!(x->parser = x->f.create(NULL)))
+    if (!find(&x->f)) {
+        library_missing(LIBRARY_EXPAT, why, sizeof why);
+        document_bad(r, 1, 1, "%s", why);
+    } else if (!(x->parser = x->f.create(NULL))) {
         document_bad(r, 1, 1, "out of memory");
+    }
     if (x->parser) {
         x->f.user(x->parser, x);
         x->f.elements(x->parser, begin_element, end_element);
@@ -398,5 +410,3 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
     }
     free(x);
 }
-
-#endif

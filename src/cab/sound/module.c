@@ -12,28 +12,19 @@
 #include "../../base/err.h"
 #include "../../snd/adpcm.h"
 #include "../../snd/pitch.h"
-
-#if defined __has_include && !defined WITHOUT_LIBRARIES
-#if __has_include(<libopenmpt/libopenmpt.h>)
-#define HAS_OPENMPT
-#endif
-#endif
-
-#ifndef HAS_OPENMPT
-
-bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, char *err, size_t err_size)
-{
-    (void)data, (void)n, (void)loops;
-    *out = (struct pcm){ .loop = -1, .loop_end = -1 };
-    return err_set(err, err_size,
-                   "this curtain was built without libopenmpt, which reads tracker modules "
-                   "(Debian: libopenmpt-dev, then build again)");
-}
-
-#else
-
-#include <libopenmpt/libopenmpt.h>
 #include "../host/library.h"
+
+/* ---- libopenmpt, as its version 0 declares it in libopenmpt.h ---- */
+
+typedef struct openmpt_module openmpt_module;
+typedef void (*openmpt_log_func)(const char *message, void *user);
+typedef int (*openmpt_error_func)(int error, void *user);
+
+typedef struct {
+    const char *ctl, *value;
+} openmpt_module_initial_ctl;
+
+enum { OPENMPT_ERROR_FUNC_RESULT_NONE = 0 };
 
 struct functions {
     openmpt_module *(*open)(const void *data, size_t n, openmpt_log_func log, void *log_user, openmpt_error_func fail,
@@ -52,7 +43,7 @@ static bool find(struct functions *f)
                                              { "openmpt_module_get_duration_seconds", &f->duration },
                                              { "openmpt_module_get_current_estimated_bpm", &f->tempo } };
 
-    return library_open("libopenmpt.so.0", list, sizeof list / sizeof *list);
+    return library_open(LIBRARY_OPENMPT, list, sizeof list / sizeof *list);
 }
 
 /* Errors come as results. */
@@ -129,7 +120,7 @@ bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, cha
 
     *out = (struct pcm){ .loop = -1, .loop_end = -1 };
     if (!find(&f))
-        return err_set(err, err_size, "libopenmpt is not there, which reads tracker modules (Debian: libopenmpt0)");
+        return library_missing(LIBRARY_OPENMPT, err, err_size);
     openmpt_module *module = f.open(data, n, NULL, NULL, ignore, NULL, NULL, NULL, ctls);
     if (!module)
         return err_set(err, err_size, "libopenmpt knows no module in it, or a damaged one");
@@ -139,5 +130,3 @@ bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, cha
         pcm_free(out);
     return good;
 }
-
-#endif

@@ -1,36 +1,37 @@
 /*
  * sndfile.c - see sndfile.h. The library takes what is damaged as silence or as the end, and reads dozens of formats,
- * so it sees only what tags.c has looked through. It is opened when the first such file is met (library.h).
+ * so it sees only what tags.c has looked through. It is opened when the first such file is met (library.h), and what it
+ * declares in sndfile.h of its version 1 is here.
  */
 #include "sndfile.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 #include "../../base/err.h"
 #include "../../snd/adpcm.h"
+#include "../host/library.h"
 #include "tags.h"
 
-#if defined __has_include && !defined WITHOUT_LIBRARIES
-#if __has_include(<sndfile.h>)
-#define HAS_SNDFILE
-#endif
-#endif
+/* ---- libsndfile ---- */
 
-#ifndef HAS_SNDFILE
+typedef struct sndfile SNDFILE;
+typedef int64_t sf_count_t;
 
-bool sndfile_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
-{
-    (void)data, (void)n;
-    *out = (struct pcm){ .loop = -1, .loop_end = -1 };
-    return err_set(err, err_size,
-                   "this curtain was built without libsndfile, which reads OGG and FLAC "
-                   "(Debian: libsndfile1-dev, then build again)");
-}
+typedef struct {
+    sf_count_t frames;
+    int samplerate, channels, format, sections, seekable;
+} SF_INFO;
 
-#else
+typedef struct {
+    sf_count_t (*size)(void *user);
+    sf_count_t (*seek)(sf_count_t by, int whence, void *user);
+    sf_count_t (*read)(void *to, sf_count_t n, void *user);
+    sf_count_t (*write)(const void *from, sf_count_t n, void *user);
+    sf_count_t (*tell)(void *user);
+} SF_VIRTUAL_IO;
 
-#include <sndfile.h>
-#include "../host/library.h"
+enum { SFM_READ = 0x10 };
 
 struct functions {
     SNDFILE *(*open)(SF_VIRTUAL_IO *io, int mode, SF_INFO *info, void *user);
@@ -48,7 +49,7 @@ static bool find(struct functions *f)
                                              { "sf_error", &f->error },
                                              { "sf_strerror", &f->say } };
 
-    return library_open("libsndfile.so.1", list, sizeof list / sizeof *list);
+    return library_open(LIBRARY_SNDFILE, list, sizeof list / sizeof *list);
 }
 
 /* ---- a file in memory ---- */
@@ -167,7 +168,7 @@ bool sndfile_read(const uint8_t *data, size_t n, struct pcm *out, char *err, siz
     if (!(n > 4 && memcmp(data, "fLaC", 4) == 0 ? tags_flac : tags_ogg)(data, n, &t, err, err_size))
         return false;
     if (!find(&f))
-        return err_set(err, err_size, "libsndfile is not there, which reads OGG and FLAC (Debian: libsndfile1)");
+        return library_missing(LIBRARY_SNDFILE, err, err_size);
     if (!decode(&f, data, n, out, err, err_size)) {
         pcm_free(out);
         return false;
@@ -175,5 +176,3 @@ bool sndfile_read(const uint8_t *data, size_t n, struct pcm *out, char *err, siz
     take_loop(&t, out);
     return true;
 }
-
-#endif
