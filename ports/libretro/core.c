@@ -62,11 +62,15 @@ static void add_choice(int *n, const char *key, const char *description, const c
     ++*n;
 }
 
-static void add_word(int n, const char *word)
+/* False: there is no room for that word. */
+static bool add_word(int n, const char *word)
 {
     size_t used = strlen(core.value[n]);
+    bool fits = used + 1 + strlen(word) < sizeof core.value[n];
 
-    snprintf(core.value[n] + used, sizeof core.value[n] - used, "|%s", word);
+    if (fits)
+        snprintf(core.value[n] + used, sizeof core.value[n] - used, "|%s", word);
+    return fits;
 }
 
 static void offer_choices(void)
@@ -85,8 +89,8 @@ static void offer_choices(void)
     for (int i = 0; n < CHOICES - 1 && curtain_switches(core.c, i, &s); i++) {
         add_choice(&n, s.name, s.name, s.value);
         for (int k = 0; curtain_switch_value(core.c, i, k, text, sizeof text); k++)
-            if (strcmp(text, s.value))
-                add_word(n - 1, text);
+            if (strcmp(text, s.value) && !add_word(n - 1, text))
+                break;
     }
     add_choice(&n, "keep_run", "Keep the run as a demo on exit", "no|yes");
     core.variable[n] = (struct retro_variable){ NULL, NULL };

@@ -3,7 +3,7 @@
 --
 -- Each flies `there` frames one way and the same way back, so the crowd stays as it is. Every 20th has its turning points
 -- across an edge of the screen: about 5 % are drawn clipped.
-local n = board.dip("n")
+local n = board.dip("n") + 65536 * board.dip("n_high")
 local does = board.dip("does")
 assert(pattern) -- tools/bench/worst.c runs a line in this game that needs it, so it is packed
 

@@ -33,7 +33,8 @@ return {
     clouds = { tiles = "art/tiles.png", bank = 13, rows = {
       { 9, 10, 11, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 12, 0 }, { 0, 0, 9, 10, 11, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0 } } },
   },
-  dip = { n = { min = 0, max = 4194304, default = 16384 }, mix = { "four", "small" }, log = { "off", "on" },
+  dip = { n = { min = 0, max = 65535, default = 16384 }, n_high = { min = 0, max = 64 }, -- and 65536 for each
+    mix = { "four", "small" }, log = { "off", "on" },
     does = { "shuttle", "crowd", "creep", "battle", "pictures", "prices", "items", "lasers", "together", "looks", "boss" },
     price = { "straight", "accel", "turn", "drive", "aim", "home", "mixed", "half", "fine", "fine_drive", "group", "each", "task",
       "fire" },

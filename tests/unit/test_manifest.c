@@ -419,6 +419,12 @@ static void test_dip_errors(void **state)
     entry_refused("dip = { n = {} }", "dip.n.min: expected a whole number from -2147483648 to 2147483647, got nil");
     entry_refused("dip = { n = { min = 3, max = 2 } }",
                   "dip.n.max: expected a whole number from 3 to 2147483647, got 2");
+    entry_refused("dip = { n = { min = 0, max = 2147483647 } }",
+                  "dip.n: expected at most 65536 numbers from min to max, got 0 to 2147483647");
+    entry_refused("dip = { n = { min = -2147483648, max = 2147483647 } }",
+                  "dip.n: expected at most 65536 numbers from min to max, got -2147483648 to 2147483647");
+    entry_refused("dip = { n = { min = -1, max = 65535 } }",
+                  "dip.n: expected at most 65536 numbers from min to max, got -1 to 65535");
     entry_refused("dip = { n = { min = 1, max = 2, default = 3 } }",
                   "dip.n.default: expected a whole number from 1 to 2, got 3");
     entry_refused("dip = { n = { 'a', 'b', min = 1 } }", "dip.n: expected a list");

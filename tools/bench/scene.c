@@ -128,7 +128,9 @@ static void set_dips(struct board_start *start, const struct manifest *m, const 
     const char *const values[] = { want->does, want->price, want->picture };
 
     for (int i = 0; i < m->n_dips; i++)
-        start->dip[i] = strcmp(m->dips[i].name, "n") ? m->dips[i].value : want->n;
+        start->dip[i] = !strcmp(m->dips[i].name, "n")        ? want->n % 65536
+                        : !strcmp(m->dips[i].name, "n_high") ? want->n / 65536
+                                                             : m->dips[i].value;
     for (int k = 0; k < 3; k++) {
         int i = values[k] ? dip_with(m, names[k], values[k]) : -1;
         if (i >= 0)

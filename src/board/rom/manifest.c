@@ -237,6 +237,10 @@ static bool check_dip(const struct dip *d, char *err, size_t err_size)
     if (d->lo > d->hi || d->value < d->lo || d->value > d->hi)
         return err_set(err, err_size, "dip.%s: expected min <= default <= max, got %" PRId32 ", %" PRId32 ", %" PRId32,
                        d->name, d->lo, d->value, d->hi);
+    if ((int64_t)d->hi - d->lo >= MAX_DIP_RANGE)
+        return err_set(err, err_size,
+                       "dip.%s: expected at most %d numbers from min to max, got %" PRId32 " to %" PRId32, d->name,
+                       MAX_DIP_RANGE, d->lo, d->hi);
     return true;
 }
 

@@ -16,6 +16,7 @@
 enum {
     MAX_DIPS = 16,
     MAX_DIP_VALUES = 16,
+    MAX_DIP_RANGE = 1 << 16, /* numbers from min to max: hosts list them */
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
