@@ -31,7 +31,15 @@ enum {
 };
 
 /* Why an instruction counts as 1 + more: it may work on this, of which there are n. */
-enum vm_why { WEIGHT_TEXT, WEIGHT_ZEROS, WEIGHT_NUMERAL, WEIGHT_NUMBER, WEIGHT_CHAIN, WEIGHT_ARGUMENTS };
+enum vm_why {
+    WEIGHT_TEXT,
+    WEIGHT_ZEROS,
+    WEIGHT_NUMERAL,
+    WEIGHT_NUMBER,
+    WEIGHT_FRACTION,
+    WEIGHT_CHAIN,
+    WEIGHT_ARGUMENTS
+};
 
 struct vm_weight {
     size_t more;

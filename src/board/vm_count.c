@@ -43,8 +43,9 @@ enum {
     A_NUMERAL = 64,
     A_LINK = 4, /* tables linked by __index or __newindex */
     AN_ARGUMENT = 128,
-    AN_ALLOCATION = 32, /* bytes allocated: added once */
-    AN_EXTREME = 16     /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
+    AN_ALLOCATION = 4, /* bytes allocated: added once */
+    AN_EXTREME = 64,   /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
+    A_FRACTION = 16    /* what floating-point numbers add: `..` writes them out */
 };
 
 /* Bytes of a text that are looked at to read a number from it. */
@@ -84,7 +85,9 @@ static struct vm_weight number_weight(lua_State *L)
     double size = fabs(lua_tonumber(L, -1));
     bool odd = (size > 0x1p256 && size <= DBL_MAX) || (size < 0x1p-256 && size > 0);
 
-    return (struct vm_weight){ odd ? AN_EXTREME : 0, WEIGHT_NUMBER, 256 };
+    if (odd)
+        return (struct vm_weight){ AN_EXTREME, WEIGHT_NUMBER, 256 };
+    return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : A_FRACTION, WEIGHT_FRACTION, 0 };
 }
 
 /* How many tables follow the one on top by this field of their metatables. */
@@ -205,7 +208,7 @@ void vm_look(lua_State *L, lua_Debug *ar)
     uint64_t allocated = heap_work(vm->heap) - vm->looked, looking = 0;
     struct vm_weight w = weigh_function(L, ar, &looking);
 
-    if (w.more > vm->heaviest.more)
+    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION) /* nearly every loop has fractions at hand */
         vm->heaviest = w;
     vm->looked += allocated;
     vm_charge(L, STEP * (1 + (uint64_t)w.more) + allocated / AN_ALLOCATION + looking);
