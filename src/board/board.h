@@ -21,7 +21,7 @@
 #include "../chips/slots.h"
 
 enum {
-    CORE_VERSION = 8,     /* raised whenever the same ROM and demo could give another hash */
+    CORE_VERSION = 9,     /* raised whenever the same ROM and demo could give another hash */
     MAX_PARTS = 64,       /* state hashes in a track: one a part; a set of parts is a uint64_t, 1 << part */
     NVRAM_MOST = 1 << 20, /* bytes of an image of score tables and saves (nvram.h); board.nvram says what fits */
     MAX_TEXT = 65536      /* bytes of a text in a script; a longer one is FAULT_MEMORY */

@@ -164,7 +164,7 @@ open(sys.argv[1], "wb").write(d)
 PY
 { keys 60; } | plays out --resume
 check 'a run of another core version does not go on, which is said' grep -q \
-    'the run that was left cannot go on: recorded on core version 7, this is 8' err
+    'the run that was left cannot go on: recorded on core version 7, this is 9' err
 again
 echo rubbish >$left
 { keys 60; } | plays out
