@@ -234,6 +234,25 @@ static void what_a_tick_hands_out_stays(void **state)
     rig_run(&t->r, 50);
 }
 
+/* After a fault nothing happens any more, and the fault stays: a host that does not look ends no process. */
+static void a_board_with_a_fault_stays(void **state)
+{
+    const uint16_t pads[PADS] = { 0 };
+    struct bed *t = *state;
+
+    assert_false(board_eval(t->r.b, "error('boo')", t->out, sizeof t->out));
+    const uint32_t frame = board_frame(t->r.b);
+    for (int i = 0; i < 3; i++) {
+        const struct board_out *out = board_tick(t->r.b, pads);
+        assert_non_null(out->fault);
+        assert_string_equal(out->fault->message, "console:1: boo");
+        assert_int_equal(out->log_size, 0);
+    }
+    assert_int_equal(board_frame(t->r.b), frame);
+    assert_false(board_eval(t->r.b, "board.note(1)", t->out, sizeof t->out));
+    assert_string_equal(t->out, "console:1: boo");
+}
+
 /* Two boards, one of which is asked things all the time. */
 static void undone_lines_change_nothing(void **state)
 {
@@ -412,6 +431,7 @@ int main(void)
         TEST(what_is_kept_stays),
         TEST(events_are_applied),
         TEST(what_a_tick_hands_out_stays),
+        TEST(a_board_with_a_fault_stays),
         TEST(undone_lines_change_nothing),
         TEST(any_line_ends_and_is_undone),
         TEST(kept_lines_leave_a_board_that_runs),
