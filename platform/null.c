@@ -51,7 +51,7 @@ uint64_t plat_usec(void)
 
 void plat_wait(uint64_t until)
 {
-    for (uint64_t now; (now = plat_usec()) < until;) {
+    for (uint64_t now, from = plat_usec(); (now = plat_usec()) < until && now >= from;) {
 #ifdef CLOCK_MONOTONIC
         uint64_t left = until - now;
         struct timespec t = { .tv_sec = (time_t)(left / 1000000), .tv_nsec = (long)(left % 1000000 * 1000) };

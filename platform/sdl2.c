@@ -702,7 +702,7 @@ uint64_t plat_usec(void)
 /* SDL sleeps whole milliseconds and rarely too short; what is left under one is spun. */
 void plat_wait(uint64_t until)
 {
-    for (uint64_t now; (now = plat_usec()) < until;)
+    for (uint64_t now, from = plat_usec(); (now = plat_usec()) < until && now >= from;)
         if (until - now >= 1000)
             SDL_Delay((Uint32)((until - now) / 1000));
 }

@@ -597,6 +597,63 @@ static void test_report(void **state)
     done();
 }
 
+/* A frame whose clock jumped: what waits to be heard stays inside its buffer, and goes on. */
+static void jump(double late, double lost)
+{
+    frame(1, late, lost);
+    const struct resample *r = speaker.resample;
+    assert_in_range(r->n, RESAMPLE_BEFORE, RESAMPLE_ROOM);
+    assert_in_range(r->at >> 32, RESAMPLE_BEFORE, r->n);
+    pass(sixtieth);
+}
+
+/* A machine that slept, a clock that was set, a card that stands still: in each state of the speaker, by any time. */
+static void test_clock_jumps(void **state)
+{
+    static const double times[] = { 0, 1e5, 1e6, 5e6, 3.6e9, 8.64e10, 1.8e19 };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++)
+        for (int slowed = 0; slowed < 2; slowed++) {
+            power(steady);
+            even(60);
+            for (int k = 0; k < 4 && slowed; k++)
+                jump(2e4, 1e5);
+            assert_int_equal(speaker.slowed > 0, slowed);
+            jump(times[i], 0);
+            jump(0, times[i]);
+            jump(times[i], times[i]);
+            card.rate = 0; /* stands still */
+            for (int k = 0; k < 120; k++)
+                jump(0, 0);
+            card.rate = 1;
+            jump(times[i], 0);
+            const int before = card.n, gaps = card.gaps;
+            for (int k = 0; k < 300; k++)
+                jump(0, 0);
+            assert_in_range(card.n - before, 300 * 800 - 2, 300 * 800 + 2);
+            assert_in_range(card.gaps - gaps, 0, 2);
+            done();
+        }
+}
+
+/* No step takes the place out of the buffer. */
+static void test_any_step(void **state)
+{
+    static struct resample r;
+    static int16_t in[2 * SPEAKER_BLOCK], out[2 * SPEAKER_BLOCK];
+    static const uint64_t steps[] = { RESAMPLE_ONE, 3 * RESAMPLE_ONE + 7, 30 * RESAMPLE_ONE, 1 << 20, UINT64_MAX / 2 };
+
+    (void)state;
+    resample_open(&r);
+    for (int i = 0; i < 1000; i++) {
+        resample_add(&r, in, SPEAKER_BLOCK);
+        resample_take(&r, steps[i % 5], RESAMPLE_ROOM, out, SPEAKER_BLOCK);
+        assert_in_range(r.n, RESAMPLE_BEFORE, RESAMPLE_ROOM);
+        assert_in_range(r.at >> 32, RESAMPLE_BEFORE, r.n);
+    }
+}
+
 static int make_tables(void **state)
 {
     (void)state;
@@ -623,6 +680,7 @@ int main(void)
         cmocka_unit_test(test_lost_and_found),  cmocka_unit_test(test_nothing_to_hear),
         cmocka_unit_test(test_mute_and_volume), cmocka_unit_test(test_stuck),
         cmocka_unit_test(test_joints),          cmocka_unit_test(test_report),
+        cmocka_unit_test(test_clock_jumps),     cmocka_unit_test(test_any_step),
     };
 
     return cmocka_run_group_tests(tests, make_tables, free_tables);

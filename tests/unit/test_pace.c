@@ -145,12 +145,54 @@ static void test_no_rate(void **state)
     assert_int_equal(p.refresh, 0);
 }
 
+/* Frames at this clock until so many ticks were handed out; each wait ends at the time that is asked for. */
+static uint64_t runs(struct pace *p, int refresh, uint64_t now, int ticks)
+{
+    for (int frames = 0; ticks > 0; frames++) {
+        assert_true(frames < 4000);
+        pace_refresh(p, refresh, now);
+        const uint64_t due = pace_due(p);
+        now = due > now ? due : now + (refresh ? 1000000000 / (uint64_t)refresh : 0);
+        if (!pace_comes(p, now))
+            continue;
+        const struct pace_frame f = pace_take(p, now);
+        assert_in_range(f.ticks, 1, PACE_LATE);
+        assert_true(f.due <= now);
+        ticks -= f.ticks;
+        pace_worked(p, 5000);
+    }
+    return now;
+}
+
+/* A clock that jumps, both ways and by any time: the game goes on at once, at its rate. */
+static void test_jumps(void **state)
+{
+    static const int64_t jumps[] = { -7200000000, -1000000, 200000, 5000000, 86400000000, -86400000000 };
+    static const int rates[] = { 0, 60000, 143980, 50000 };
+    struct pace p;
+
+    (void)state;
+    for (size_t r = 0; r < sizeof rates / sizeof *rates; r++) {
+        uint64_t now = 100000000000;
+        pace_open(&p, now);
+        now = runs(&p, rates[r], now, 600);
+        for (size_t i = 0; i < sizeof jumps / sizeof *jumps; i++) {
+            now += (uint64_t)jumps[i];
+            pace_worked(&p, (uint64_t)jumps[i]); /* it jumped in the middle of a frame */
+            const uint64_t from = now;
+            now = runs(&p, rates[r], now, 600);
+            assert_in_range(now - from, 9700000, 10100000);
+            assert_true(p.work < PACE_SECOND);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_screens), cmocka_unit_test(test_told_wrong), cmocka_unit_test(test_does_not_wait),
         cmocka_unit_test(test_stalls),  cmocka_unit_test(test_no_screen),  cmocka_unit_test(test_late),
-        cmocka_unit_test(test_no_rate),
+        cmocka_unit_test(test_no_rate), cmocka_unit_test(test_jumps),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,8 +22,9 @@ enum {
     CAREFUL = 300, /* refreshes after one that was missed */
     SETTLES = 2,   /* ticks */
     BELIEVED = 30, /* refreshes that an error of the rate is spread over at least */
-    RATE_MOST = 32,     /* the rate is believed to be wrong by a 32nd part at most */
-    EARLIEST = TICK / 4 /* after its time that a tick is handed out, the dead band deducted: it is due then */
+    AHEAD_MOST = PACE_SECOND / 8, /* usec until the next frame: never more, unless the clock was set back */
+    RATE_MOST = 32,               /* the rate is believed to be wrong by a 32nd part at most */
+    EARLIEST = TICK / 4           /* after its time that a tick is handed out, the dead band deducted: it is due then */
 };
 
 void pace_open(struct pace *p, uint64_t now)
@@ -50,18 +51,6 @@ static void begin_locked(struct pace *p, uint64_t now)
     p->careful = CAREFUL;
 }
 
-void pace_refresh(struct pace *p, int refresh, uint64_t now)
-{
-    refresh = refresh < PACE_LEAST || refresh > PACE_MOST ? 0 : refresh;
-    if (refresh == p->refresh)
-        return;
-    p->refresh = refresh;
-    if (refresh)
-        begin_locked(p, now);
-    else
-        pace_open(p, now);
-}
-
 /* When so many millionths of a tick have passed since the base. */
 static uint64_t moment(const struct pace *p, int64_t at)
 {
@@ -86,6 +75,25 @@ uint64_t pace_due(const struct pace *p)
     if (p->begin)
         return p->begin;
     return p->asleep ? refresh_due(p, p->at + p->step + p->step / MARGIN) : 0;
+}
+
+static void begin_again(struct pace *p, uint64_t now)
+{
+    if (p->refresh)
+        begin_locked(p, now);
+    else
+        pace_open(p, now);
+}
+
+void pace_refresh(struct pace *p, int refresh, uint64_t now)
+{
+    const uint64_t due = pace_due(p);
+
+    refresh = refresh < PACE_LEAST || refresh > PACE_MOST ? 0 : refresh;
+    if (refresh == p->refresh && (due <= now || due - now <= AHEAD_MOST))
+        return;
+    p->refresh = refresh;
+    begin_again(p, now);
 }
 
 /* The clock was off by so much in the end: it is set right, and so is its rate. */
@@ -145,7 +153,9 @@ static bool begin_frame(struct pace *p, uint64_t now)
 
 void pace_worked(struct pace *p, uint64_t usec)
 {
-    p->work = int64_max((int64_t)usec, p->work - p->work / FORGETS);
+    const int64_t took = usec < AHEAD_MOST ? (int64_t)usec : AHEAD_MOST; /* more is no work: a machine that slept */
+
+    p->work = int64_max(took, p->work - p->work / FORGETS);
 }
 
 bool pace_comes(struct pace *p, uint64_t now)

@@ -56,7 +56,8 @@ struct pace_frame {
 void pace_open(struct pace *p, uint64_t now);
 
 /* The screen's refreshes a thousand seconds, if showing a picture waits for one; 0, and what is out of range: it does
- * not. Does nothing when that is as it was. */
+ * not. Does nothing when that is as it was. To be called before each wait: a clock that was set back, so that the next
+ * frame would be due long after now, begins again. */
 void pace_refresh(struct pace *p, int refresh, uint64_t now);
 
 /* Until when to wait before pace_comes is asked. */

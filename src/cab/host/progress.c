@@ -63,6 +63,8 @@ void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
     if (!now.going)
         return;
     const uint64_t usec = plat_usec();
+    if (usec < now.told) /* the clock went back */
+        now.begun = now.told = usec;
     if (usec - now.begun < TELL_AFTER || (now.told != now.begun && usec - now.told < TELL_EVERY))
         return;
     va_start(args, format);

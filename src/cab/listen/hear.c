@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../../board/board.h"
 #include "../host/config.h"
 #include "../host/report.h"
@@ -51,17 +52,22 @@ bool hear_frame(struct hear *h)
     struct plat_input in;
     const uint64_t due = h->base + h->frames * SECOND / 60;
 
+    if (plat_usec() + SECOND < due) { /* the clock was set back */
+        h->base = plat_usec();
+        h->frames = 0;
+        return true;
+    }
     plat_wait(due);
     const uint64_t now = plat_usec();
     if (now < due)
         return true;
-    int n = (int)((now - due) * 60 / SECOND) + 1;
-    struct speaker_time time = { .sixtieths = n < MOST_LATE ? n : MOST_LATE, .slow = 1 };
-    time.lost = (uint64_t)(n - time.sixtieths) * SECOND / 60;
-    h->frames += (uint64_t)n;
+    const uint64_t n = (now - due) * 60 / SECOND + 1;
+    struct speaker_time time = { .sixtieths = n < MOST_LATE ? (int)n : MOST_LATE, .slow = 1 };
+    time.lost = (n - (uint64_t)time.sixtieths) * SECOND / 60;
+    h->frames += n;
     plat_poll(&in);
     tick(h, time.sixtieths);
-    time.late = plat_usec() - due;
+    time.late = clock_since(due);
     speaker_frame(&h->speaker, &time);
     overlay_listen(&h->overlay, h->b, &h->speaker);
     show(h);

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../host/progress.h"
 #include "../host/report.h"
 #include "../tables/shade.h"
@@ -105,14 +106,6 @@ static int where(struct measure *m, struct place *p, const struct board_out *out
 
 /* ---- one frame ---- */
 
-static uint64_t lap(struct player *p)
-{
-    const uint64_t now = plat_usec(), took = now - p->last;
-
-    p->last = now;
-    return took;
-}
-
 static void tick_begins(void *context)
 {
     struct player *p = context;
@@ -124,7 +117,7 @@ static void phase_ends(void *context, enum board_phase phase)
 {
     struct player *p = context;
 
-    p->phase[phase] += lap(p);
+    p->phase[phase] += clock_lap(&p->last);
 }
 
 static const struct board_out *timed_tick(struct player *p, const uint16_t pads[PADS], struct times *t)
@@ -136,10 +129,10 @@ static const struct board_out *timed_tick(struct player *p, const uint16_t pads[
         return out;
     p->last = plat_usec();
     board_draw(p->guard.board, &p->view, &p->fb, p->rgb, p->scratch);
-    t->draw = (uint32_t)lap(p);
+    t->draw = (uint32_t)clock_lap(&p->last);
     if (p->sounds)
         board_sound(p->guard.board, p->sounds, p->heard);
-    t->sound = (uint32_t)lap(p);
+    t->sound = (uint32_t)clock_lap(&p->last);
     return out;
 }
 

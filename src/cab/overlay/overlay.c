@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../../base/int.h"
 
 enum {
@@ -47,9 +48,7 @@ void overlay_lap(struct overlay *o, int part)
 {
     if (!o->on[OVERLAY_SPLIT])
         return;
-    uint64_t now = plat_usec();
-    o->split.now[part] += now - o->split.last;
-    o->split.last = now;
+    o->split.now[part] += clock_lap(&o->split.last);
 }
 
 static void phase_ended(void *context, enum board_phase phase)

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../../chips/nvram.h"
 #include "cab_parts.h"
 #include "../host/files.h"
@@ -29,6 +30,7 @@ enum {
 /* Where the speaker's clock leads, a frame is due when it has used one up; or after a second, for it may be stuck. */
 static bool speaker_says(struct cab *cab, uint64_t now)
 {
+    pace_refresh(&cab->pace, 0, now);
     if (!speaker_due(&cab->speaker) && now < pace_due(&cab->pace) + SECOND) {
         plat_wait(now + LOOK_USEC);
         return false;
@@ -60,7 +62,7 @@ static struct speaker_time frames_due(struct cab *cab, uint64_t now)
 static void frame_sounds(struct cab *cab, struct speaker_time *time)
 {
     time->slow = cab->slow;
-    time->late = plat_usec() - time->late;
+    time->late = clock_since(time->late);
     speaker_frame(&cab->speaker, time);
     cab->speaker.meter = cab->overlay.on[OVERLAY_MIXER];
     overlay_listen(&cab->overlay, cab->attracting ? cab->attract_guard.board : cab_live(cab), &cab->speaker);

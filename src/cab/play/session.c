@@ -380,13 +380,22 @@ static bool arrived(const struct session *s)
     return board_frame(b) >= s->to || board_last(b)->fault;
 }
 
+/* A clock that went back has none left, either. */
+static bool time_left(uint64_t begun, uint64_t until)
+{
+    const uint64_t now = plat_usec();
+
+    return now >= begun && now < until;
+}
+
 bool session_work(struct session *s, uint64_t until)
 {
+    const uint64_t begun = plat_usec();
     bool good = true;
 
     for (int i = 1; s->state != SESSION_PLAYING && !arrived(s) && good; i++) {
         good = s->next ? reload_tick(s) : session_replay_tick(s);
-        if (i % LOOK_EVERY == 0 && plat_usec() >= until)
+        if (i % LOOK_EVERY == 0 && !time_left(begun, until))
             return good;
     }
     if (!good || s->state == SESSION_PLAYING)

@@ -116,6 +116,7 @@ int resample_take(struct resample *r, uint64_t step, int most, int16_t *out, int
     const uint64_t end = ((r->at >> 32) + (uint64_t)pass) << 32;
     int n = 0;
 
+    step = step < RESAMPLE_STEP_MOST ? step : RESAMPLE_STEP_MOST;
     for (; r->at < end && n < room; n++, r->at += step) {
         const bool whole = (uint32_t)r->at == 0;
         if (whole)

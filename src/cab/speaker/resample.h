@@ -19,7 +19,8 @@ enum {
     RESAMPLE_ROOM = 8192 /* frames */
 };
 
-#define RESAMPLE_ONE ((uint64_t)1 << 32)
+#define RESAMPLE_ONE       ((uint64_t)1 << 32)
+#define RESAMPLE_STEP_MOST (RESAMPLE_BEFORE * RESAMPLE_ONE) /* a longer step would leave what is in the buffer */
 
 struct resample {
     float kernel[RESAMPLE_PHASES + 1][RESAMPLE_TAPS];
@@ -38,8 +39,8 @@ void resample_add(struct resample *r, const int16_t *lr, int frames);
 /* Frames that could pass now. */
 int resample_ready(const struct resample *r);
 
-/* Lets at most `most` frames pass, a step (Q32 of a frame) after the other. Returns how many frames came out, room at
- * most. */
+/* Lets at most `most` frames pass, a step (Q32 of a frame, cut to RESAMPLE_STEP_MOST) after the other. Returns how many
+ * frames came out, room at most. */
 int resample_take(struct resample *r, uint64_t step, int most, int16_t *out, int room);
 
 #endif

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../../board/board.h"
 #include "../../base/int.h"
 
@@ -30,6 +31,7 @@ enum {
 };
 
 #define PACE_LEAST 0.25
+#define PACE_MOST  4.0
 #define PACE_MENDS 0.125 /* of what is missing, in a frame */
 
 void speaker_open(struct speaker *s, int volume, bool muted, bool exact)
@@ -208,10 +210,11 @@ static void measure(struct speaker *s, double ahead)
     s->seen.most = (uint32_t)fmax(s->seen.most, ahead);
 }
 
-/* As the game goes, and towards what should wait, in some frames. */
+/* As the game goes, and towards what should wait, in some frames. `off` has no bound: a frame after a stop, or after
+ * the host's clock was set, is late by any time. */
 static double slowed_rate(const struct speaker *s, double off)
 {
-    return fmax(s->pace * (1 + off / (2 * SPEAKER_AHEAD)), PACE_LEAST);
+    return fmin(fmax(s->pace * (1 + off / (2 * SPEAKER_AHEAD)), PACE_LEAST), PACE_MOST);
 }
 
 /* How fast the blocks pass, so that what waits is as much as should. */
@@ -324,16 +327,21 @@ void speaker_report(const struct speaker *s, char *line, size_t size)
              -100 * s->drift.sum, (unsigned)n->dry, (unsigned)n->refused);
 }
 
+/* Waits until all is heard, `most` usec at most, also of a clock that is set back meanwhile. */
+static void drain(uint64_t most)
+{
+    for (uint64_t passed = 0, last = plat_usec(); passed < most && plat_sound(NULL, 0) > 0; passed += clock_lap(&last))
+        plat_wait(last + DRAIN_STEP);
+}
+
 void speaker_close(struct speaker *s)
 {
     static const struct speaker_time one = { 1, 1, LATE_MOST, 0 };
 
     if (s->state == SPEAKER_GOOD) {
-        const uint64_t until = plat_usec() + (s->exact ? DRAIN_EXACT : DRAIN_MOST);
         append_silence(s, SPEAKER_BLOCK);
         send(s, &one);
-        while (plat_usec() < until && plat_sound(NULL, 0) > 0)
-            plat_wait(plat_usec() + DRAIN_STEP);
+        drain(s->exact ? DRAIN_EXACT : DRAIN_MOST);
     }
     free(s->memory);
     free(s->resample);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../demo/replay.h"
 #include "../host/files.h"
 #include "golden.h"
@@ -78,7 +79,7 @@ void one_demo(const struct testing *t, const char *name, FILE *out)
         outcome_say(out, SAYS_WRONG, "%s", err);
     else
         frames = judge(t, name, d, out);
-    outcome_say(out, SAYS_COST, "%u %llu", (unsigned)frames, (unsigned long long)(plat_usec() - begun));
+    outcome_say(out, SAYS_COST, "%u %llu", (unsigned)frames, (unsigned long long)clock_since(begun));
     if (d) {
         replay_close(&d->replay);
         demo_free(&d->demo);

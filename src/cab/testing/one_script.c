@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../../base/err.h"
 #include "../demo/demo.h"
 #include "../host/files.h"
@@ -264,7 +265,7 @@ void one_script(const struct testing *t, const char *name, FILE *out)
     } else {
         outcome_say(out, SAYS_HOST, "%s", err);
     }
-    outcome_say(out, SAYS_COST, "%u %llu", (unsigned)frames, (unsigned long long)(plat_usec() - begun));
+    outcome_say(out, SAYS_COST, "%u %llu", (unsigned)frames, (unsigned long long)clock_since(begun));
     for (int i = 0; s && i < TRIAL_RUNS; i++)
         close_run(&s->run[i]);
     for (int i = 0; s && i < s->n_scripts; i++)

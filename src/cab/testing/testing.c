@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../run/clock.h"
 #include "../../base/edit.h"
 #include "../host/files.h"
 #include "../host/process.h"
@@ -361,7 +362,7 @@ static enum result run_all(struct all *a)
     progress_begin();
     const bool good = process_each(a->n, a->t->jobs ? a->t->jobs : process_cores(), &work);
     progress_end();
-    a->sums.usec = plat_usec() - begun;
+    a->sums.usec = clock_since(begun);
     if (!good || a->no_memory)
         return report_line(RESULT_HOST, good ? "out of memory" : "test: no process, or no memory");
     return reports(a);
