@@ -41,11 +41,13 @@ play_until() { # SIGNAL ARGUMENT...
 
 mknod full c 1 7 2>/dev/null || ln -s /dev/full full # root would lose /dev/full to a program that replaces it
 play_until TERM --record full
-same 'a recording without room says so, and is played' \
-    'curtain: full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
+same 'a recording without room says so, is played, and says so at the end' \
+    'curtain: full: cannot be written (No space left on device)
+curtain: full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
 play_until TERM --record /proc/nothing/x.demo
 same 'and so where there is no such folder' \
-    'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
+    'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory)
+curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
     "$(grep curtain err) $got"
 
 saved() { # how often it was counted, at least 30
@@ -82,6 +84,8 @@ mkdir -p "$scores"
 play_until TERM
 same 'scores that cannot be saved: said, and why' "curtain: $scores: cannot be written (Is a directory)" \
     "$(grep -m 1 curtain: err)"
+same 'and at the end, with exit code 3' \
+    "curtain: not saved: $scores: cannot be written (Is a directory) 3" "$(grep curtain: err | tail -1) $got"
 rmdir "$scores"
 
 mkdir -p "$(dirname "$scores")"

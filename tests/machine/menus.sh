@@ -161,7 +161,10 @@ rm $conf
 # ---- where they cannot be kept ----
 
 # Until so many pictures are shown.
-unkept="curtain: the settings are not kept: $XDG_DATA_HOME/curtain/curtain.conf"
+unsaved() { # WHY: said when it happens, and at exit
+    printf 'curtain: %s\ncurtain: not saved: %s' "$XDG_DATA_HOME/curtain/curtain.conf$1" \
+        "$XDG_DATA_HOME/curtain/curtain.conf$1"
+}
 shown() { until [ -f "$1" ] && [ "$(shots "$1")" -ge "$2" ]; do sleep 0.02; done; }
 spoilt() { # COMMAND...: plays, and runs it between a change of volume and the end of the settings
     rm -f menu
@@ -172,7 +175,7 @@ spoilt() { # COMMAND...: plays, and runs it between a change of volume and the e
 breaks() { echo 'volum = 3' >$conf; }
 spoilt breaks
 same 'a file that is not right by now stays, and is said' \
-    "$unkept:1: no setting is called \"volum\"" "$(cat err)"
+    "$(unsaved ':1: no setting is called "volum"')" "$(cat err)"
 same '... as it is' 'volum = 3' "$(cat $conf)"
 same '... and the game goes on' 80 "$(frames menu.demo)"
 keys 9 | plays g menu
@@ -183,8 +186,7 @@ blocks() { rm -rf data/curtain && echo 'a file' >data/curtain; }
 mkdir data
 spoilt blocks
 same 'a folder that is none' \
-    "$unkept: cannot be written (Not a directory)" \
-    "$(cat err)"
+    "$(unsaved ': cannot be written (Not a directory)')" "$(cat err)"
 rm -r data
 full() {
     mkdir -p data/curtain && mount -t tmpfs -o size=64k tmpfs data/curtain || return 1
@@ -195,9 +197,8 @@ full() {
 }
 check 'a disk of its own' full
 spoilt true
-same 'a full disk is said in one sentence' \
-    "$unkept: cannot be written (No space left on device)" \
-    "$(cat err)"
+same 'a full disk is said, and at exit' \
+    "$(unsaved ': cannot be written (No space left on device)')" "$(cat err)"
 same '... and the old file is whole' 'volume = 40 # mine|curtain.conf filler' \
     "$(cat $conf)|$(cd data/curtain && echo *)"
 umount data/curtain

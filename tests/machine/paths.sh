@@ -67,8 +67,9 @@ mkdir at && (
 same 'without a word of the desktop: ~/Pictures' "wrote $scratch/at/Pictures/Curtain/probe-1.png" "$(cat err)"
 rm -rf "$XDG_PICTURES_DIR" && echo file >"$XDG_PICTURES_DIR"
 { keys 30; keys 1 $F12; keys 30; } | plays
-same 'where it cannot be: said' "curtain: $XDG_PICTURES_DIR/Curtain/probe-1.png: cannot be written (Not a directory)" \
-    "$(cat err)"
+picture="$XDG_PICTURES_DIR/Curtain/probe-1.png: cannot be written (Not a directory)"
+same 'where it cannot be: said, and at exit' "curtain: $picture
+curtain: not saved: $picture" "$(cat err)"
 
 # ---- recordings ----
 { keys 30; keys 1 $T; keys 30; } | ./player play g --demo one.demo >out 2>err

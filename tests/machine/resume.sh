@@ -233,19 +233,20 @@ full() { # MOST: no file may have more KiB
     )
 }
 full 100
-same 'no room: two sentences, for where one stands and for the replay' \
-    'curtain: where you stand is not kept: .rom: cannot be written (File too large)
-curtain: this run is not kept: .rom: cannot be written (File too large)' "$(sed 's|/[^ ]*\.rom|.rom|' err)"
+same 'no room for the ROM: said once, and at the end' \
+    'curtain: .rom: cannot be written (File too large)
+curtain: not saved: .rom: cannot be written (File too large)' "$(sed 's|/[^ ]*\.rom|.rom|' err)"
 mkdir -p data/curtain/roms && cp before/curtain/roms/* data/curtain/roms
 full 8
 same 'no room for the recording either' \
-    'curtain: where you stand is not kept from here on: .demo: cannot be written (File too large)
-curtain: this run is not kept: .demo: cannot be written (File too large)' "$(sed 's|/[^ ]*\.demo|.demo|' err)"
+    'curtain: .demo: cannot be written (File too large)
+curtain: .demo: cannot be written (File too large)
+curtain: not saved: .demo: cannot be written (File too large)' "$(sed 's|/[^ ]*\.demo|.demo|' err)"
 check 'what was kept before is as it was' diff -r data/curtain/replays before/curtain/replays
 check 'and no half of a file' test -z "$(find data -name '*.tmp')"
 rm -rf data
 mkdir -p data/curtain && touch data/curtain/replays
 { begin; keys 250 $Z; ends; keys 60; } | plays out
-check 'no folder can be made: one sentence' grep -qE '^curtain: this run is not kept: .*(Not a directory)' err
-same 'no more' 1 "$(grep -c . err)"
+check 'no folder can be made: said once' grep -qE '^curtain: .*: cannot be written \(Not a directory\)' err
+same 'and at the end' 2 "$(grep -c . err)"
 finish

@@ -1270,7 +1270,7 @@ static void test_foreign_start(void **state)
     demo_free(&w.demo);
 }
 
-/* Where nothing can be written the recording goes on in memory, and says so once. */
+/* Where nothing can be written the recording continues in memory, and says so at once and at its end. */
 static void test_no_file(void **state)
 {
     struct board_start start = { .difficulty = -1 };
@@ -1285,7 +1285,9 @@ static void test_no_file(void **state)
     assert_non_null(strstr(w.err, dir));
     play(&w, b, &r, 130);
     assert_int_equal(w.demo.frames, 130);
-    assert_true(demo_end(&w, b));
+    w.err[0] = '\0';
+    assert_false(demo_end(&w, b));
+    assert_non_null(strstr(w.err, "cannot be written"));
     demo_free(&w.demo);
 }
 

@@ -191,6 +191,15 @@ static void expect_file(const char *expected)
     assert_memory_equal(text, expected, (size_t)n);
 }
 
+static struct unsaved *unsaved;
+static char why[512];
+
+static void saves(struct records *r)
+{
+    assert_true(records_save(r, &unsaved, why, sizeof why));
+    assert_null(unsaved);
+}
+
 static void test_file(void **state)
 {
     struct records r;
@@ -198,21 +207,53 @@ static void test_file(void **state)
     (void)state;
     records_load(&r, "probe"); /* none */
     assert_false(r.damaged);
-    records_save(&r);
+    saves(&r);
     assert_int_equal(plat_size("user:probe.practice"), -1); /* nothing to say */
     records_attempt(&r, "one", "easy");
-    records_save(&r);
+    saves(&r);
     expect_file("practice 1\n0 1 easy one\n");
     put_file("practice 1\n");
-    records_save(&r); /* nothing new */
+    saves(&r); /* nothing new */
     expect_file("practice 1\n");
     records_free(&r);
     put_file("practice 1\n# note\n2 3 easy one\n");
     records_load(&r, "probe");
     records_attempt(&r, "one", "easy");
     records_capture(&r, "one", "easy");
-    records_save(&r);
+    saves(&r);
     expect_file("practice 1\n# note\n3 4 easy one\n");
+    records_free(&r);
+}
+
+static void take_sentence(void *of, const char *err)
+{
+    snprintf(of, sizeof why, "%s", err);
+}
+
+/* What cannot be written waits, its newest bytes alone, and gets into the file when it can. */
+static void test_unsaved(void **state)
+{
+    struct records r;
+    char again[sizeof why] = "";
+    size_t size;
+
+    (void)state;
+    assert_true(plat_save("user:other.practice/in_the_way", "x", 1));
+    records_load(&r, "other");
+    records_attempt(&r, "one", "easy");
+    assert_false(records_save(&r, &unsaved, why, sizeof why));
+    assert_non_null(strstr(why, "other.practice: cannot be written"));
+    records_attempt(&r, "one", "easy");
+    assert_false(records_save(&r, &unsaved, why, sizeof why));
+    assert_false(unsaved_retry(&unsaved, take_sentence, again));
+    assert_string_equal(again, why);
+    assert_non_null(unsaved_bytes(unsaved, "user:other.practice", &size));
+    assert_int_equal(size, strlen("practice 1\n0 2 easy one\n"));
+    assert_null(unsaved->next);
+    assert_true(plat_remove("user:other.practice/in_the_way") && plat_remove("user:other.practice"));
+    assert_true(unsaved_retry(&unsaved, take_sentence, again));
+    assert_null(unsaved);
+    assert_int_equal(plat_size("user:other.practice"), size);
     records_free(&r);
 }
 
@@ -227,7 +268,7 @@ static void test_damaged_file(void **state)
     records_attempt(&r, "one", "easy");
     assert_int_equal(r.n, 0);
     r.changed = true;
-    records_save(&r);
+    saves(&r);
     expect_file("practice 1\n2 x easy one\n");
     records_free(&r);
 }
@@ -255,7 +296,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_round),        cmocka_unit_test(test_counting), cmocka_unit_test(test_damage),
         cmocka_unit_test(test_long_lines),   cmocka_unit_test(test_anything), cmocka_unit_test(test_file),
-        cmocka_unit_test(test_damaged_file),
+        cmocka_unit_test(test_damaged_file), cmocka_unit_test(test_unsaved),
     };
 
     return cmocka_run_group_tests_name("records", tests, make_folder, remove_folder);

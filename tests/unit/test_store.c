@@ -22,6 +22,7 @@
 enum { MUTANTS = 200000, MANY = 200, DATE = 1790000000 };
 
 static char dir[256], err[512];
+static struct unsaved *unsaved; /* none is: the disk takes all */
 
 static void shell(const char *format)
 {
@@ -390,7 +391,7 @@ static void test_rows(void **state)
     assert_true(replays_open(&r, "lanterns"));
     for (int i = 0; i < 5; i++)
         add(&r, i);
-    assert_true(replays_add_row(&r, 2, &row, err, sizeof err));
+    assert_true(replays_add_row(&r, 2, &row, &unsaved, err, sizeof err));
     listed(&r, 5);
     assert_int_equal(replays_of_row(&r, "hard", &row.row), 2);
     assert_int_equal(replays_of_row(&r, "easy", &row.row), -1);
@@ -401,7 +402,7 @@ static void test_rows(void **state)
     assert_int_equal(replays_of_row(&r, "hard", &asked), 4);
     for (int i = 0; i < 5; i++) { /* more than there is room for: the last one counts */
         row.row.score = 100 + i;
-        assert_true(replays_add_row(&r, 1, &row, err, sizeof err));
+        assert_true(replays_add_row(&r, 1, &row, &unsaved, err, sizeof err));
     }
     assert_int_equal(r.list[1].card.rows, CARD_ROWS);
     assert_int_equal(replays_of_row(&r, "hard", &row.row), 1);
@@ -486,12 +487,12 @@ static void test_roms(void **state)
         rom_write(bytes, &lump, 1);
         assert_true(rom_open(&rom, bytes, rom_write_size(&lump, 1), err, sizeof err));
         hash[i] = rom_hash(&rom);
-        assert_true(roms_keep("lanterns", &rom, err, sizeof err));
-        assert_true(roms_keep("lanterns", &rom, err, sizeof err)); /* it is there */
+        assert_true(roms_keep(&unsaved, "lanterns", &rom, err, sizeof err));
+        assert_true(roms_keep(&unsaved, "lanterns", &rom, err, sizeof err)); /* it is there */
         assert_true(roms_has("lanterns", hash[i]));
     }
     assert_true(hash[0] != hash[1] && hash[1] != hash[2]);
-    assert_true(roms_keep("lantern", &rom, err, sizeof err)); /* another game */
+    assert_true(roms_keep(&unsaved, "lantern", &rom, err, sizeof err)); /* another game */
     assert_true(replays_open(&r, "lanterns"));
     struct card c = a_card(1);
     c.rom = hash[1];

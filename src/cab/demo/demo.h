@@ -130,8 +130,8 @@ const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf,
 /*
  * Recording. Every call is harmless on a zeroed or ended writer, so a caller need not ask whether it is recording.
  * False, once: the file could not be written, or another program has written it since, and w->err says so; recording
- * goes on in memory only, and what is in the file stays as it is. (Out of memory is the same, but stops the recording
- * altogether.)
+ * goes on in memory, and what is in the file stays as it is. A file that could not be written is tried again by
+ * demo_retry, and by demo_end. (Out of memory stops the recording altogether.)
  */
 struct demo_file {
     char path[DEMO_PATH]; /* "": none, kept in memory only */
@@ -139,6 +139,7 @@ struct demo_file {
     uint32_t told;        /* markers in the file */
     uint32_t crc;         /* of the last record written */
     size_t size;          /* bytes in the file; 0: nothing written yet */
+    bool lost;            /* it could not be written; nothing more is, until demo_retry writes all of it */
 };
 /* Which frames' checksums are written. */
 enum demo_prints {
@@ -162,6 +163,10 @@ struct demo_writer {
  * An existing file is replaced. */
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
                 const struct board_start *start, unsigned flags);
+
+/* Writes a recording's file whole if it could not be written before. False: it still cannot be, and w->err says why; so
+ * it stays with what has no place on a disk, such as a pipe, which cannot be begun again. */
+bool demo_retry(struct demo_writer *w);
 
 /* Right after demo_begin: another choice of checksums than DEMO_PRINTS_AUTO. */
 bool demo_prints(struct demo_writer *w, enum demo_prints prints);

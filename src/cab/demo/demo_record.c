@@ -32,18 +32,31 @@ static bool is_ours(const struct demo_file *f)
     return f->size == 0 || plat_size(f->path) == (long)f->size;
 }
 
+/* Some of what was to be added may be in it. */
+static void lose(struct demo_file *f)
+{
+    const long size = plat_size(f->path);
+
+    f->lost = true;
+    f->size = size > 0 ? (size_t)size : 0;
+}
+
 /* Hands bytes to a file (whole: as its new content). */
 static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, char *err)
 {
     char shown[FILES_PATH];
-    bool good = is_ours(f);
+    const bool ours = is_ours(f);
+    bool good = ours;
 
     if (good)
         good = (whole ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
     else
         snprintf(err, DEMO_ERR, "%s: another program has written it", files_shown(f->path, shown));
-    f->size = (whole ? 0 : f->size) + s->n;
-    if (!good)
+    if (good)
+        f->size = (whole ? 0 : f->size) + s->n;
+    else if (ours)
+        lose(f);
+    else
         f->path[0] = 0;
     return good;
 }
@@ -56,7 +69,7 @@ static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *byt
 {
     struct demo_sink s = { 0 };
 
-    if (!f->path[0])
+    if (!f->path[0] || f->lost)
         return true;
     bytes(w, f, &s);
     bool bad = s.bad, good = !bad && deliver(f, &s, whole, err);
@@ -162,9 +175,23 @@ bool demo_keep(struct demo_writer *w, const char *path)
     return false;
 }
 
+bool demo_retry(struct demo_writer *w)
+{
+    struct demo_file *f = &w->file;
+
+    if (!f->lost)
+        return true;
+    if (plat_size(f->path) == 0)
+        return false;
+    f->lost = false;
+    f->size = 0;
+    return write_one(w, f, put_all, true, w->err);
+}
+
 void demo_spare(struct demo_writer *w, const char *path)
 {
     w->spare_err[0] = 0;
+    w->spare.lost = false;
     snprintf(w->spare.path, sizeof w->spare.path, "%s", path && w->on ? path : "");
     w->spare.size = 0;
     write_one(w, &w->spare, put_all, true, w->spare_err);
@@ -318,6 +345,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
 
     if (!w->on)
         return true;
+    const bool good = demo_retry(w);
     if (!fault)
         board_hashes_cached(b, w->hash_cache, w->hashes);
     stop(w);
@@ -331,7 +359,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     }
     d->complete = true;
     d->fault = fault ? fault->kind : FAULT_NONE;
-    return write_both(w, put_end, false);
+    return write_both(w, put_end, false) && good;
 }
 
 /* A copy of n of an array, with room for more behind them; NULL: no memory. */

@@ -161,13 +161,17 @@ static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image
 uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
 {
     char name[CAB_NAME], shown[FILES_PATH];
+    size_t waits;
     nvram_name(cab, name);
-    long size = plat_size(name);
+    const uint8_t *newer = unsaved_bytes(cab->unsaved.files, name, &waits);
+    long size = newer ? (long)waits : plat_size(name);
     if (start->nvram || start->practice.section[0] || cab->options.demo || size < 0)
         return NULL;
     size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
     uint8_t *image = malloc((size_t)size + 1);
-    if (!image || plat_load(name, image, (size_t)size) != size) {
+    if (image && newer)
+        memcpy(image, newer, waits);
+    if (!image || (!newer && plat_load(name, image, (size_t)size) != size)) {
         cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
         cab->no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
@@ -182,16 +186,23 @@ uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
 
 void cab_save_nvram(struct cab *cab)
 {
-    char name[CAB_NAME], err[FILES_ERR];
+    char name[CAB_NAME];
     uint32_t changed;
     size_t size;
     const uint8_t *image = board_nvram(cab_live(cab), &size, &changed);
     if (changed == cab->nvram_saved || !keeps_nvram(cab))
         return;
-    cab->nvram_saved = changed;
     nvram_name(cab, name);
-    if (!files_save(name, image, size, err, sizeof err))
-        cab_say(cab, "curtain: %s", err);
+    cab->nvram_saved = changed; /* or it waits */
+    cab_save(cab, name, image, size);
+}
+
+static void save_records(struct cab *cab)
+{
+    char err[FILES_ERR];
+
+    if (!records_save(&cab->practice.records, &cab->unsaved.files, err, sizeof err))
+        cab_save_failed(cab, err);
 }
 
 /* ---- power ---- */
@@ -222,6 +233,7 @@ static void finish(struct cab *cab)
     screens_close_all(&cab->screens);
     cab_keep_leave(cab);
     cab_save_nvram(cab);
+    save_records(cab);
     if (cab_fault(cab))
         cab->result = RESULT_REFUSED;
     if (cab->options.verbose)
@@ -262,12 +274,13 @@ bool cab_frame(struct cab *cab)
     else
         run(cab, time.sixtieths, &k, now);
     frame_sounds(cab, &time);
+    cab_retry(cab);
     cab->timebar_left -= cab->timebar_left > 0;
     cab->notice_left -= cab->notice_left > 0;
     if (++cab->since_save >= SAVE_EVERY) {
         cab->since_save = 0;
         cab_save_nvram(cab);
-        records_save(&cab->practice.records);
+        save_records(cab);
     }
     overlay_lap(&cab->overlay, SPLIT_CABINET);
     cab_look_ahead(cab);
@@ -424,6 +437,7 @@ enum result cab_close(struct cab *cab)
 {
     if (cab->session.now)
         finish(cab);
+    cab_retry_last(cab);
     close_run(cab);
     cab_guest_close(cab);
     speaker_close(&cab->speaker);

@@ -18,7 +18,10 @@
 #include "../store/roms.h"
 #include "cab_parts.h"
 
-enum { SHORTEST = 3 * 60 /* frames of a run that is kept; one that ends in a fault may be shorter */ };
+enum {
+    SHORTEST = 3 * 60, /* frames of a run that is kept; one that ends in a fault may be shorter */
+    RETRY_EVERY = 60 * 60
+};
 
 void cab_resume_path(struct cab *cab, char path[CAB_NAME])
 {
@@ -42,6 +45,47 @@ static void complain(struct cab *cab, const char *err, const char *what)
 {
     cab_notice(cab, CAB_NOTICE_FRAMES, "%s: %s", what, err);
     cab_say(cab, "curtain: %s: %s", what, err);
+}
+
+/* ---- what cannot be written ---- */
+
+void cab_save_failed(struct cab *cab, const char *err)
+{
+    cab_say(cab, "curtain: %s", err);
+    if (!cab->unsaved.shown) {
+        cab->unsaved.wait = RETRY_EVERY;
+        cab_notice(cab, CAB_NOTICE_FRAMES, "not saved yet, it is tried again each minute: %s", err);
+    }
+    cab->unsaved.shown = true;
+}
+
+bool cab_save(struct cab *cab, const char *path, const void *bytes, size_t size)
+{
+    size_t waits;
+    const bool known = unsaved_bytes(cab->unsaved.files, path, &waits) != NULL;
+    char err[FILES_ERR];
+
+    if (unsaved_save(&cab->unsaved.files, path, bytes, size, err, sizeof err))
+        return true;
+    if (!known)
+        cab_save_failed(cab, err);
+    return false;
+}
+
+/* Keeps the ROM that runs, for what is recorded on it. */
+static bool keep_rom(struct cab *cab)
+{
+    const struct cart *cart = cab_cart(cab);
+    char path[ROMS_PATH], err[FILES_ERR];
+    size_t waits;
+
+    roms_path(path, cart->m.id, rom_hash(cart->rom));
+    const bool known = unsaved_bytes(cab->unsaved.files, path, &waits) != NULL;
+    if (roms_keep(&cab->unsaved.files, cart->m.id, cart->rom, err, sizeof err))
+        return true;
+    if (!known)
+        cab_save_failed(cab, err);
+    return false;
 }
 
 /* ---- score tables ---- */
@@ -86,12 +130,17 @@ static bool row_of(struct cab *cab, const struct board_marker *m, struct card_ro
 static void take_row(struct cab *cab, const struct board_marker *m)
 {
     struct cab_keep *k = &cab->keep;
+    struct cab_run *waiting = cab->unsaved.runs;
     struct replays list;
     struct card_row row;
     char err[512];
 
     if (!row_of(cab, m, &row))
         return;
+    if (!k->on && k->waits && waiting) {
+        waiting->card.row[waiting->card.rows < CARD_ROWS ? waiting->card.rows++ : CARD_ROWS - 1] = row;
+        return;
+    }
     if (k->on || !k->stem[0]) {
         if (k->rows < CARD_ROWS)
             k->row[k->rows++] = row;
@@ -99,8 +148,9 @@ static void take_row(struct cab *cab, const struct board_marker *m)
     }
     replays_open(&list, cab_cart(cab)->m.id);
     for (int i = 0; i < list.n; i++)
-        if (strcmp(list.list[i].stem, k->stem) == 0 && !replays_add_row(&list, i, &row, err, sizeof err))
-            complain(cab, err, "a row of the scores does not find its replay");
+        if (strcmp(list.list[i].stem, k->stem) == 0 &&
+            !replays_add_row(&list, i, &row, &cab->unsaved.files, err, sizeof err))
+            cab_save_failed(cab, err);
     replays_close(&list);
 }
 
@@ -152,27 +202,49 @@ static void describe(struct cab *cab, struct card *c, enum card_end end)
     memcpy(c->row, cab->keep.row, sizeof c->row);
 }
 
-/* The run that is on ends here, and is kept. */
-static void keep_run(struct cab *cab, enum card_end end)
+/* Takes bytes, which it frees in the end. */
+static void wait_with(struct cab *cab, uint8_t *bytes, size_t size, const struct card *c, const struct thumb *t)
+{
+    struct cab_run *run = malloc(sizeof *run);
+
+    if (!run) {
+        free(bytes);
+        return;
+    }
+    *run = (struct cab_run){ cab->unsaved.runs, bytes, size, *c, *t };
+    cab->unsaved.runs = run;
+    cab->keep.waits = true;
+}
+
+/* The run that is on ends here, and is kept. False: there is no replay of it yet. */
+static bool keep_run(struct cab *cab, enum card_end end)
 {
     struct card card;
     struct thumb thumb;
-    char err[512];
+    char err[FILES_ERR];
     size_t size;
     const uint32_t frames = writer(cab)->demo.frames - cab->keep.first;
 
     cab->keep.stem[0] = 0;
+    cab->keep.waits = false;
     if (cab->config.replays == 0 || (frames < SHORTEST && end != CARD_FAULT))
-        return;
+        return true;
     uint8_t *bytes = demo_bytes_now(writer(cab), cab_live(cab), &size);
+    if (!bytes) {
+        complain(cab, "out of memory", "this run is not kept");
+        return false;
+    }
     describe(cab, &card, end);
     thumb_make(&thumb, &cab->picture.fb, cab->picture.rgb);
-    if (!bytes)
-        complain(cab, "out of memory", "this run is not kept");
-    else if (!roms_keep(card.id, cab_cart(cab)->rom, err, sizeof err) ||
-             !add(cab, bytes, size, &card, &thumb, err, sizeof err))
-        complain(cab, err, "this run is not kept");
-    free(bytes);
+    const bool rom = keep_rom(cab);
+    if (rom && add(cab, bytes, size, &card, &thumb, err, sizeof err)) {
+        free(bytes);
+        return true;
+    }
+    if (rom)
+        cab_save_failed(cab, err);
+    wait_with(cab, bytes, size, &card, &thumb);
+    return false;
 }
 
 /* ---- where one stands ---- */
@@ -183,19 +255,47 @@ static void drop_spare(struct cab *cab)
     cab->keep.spare = false;
 }
 
+/* The file stays, for there is nothing else yet of a run that is over. */
+static void leave_spare(struct cab *cab)
+{
+    cab->unsaved.left_run = cab->keep.spare;
+    demo_spare(writer(cab), NULL);
+    cab->keep.spare = false;
+}
+
+static bool spare_failed(struct cab *cab)
+{
+    struct demo_writer *w = writer(cab);
+
+    if (!w->spare_err[0])
+        return false;
+    if (w->spare.lost)
+        cab_save_failed(cab, w->spare_err);
+    else /* it is another program's now */
+        complain(cab, w->spare_err, "where you stand is not kept from here on");
+    cab->unsaved.spare = w->spare.lost;
+    w->spare_err[0] = 0;
+    return true;
+}
+
 void cab_keep_left(struct cab *cab)
 {
     struct replays list;
     struct demo d;
     struct card card;
-    char path[CAB_NAME], err[DEMO_ERR];
+    char path[CAB_NAME], err[FILES_ERR] = "out of memory";
     uint8_t *bytes;
     size_t size;
     bool there = false;
 
     cab_resume_path(cab, path);
-    if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, sizeof err))
+    cab->unsaved.left_run = plat_size(path) >= 0;
+    if (!cab->unsaved.left_run)
         return;
+    if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, sizeof err)) {
+        cab_save_failed(cab, err);
+        return;
+    }
     bool good = demo_read(&d, bytes, size, err, sizeof err) && card_of_demo(&card, &d) &&
                 card.last - card.first >= SHORTEST && cab->config.replays > 0 &&
                 (d.complete || d.checksum_frames == d.frames);
@@ -209,35 +309,38 @@ void cab_keep_left(struct cab *cab)
     d.complete = true; /* what is there is all of it */
     bytes = good && !there ? demo_bytes(&d, &size) : NULL;
     card.date = (int64_t)time(NULL);
-    if (bytes && !add(cab, bytes, size, &card, NULL, err, sizeof err))
-        complain(cab, err, "the run that was left is not kept");
+    const bool saved = !good || there || (bytes && add(cab, bytes, size, &card, NULL, err, sizeof err));
     cab->keep.stem[0] = 0;
     free(bytes);
     demo_free(&d);
-    plat_remove(path);
+    if (saved)
+        plat_remove(path);
+    else
+        cab_save_failed(cab, err);
+    cab->unsaved.left_run = !saved;
 }
 
 void cab_keep_here(struct cab *cab)
 {
-    char path[CAB_NAME], err[512];
+    char path[CAB_NAME];
 
     cab_resume_path(cab, path);
-    if (!cab->config.resume)
+    if (!cab->config.resume || cab->unsaved.left_run)
         return;
-    if (!roms_keep(cab_cart(cab)->m.id, cab_cart(cab)->rom, err, sizeof err))
-        complain(cab, err, "where you stand is not kept");
-    else
+    cab->unsaved.spare = !keep_rom(cab);
+    if (!cab->unsaved.spare)
         demo_spare(writer(cab), path);
-    cab->keep.spare = writer(cab)->spare.path[0] != 0;
+    cab->keep.spare = writer(cab)->spare.path[0] != 0 && !spare_failed(cab);
 }
 
 static void begin(struct cab *cab, uint32_t frame)
 {
     struct cab_keep *k = &cab->keep;
 
-    if (k->on)
-        keep_run(cab, CARD_LEFT);
-    drop_spare(cab);
+    if (k->on && !keep_run(cab, CARD_LEFT))
+        leave_spare(cab);
+    else
+        drop_spare(cab);
     k->on = true;
     k->first = frame;
     k->rows = 0;
@@ -245,14 +348,21 @@ static void begin(struct cab *cab, uint32_t frame)
     cab_keep_here(cab);
 }
 
+static void end_run(struct cab *cab, enum card_end end)
+{
+    if (keep_run(cab, end))
+        drop_spare(cab);
+    else
+        leave_spare(cab);
+    cab->keep.on = false;
+    cab->keep.rows = 0;
+}
+
 static void end(struct cab *cab, const char *how)
 {
     if (!cab->keep.on)
         return;
-    keep_run(cab, strcmp(how, "clear") == 0 ? CARD_CLEAR : strcmp(how, "quit") == 0 ? CARD_QUIT : CARD_OVER);
-    cab->keep.on = false;
-    cab->keep.rows = 0;
-    drop_spare(cab);
+    end_run(cab, strcmp(how, "clear") == 0 ? CARD_CLEAR : strcmp(how, "quit") == 0 ? CARD_QUIT : CARD_OVER);
 }
 
 /* ---- from tick to tick ---- */
@@ -315,15 +425,10 @@ void cab_keep_tick(struct cab *cab)
     cab->keep.frames = frames;
     for (int i = 0; i < out->markers; i++)
         take_marker(cab, &out->marker[i]);
-    if (out->fault && cab->keep.on) {
-        keep_run(cab, CARD_FAULT);
-        cab->keep.on = false;
-        drop_spare(cab);
-    }
-    if (cab->keep.spare && writer(cab)->spare_err[0]) {
-        complain(cab, writer(cab)->spare_err, "where you stand is not kept from here on");
+    if (out->fault && cab->keep.on)
+        end_run(cab, CARD_FAULT);
+    if (cab->keep.spare && spare_failed(cab))
         cab->keep.spare = false;
-    }
 }
 
 void cab_keep_leave(struct cab *cab)
@@ -340,4 +445,110 @@ void cab_keep_leave(struct cab *cab)
             keep_run(cab, CARD_LEFT);
     }
     memset(&cab->keep, 0, sizeof cab->keep); /* the spare is finished with the recording */
+}
+
+/* ---- another try ---- */
+
+static void say_lost(void *of, const char *err)
+{
+    cab_say(of, "curtain: not saved: %s", err);
+}
+
+static void say_nothing(void *of, const char *err)
+{
+    (void)of;
+    (void)err;
+}
+
+/* The oldest first, as replays are listed by their age. */
+static bool retry_runs(struct cab *cab, struct cab_run **at, void (*failed)(void *of, const char *err))
+{
+    struct cab_run *run = *at;
+    char err[FILES_ERR];
+
+    if (!run)
+        return true;
+    if (!retry_runs(cab, &run->next, failed))
+        return false;
+    if (!roms_has(run->card.id, run->card.rom)) /* that it is not there was said */
+        return false;
+    if (!add(cab, run->bytes, run->size, &run->card, &run->thumb, err, sizeof err)) {
+        failed(cab, err);
+        return false;
+    }
+    if (cab->keep.waits && run == cab->unsaved.runs)
+        cab->keep.waits = false;
+    else
+        cab->keep.stem[0] = 0; /* of another run than the last */
+    *at = run->next;
+    free(run->bytes);
+    free(run);
+    return true;
+}
+
+static bool retry_settings(struct cab *cab, void (*failed)(void *of, const char *err))
+{
+    char err[FILES_ERR + CONFIG_LINE];
+
+    if (!cab->unsaved.settings || config_save(&cab->kept, err, sizeof err)) {
+        cab->unsaved.settings = false;
+        return true;
+    }
+    failed(cab, err);
+    return false;
+}
+
+/* The run that was left, then where the present one is. */
+static bool retry_spare(struct cab *cab)
+{
+    if (cab->unsaved.left_run)
+        cab_keep_left(cab);
+    if (cab->unsaved.left_run)
+        return false;
+    if (cab->unsaved.spare && cab->keep.on && keeps(cab))
+        cab_keep_here(cab);
+    else
+        cab->unsaved.spare = false;
+    return !cab->unsaved.spare;
+}
+
+static bool retry(struct cab *cab, void (*failed)(void *of, const char *err))
+{
+    const bool files = unsaved_retry(&cab->unsaved.files, failed, cab),
+               runs = retry_runs(cab, &cab->unsaved.runs, failed), settings = retry_settings(cab, failed);
+
+    return files && runs && settings;
+}
+
+void cab_retry(struct cab *cab)
+{
+    struct cab_unsaved *u = &cab->unsaved;
+
+    if (!u->shown || --u->wait > 0)
+        return;
+    u->wait = RETRY_EVERY;
+    const bool all = retry(cab, say_nothing), spare = retry_spare(cab), recorded = demo_retry(writer(cab));
+    if (!all || !spare || !recorded)
+        return;
+    u->shown = false;
+    cab_notice(cab, CAB_NOTICE_FRAMES, "all is saved now");
+    cab_say(cab, "curtain: all is saved now");
+}
+
+void cab_retry_last(struct cab *cab)
+{
+    struct cab_unsaved *u = &cab->unsaved;
+    const bool all = retry(cab, say_lost);
+
+    if (u->left_run && !u->runs && cab->session.now)
+        cab_keep_left(cab);
+    if (!all || u->left_run)
+        cab->result = RESULT_HOST;
+    unsaved_free(&u->files);
+    while (u->runs) {
+        struct cab_run *run = u->runs;
+        u->runs = run->next;
+        free(run->bytes);
+        free(run);
+    }
 }

@@ -29,6 +29,7 @@
 #include "session.h"
 #include "../speaker/speaker.h"
 #include "../store/replays.h"
+#include "../store/unsaved.h"
 
 #ifdef __GNUC__
 #define CAB_PRINTF(at, first) __attribute__((format(printf, at, first)))
@@ -106,9 +107,30 @@ struct cab_keep {
     bool on;         /* a run is on, since frame `first` */
     uint32_t first;
     bool spare;                     /* user:resume/ID.demo is of this run */
-    char stem[REPLAY_STEM];         /* of the replay of the run that was over last; "": none */
+    char stem[REPLAY_STEM];         /* of the replay of the run that was over last; "": none, or it waits */
     struct card_row row[CARD_ROWS]; /* entered while the run was on */
     int rows;
+    bool waits; /* the run that was over last is the first of cab_unsaved.runs */
+};
+
+/* A run of which no replay could be written yet. malloc, and so are its bytes. */
+struct cab_run {
+    struct cab_run *next;
+    uint8_t *bytes;
+    size_t size;
+    struct card card;
+    struct thumb thumb;
+};
+
+/* What could not be written: it is tried again each minute, and when the cabinet closes. */
+struct cab_unsaved {
+    struct unsaved *files;
+    struct cab_run *runs; /* the newest first */
+    bool settings;
+    bool spare;    /* user:resume/ID.demo of the run that is on */
+    bool left_run; /* user:resume/ID.demo is of a run of which no replay could be written yet */
+    bool shown;    /* the player was told, and something still waits */
+    int wait;      /* frames until it is tried again */
 };
 
 /* A session that is not the game from its title on: a demo that the cabinet opened. */
@@ -152,6 +174,7 @@ struct cab {
     bool no_scores;            /* the score file could not be read: it is left as it is */
     struct practice_menu practice;
     struct cab_keep keep;
+    struct cab_unsaved unsaved;
     struct cab_guest guest;
     bool taken;  /* the player plays on from a playback: nothing of it is kept */
     bool awaits; /* paused until a button is pressed */
@@ -332,11 +355,21 @@ void cab_home_start(struct cab *cab, struct board_start *start);
 void cab_keep_tick(struct cab *cab);
 void cab_keep_leave(struct cab *cab);
 
-/* The file of the run that was left, and what becomes of it when another begins: it is kept as a replay. From now on
- * the present run is written there. */
+/* The file of the run that was left, and what becomes of it when another begins: it is kept as a replay. If it cannot
+ * be, it stays where it is, until it can. From now on the present run is written there. */
 void cab_resume_path(struct cab *cab, char path[CAB_NAME]);
 void cab_keep_left(struct cab *cab);
 void cab_keep_here(struct cab *cab);
+
+/* Writes a file; one that cannot be written waits, and the player is told. */
+bool cab_save(struct cab *cab, const char *path, const void *bytes, size_t size);
+
+/* Something of the player's cannot be written: a line of the log, and once a notice in plain words. */
+void cab_save_failed(struct cab *cab, const char *err);
+
+/* In each frame: tries what waits, each minute. In the end: tries it once more, and says what is lost. */
+void cab_retry(struct cab *cab);
+void cab_retry_last(struct cab *cab);
 
 /* The run that is on is found in the recording again: after a session was changed under way. */
 void cab_keep_follow(struct cab *cab);

@@ -99,7 +99,8 @@ void cab_begin_anew(struct cab *cab)
     cab_home_start(cab, &start);
     power_anew(cab, start);
     cab_resume_path(cab, path);
-    plat_remove(path); /* it was ended, not left: a replay is all that stays */
+    if (!cab->unsaved.runs && !cab->unsaved.left_run)
+        plat_remove(path); /* it was ended, not left: a replay is all that stays */
 }
 
 void cab_practice_keys(struct cab *cab, const struct keys_read *k)

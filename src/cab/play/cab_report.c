@@ -319,9 +319,10 @@ static void collect(void *to, const void *bytes, size_t n)
     r->used += n;
 }
 
-static bool save(struct cab *cab, struct report *r, const struct board_fault *fault, char *err, size_t err_size)
+static bool save(struct cab *cab, struct report *r, const struct board_fault *fault)
 {
     char name[sizeof r->stem + 16];
+    size_t waits;
     int i = 1;
 
     r->used = 0;
@@ -330,33 +331,28 @@ static bool save(struct cab *cab, struct report *r, const struct board_fault *fa
     remove_oldest();
     do
         snprintf(name, sizeof name, "%s-%d.txt", r->stem, i++);
-    while (plat_size(name) >= 0);
-    if (r->failed)
-        snprintf(err, err_size, "no report: out of memory");
-    else if (files_save(name, r->text, r->used, err, err_size)) {
-        files_shown(name, r->where);
-        return true;
+    while (plat_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &waits));
+    if (r->failed) {
+        cab_say(cab, "curtain: no report: out of memory");
+        return false;
     }
-    return false;
+    files_shown(name, r->where);
+    return cab_save(cab, name, r->text, r->used);
 }
 
 void cab_report_write(struct cab *cab, const struct board_fault *fault)
 {
     struct report *r = &cab->report;
-    char err[FILES_ERR];
     const uint32_t frame = cab->session.now->writer.demo.frames;
 
     if (cab->session.demo || !r->memory)
         return;
     make_ready(cab, "written"); /* the settings may be others by now */
     if (!r->where[0] || r->frame != frame || strcmp(r->message, fault->message) != 0) {
-        r->where[0] = 0;
-        if (!save(cab, r, fault, err, sizeof err)) {
-            cab_say(cab, "curtain: %s", err);
-            return;
-        }
         r->frame = frame;
         snprintf(r->message, sizeof r->message, "%s", fault->message);
+        if (!save(cab, r, fault))
+            return;
     }
     cab_say(cab, "curtain: a report is in %s", r->where);
 }

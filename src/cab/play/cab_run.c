@@ -72,8 +72,14 @@ void cab_notice(struct cab *cab, int frames, const char *format, ...)
 
 void cab_check_recording(struct cab *cab, bool good)
 {
+    const struct demo_writer *writer = &cab->session.now->writer;
+
     if (good)
         return;
+    if (writer->file.lost) { /* it is tried again, and the last time when the session closes */
+        cab_save_failed(cab, cab->session.err);
+        return;
+    }
     cab_say(cab, "curtain: %s", cab->session.err);
     cab->result = RESULT_HOST;
 }
@@ -86,10 +92,11 @@ void cab_mark_assisted(struct cab *cab)
 
 void cab_free_name(struct cab *cab, char name[CAB_NAME], const char *where, const char *what)
 {
+    size_t size;
     int i = 1;
     do
         snprintf(name, CAB_NAME, "%s%s-%d.%s", where, cab_cart(cab)->m.id, i++, what);
-    while (plat_size(name) >= 0);
+    while (plat_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &size));
 }
 
 /* ---- tick output ---- */

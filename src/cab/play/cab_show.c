@@ -293,11 +293,12 @@ void cab_picture_show(struct cab *cab, struct picture *p)
 /* Writes a file of the user's pictures, and says where it is. */
 static void save_picture(struct cab *cab, const char *name, const uint8_t *bytes, size_t size)
 {
-    char shown[FILES_PATH], err[FILES_ERR];
+    char shown[FILES_PATH];
 
-    const bool good = files_save(name, bytes, size, err, sizeof err);
-    cab_say(cab, good ? "wrote %s" : "curtain: %s", good ? files_shown(name, shown) : err);
-    cab_notice(cab, CAB_NOTICE_FRAMES, good ? "wrote %s" : "%s", good ? shown : err);
+    if (!cab_save(cab, name, bytes, size))
+        return;
+    cab_say(cab, "wrote %s", files_shown(name, shown));
+    cab_notice(cab, CAB_NOTICE_FRAMES, "wrote %s", shown);
 }
 
 void cab_screenshot(struct cab *cab, struct picture *p)

@@ -137,7 +137,6 @@ void practice_after_tick(struct practice_menu *m, const struct board_out *out)
 
 void practice_close(struct practice_menu *m)
 {
-    records_save(&m->records);
     records_free(&m->records);
 }
 

@@ -167,12 +167,12 @@ void cab_save_settings(struct cab *cab)
     char err[FILES_ERR + CONFIG_LINE], path[FILES_PATH];
     size_t folder = strlen(files_shown(CONFIG_FILE, path));
 
-    if (config_save(&cab->kept, err, sizeof err))
+    cab->unsaved.settings = !config_save(&cab->kept, err, sizeof err);
+    if (!cab->unsaved.settings)
         return;
     while (folder > 0 && path[folder - 1] != '/')
         folder--;
-    cab_notice(cab, CAB_NOTICE_FRAMES, "the settings are not kept: %s", err);
+    cab_save_failed(cab, err);
     /* a small menu has three lines: the why matters, the folder stands in the notice and the log */
     screens_say(&cab->screens, "not kept: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
-    cab_say(cab, "curtain: %s", cab->notice);
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../base/err.h"
 #include "../host/files.h"
 
 static const char first_line[] = "practice 1";
@@ -217,22 +218,19 @@ void records_load(struct records *r, const char *id)
     report(file, line);
 }
 
-void records_save(struct records *r)
+bool records_save(struct records *r, struct unsaved **unsaved, char *err, size_t err_size)
 {
-    char err[FILES_ERR], line[FILES_ERR + 16];
     size_t size;
 
     if (!r->changed || r->damaged)
-        return;
-    r->changed = false;
+        return true;
     char *text = records_text(r, &size);
     if (!text)
-        report(r->file, "out of memory");
-    else if (!files_save(r->file, text, size, err, sizeof err)) {
-        snprintf(line, sizeof line, "curtain: %s", err);
-        plat_log(line);
-    }
+        return err_set(err, err_size, "%s: out of memory", r->file);
+    r->changed = false;
+    const bool good = unsaved_save(unsaved, r->file, text, size, err, err_size);
     free(text);
+    return good;
 }
 
 /* ---- counting ---- */

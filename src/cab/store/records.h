@@ -18,6 +18,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "unsaved.h"
+
 enum { MAX_RECORD_COUNT = 999999999, RECORDS_LINE = 256, RECORDS_BYTES = 1 << 20 };
 
 struct record {
@@ -49,9 +51,9 @@ char *records_text(const struct records *r, size_t *size);
 /* Reads the file of a game; a file that is not there is empty. A damaged one is reported by a line of plat_log. */
 void records_load(struct records *r, const char *id);
 
-/* Saves what has changed, unless the file is damaged. Failure is reported by a line of plat_log, and tried again when
- * something else has changed. */
-void records_save(struct records *r);
+/* Saves what has changed, unless the file is damaged. False and one sentence: what could not be written waits in the
+ * list. */
+bool records_save(struct records *r, struct unsaved **unsaved, char *err, size_t err_size);
 
 /* The record of a section; NULL: none. */
 const struct record *records_find(const struct records *r, const char *section, const char *difficulty);

@@ -184,15 +184,17 @@ static bool load_card(struct replays *r, struct replay_entry *e)
            plat_size(demo) == (long)e->card.bytes;
 }
 
-static bool save_card(const struct replays *r, const char *stem, const struct card *c, const struct thumb *t, char *err,
-                      size_t err_size)
+static bool save_card(const struct replays *r, const char *stem, const struct card *c, const struct thumb *t,
+                      struct unsaved **unsaved, char *err, size_t err_size)
 {
     static const struct thumb none;
     uint8_t bytes[CARD_BYTES];
     char path[REPLAY_PATH];
 
     path_of(r, stem, "card", path);
-    return files_save(path, bytes, card_write(c, t ? t : &none, bytes), err, err_size);
+    const size_t size = card_write(c, t ? t : &none, bytes);
+    return unsaved ? unsaved_save(unsaved, path, bytes, size, err, err_size)
+                   : files_save(path, bytes, size, err, err_size);
 }
 
 /* From the demo; a card that was there and cannot be read may have had a name, so that the replay is not one of those
@@ -220,7 +222,7 @@ static bool repair(struct replays *r, struct replay_entry *e)
     if (damaged)
         card_take_name(&e->card, "recovered");
     if (good)
-        save_card(r, e->stem, &e->card, NULL, err, sizeof err);
+        save_card(r, e->stem, &e->card, NULL, NULL, err, sizeof err);
     demo_free(&d);
     free(bytes);
     return good;
@@ -309,7 +311,7 @@ bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const stru
     }
     if (!files_save(path, demo, size, err, err_size))
         return false;
-    if (!save_card(r, new.stem, &new.card, t, err, err_size)) {
+    if (!save_card(r, new.stem, &new.card, t, NULL, err, err_size)) {
         plat_remove(path);
         return false;
     }
@@ -320,12 +322,13 @@ bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const stru
 }
 
 /* Writes a card anew with what is changed in it; its picture stays. */
-static bool replace_card(struct replays *r, int i, const struct card *c, char *err, size_t err_size)
+static bool replace_card(struct replays *r, int i, const struct card *c, struct unsaved **unsaved, char *err,
+                         size_t err_size)
 {
     struct thumb t;
 
     replays_thumb(r, i, &t);
-    if (!save_card(r, r->list[i].stem, c, &t, err, err_size))
+    if (!save_card(r, r->list[i].stem, c, &t, unsaved, err, err_size))
         return false;
     r->list[i].card = *c;
     return true;
@@ -336,16 +339,17 @@ bool replays_name(struct replays *r, int i, const char *name, char *err, size_t 
     struct card c = r->list[i].card;
 
     card_take_name(&c, name);
-    return replace_card(r, i, &c, err, err_size);
+    return replace_card(r, i, &c, NULL, err, err_size);
 }
 
-bool replays_add_row(struct replays *r, int i, const struct card_row *row, char *err, size_t err_size)
+bool replays_add_row(struct replays *r, int i, const struct card_row *row, struct unsaved **unsaved, char *err,
+                     size_t err_size)
 {
     struct card c = r->list[i].card;
 
     c.rows += c.rows < CARD_ROWS;
     c.row[c.rows - 1] = *row;
-    return replace_card(r, i, &c, err, err_size);
+    return replace_card(r, i, &c, unsaved, err, err_size);
 }
 
 bool replays_delete(struct replays *r, int i, char *err, size_t err_size)

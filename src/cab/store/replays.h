@@ -10,6 +10,7 @@
 #define CAB_REPLAYS_H
 
 #include "card.h"
+#include "unsaved.h"
 
 enum { REPLAY_STEM = 24, REPLAY_PATH = 96, REPLAYS_MOST = 9999 /* of a game; more are not listed */ };
 
@@ -46,7 +47,8 @@ bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const stru
 /* Writes a card anew, with another name (what card_take_name makes of it; "": none), or with one row more. A row beyond
  * CARD_ROWS takes the place of the last. False and one sentence: as it was. */
 bool replays_name(struct replays *r, int i, const char *name, char *err, size_t err_size);
-bool replays_add_row(struct replays *r, int i, const struct card_row *row, char *err, size_t err_size);
+bool replays_add_row(struct replays *r, int i, const struct card_row *row, struct unsaved **unsaved, char *err,
+                     size_t err_size);
 
 /* Removes one. False and one sentence: it is still there. */
 bool replays_delete(struct replays *r, int i, char *err, size_t err_size);

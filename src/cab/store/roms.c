@@ -26,12 +26,12 @@ bool roms_has(const char *id, uint64_t hash)
     return plat_size(path) > 0;
 }
 
-bool roms_keep(const char *id, const struct rom *rom, char *err, size_t err_size)
+bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size)
 {
     char path[ROMS_PATH];
 
     roms_path(path, id, rom_hash(rom));
-    return plat_size(path) == (long)rom->size || files_save(path, rom->data, rom->size, err, err_size);
+    return plat_size(path) == (long)rom->size || unsaved_save(unsaved, path, rom->data, rom->size, err, err_size);
 }
 
 struct collection {
