@@ -224,8 +224,8 @@ bool nvram_set(struct nvram *nv, const char *key, const struct nv_value *v)
     uint32_t at = find(nv, false, key);
     uint8_t *to;
 
-    nv->writes++;
     if (v->type == NV_NONE) {
+        nv->writes += at < nv->s.live;
         if (at < nv->s.live)
             drop(nv, at);
         return true;
@@ -233,6 +233,7 @@ bool nvram_set(struct nvram *nv, const char *key, const struct nv_value *v)
     to = put(nv, at, v->type, key, v->type == NV_TEXT ? v->length : v->type == NV_BOOL ? 1 : 8);
     if (!to)
         return false;
+    nv->writes++;
     if (v->type == NV_TEXT)
         memcpy(to, v->text, v->length);
     else if (v->type == NV_BOOL)
@@ -305,7 +306,6 @@ int nvram_enter(struct nvram *nv, const char *table, const struct nv_row *row)
     uint32_t at = find(nv, true, key);
     const uint8_t *had = nv->bytes + at;
     int n = at < nv->s.live ? had[2] / ROW : 0, r = 0;
-    nv->writes++;
     while (r < n && score_of(value_of(had) + r * ROW) >= row->score)
         r++;
     if (r == NV_ROWS)
@@ -314,6 +314,7 @@ int nvram_enter(struct nvram *nv, const char *table, const struct nv_row *row)
     uint8_t *to = put(nv, at, NV_TABLE, key, (size_t)rows * ROW);
     if (!to)
         return -2;
+    nv->writes++;
     memmove(to + (r + 1) * ROW, to + r * ROW, (size_t)(rows - 1 - r) * ROW);
     to += r * ROW;
     memset(to, 0, ROW);

@@ -1097,7 +1097,11 @@ static void test_nvram_tables(void **state)
         assert_int_equal(enter(nv, "t", name, scores[i]), rows[i]);
         assert_int_equal(nvram_size(&r), 4 + 12 + 4 + 24 * (i + 1));
     }
+    const uint32_t changed = nvram_changed(&r);
     assert_int_equal(enter(nv, "t", "low", -3), -1);
+    v.type = NV_NONE;
+    assert_true(nvram_set(nv, "of nobody", &v));
+    assert_int_equal(nvram_changed(&r), changed); /* nothing was */
     assert_int_equal(enter(nv, "t", "fifteen letters", 1), 9);
     assert_true(best_row(nv, "t", 9, name, &score));
     assert_string_equal(name, "fifteen letters");
@@ -1174,10 +1178,14 @@ static void test_nvram_full(void **state)
         assert_true(n > (sizes[k] - 1) * 1024 / 26 - tables * 252 / 26);
         assert_int_equal(nvram_get(nv, key).type, NV_NONE);
         assert_true(nvram_size(&r) + 3 + strlen(key) + 8 > (size_t)sizes[k] * 1024);
+        uint32_t changed = nvram_changed(&r);
         assert_int_equal(enter(nv, "one table more", "me", 1), -2);
+        assert_int_equal(nvram_changed(&r), changed);
         assert_int_equal(enter(nv, "table 1", "you", 5000000), 0); /* in place of the last */
         v = (struct nv_value){ .type = NV_TEXT, .length = NV_STRING };
+        changed = nvram_changed(&r);
         assert_false(nvram_set(nv, "boss/spell 3", &v)); /* a longer one */
+        assert_int_equal(nvram_changed(&r), changed);
         for (int i = 0; i < n; i++) {
             snprintf(key, sizeof key, "boss/spell %d", i);
             assert_int_equal(nvram_get(nv, key).bits, 7 * i);
