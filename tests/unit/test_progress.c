@@ -1,10 +1,12 @@
 /* test_progress.c - how far something is, as a line of a terminal. */
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
+#include "../../src/cab/host/process.h"
 #include "../../src/cab/host/progress.h"
 
 enum { SECOND = 1000000 };
@@ -59,12 +61,47 @@ static void long_text(void **state)
     }
 }
 
+static volatile sig_atomic_t heard;
+
+static void host_hears(int sig)
+{
+    heard = sig;
+}
+
+/* A host that runs the program has handlers of its own: they hear the signal, then and afterwards. */
+static void hosts_handlers(void **state)
+{
+    static const int signals[] = { SIGINT, SIGTERM };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        signal(signals[i], host_hears);
+        process_last_word("");
+        process_last_word("");
+        heard = 0;
+        raise(signals[i]);
+        assert_int_equal(heard, signals[i]);
+        process_last_word("");
+        process_last_word(NULL);
+        assert_true(signal(signals[i], SIG_IGN) == host_hears);
+        process_last_word("");
+        process_last_word(NULL);
+        assert_true(signal(signals[i], SIG_DFL) == SIG_IGN);
+    }
+    signal(SIGPIPE, host_hears);
+    FILE *f = process_open("exec cat >/dev/null");
+    assert_non_null(f);
+    assert_true(process_close(f));
+    assert_true(signal(SIGPIPE, SIG_DFL) == host_hears);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(time_left),
         cmocka_unit_test(odd_shares),
         cmocka_unit_test(long_text),
+        cmocka_unit_test(hosts_handlers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

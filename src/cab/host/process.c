@@ -15,6 +15,34 @@
 #endif
 
 #ifdef PROCESSES
+/* ---- signals: whoever handled them before us does so again afterwards ---- */
+
+/* A signal that is handled here for a while. */
+struct heeded {
+    int sig;
+    bool on;
+    struct sigaction before;
+};
+
+static void heed(struct heeded *h, void (*handler)(int))
+{
+    struct sigaction act = { 0 };
+
+    act.sa_handler = handler;
+    act.sa_flags = SA_RESTART;
+    if (!h->on)
+        h->on = sigaction(h->sig, &act, &h->before) == 0;
+}
+
+static void heed_no_more(struct heeded *h)
+{
+    if (h->on)
+        sigaction(h->sig, &h->before, NULL);
+    h->on = false;
+}
+
+static struct heeded broken_pipe = { .sig = SIGPIPE };
+
 bool process_is_there(const char *name)
 {
     char command[128];
@@ -25,15 +53,20 @@ bool process_is_there(const char *name)
 
 FILE *process_open(const char *command)
 {
-    signal(SIGPIPE, SIG_IGN);
-    return popen(command, "w");
+    heed(&broken_pipe, SIG_IGN);
+    FILE *f = popen(command, "w");
+    if (!f)
+        heed_no_more(&broken_pipe);
+    return f;
 }
 
 bool process_close(FILE *f)
 {
     const bool good = fflush(f) == 0 && !ferror(f);
 
-    return pclose(f) == 0 && good;
+    const bool ended = pclose(f) == 0;
+    heed_no_more(&broken_pipe);
+    return ended && good;
 }
 
 bool process_terminal(void)
@@ -43,28 +76,36 @@ bool process_terminal(void)
 
 static const char *volatile last_word;
 
+static struct heeded breaks[] = { { .sig = SIGINT }, { .sig = SIGTERM } };
+
+enum { BREAKS = sizeof breaks / sizeof *breaks };
+
+/* The signal is blocked in here, and reaches the handler of before once this has returned. */
 static void broken_off(int sig)
 {
     if (last_word && write(2, last_word, strlen(last_word)) < 0)
         _exit(128 + sig);
-    signal(sig, SIG_DFL);
+    for (int i = 0; i < BREAKS; i++)
+        heed_no_more(&breaks[i]);
     raise(sig);
 }
 
 /* Who was started with a signal ignored goes on ignoring it. */
-static void listen_for(int sig, bool on)
+static void listen_for(struct heeded *h)
 {
-    void (*was)(int) = signal(sig, on ? broken_off : SIG_DFL);
-
-    if (was == SIG_IGN)
-        signal(sig, SIG_IGN);
+    heed(h, broken_off);
+    if (h->on && h->before.sa_handler == SIG_IGN)
+        heed_no_more(h);
 }
 
 void process_last_word(const char *last)
 {
     last_word = last;
-    listen_for(SIGINT, last != NULL);
-    listen_for(SIGTERM, last != NULL);
+    for (int i = 0; i < BREAKS; i++)
+        if (last)
+            listen_for(&breaks[i]);
+        else
+            heed_no_more(&breaks[i]);
 }
 
 int process_cores(void)
