@@ -212,7 +212,8 @@ long plat_size(const char *name);
 /* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
 long plat_load(const char *name, void *buf, size_t cap);
 
-/* Do two names lead to one file, which is there, on a disk? A port that cannot tell compares the names. */
+/* Do two names lead to one file on a disk? Of two that are not there yet: would they, links followed, and the case of
+ * letters left aside? A port that cannot tell compares the names. */
 bool plat_same(const char *a, const char *b);
 
 /* Replaces a whole file: afterwards it holds either this or, with false, what it held before. A symbolic link stays

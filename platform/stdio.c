@@ -229,6 +229,17 @@ DEFAULT bool plat_beside(const char *path, char *name, size_t size)
 #ifndef PLAT_OWN_FILES
 enum { MAX_PATH_BYTES = 2048 };
 
+/* One name where the case of A to Z does not count. */
+static bool same_name(const char *a, const char *b)
+{
+    for (; *a && *b; a++, b++) {
+        const int c = *a >= 'A' && *a <= 'Z' ? *a + 32 : *a, d = *b >= 'A' && *b <= 'Z' ? *b + 32 : *b;
+        if (c != d)
+            return false;
+    }
+    return *a == *b;
+}
+
 static bool starts(const char *s, const char *with)
 {
     return strncmp(s, with, strlen(with)) == 0;
@@ -460,11 +471,36 @@ static long size_of(const char *path)
     return !S_ISREG(st.st_mode) ? 0 : st.st_size > LONG_MAX ? LONG_MAX : (long)st.st_size;
 }
 
-static bool is_same(const char *a, const char *b)
+/* Cuts a path into its folder and its last name. */
+static const char *split(char path[MAX_PATH_BYTES], const char **folder)
+{
+    char *slash = strrchr(path, '/');
+
+    *folder = !slash ? "." : slash == path ? "/" : path;
+    if (slash)
+        *slash = 0;
+    return slash ? slash + 1 : path;
+}
+
+static bool same_inode(const char *a, const char *b)
 {
     struct stat one, two;
-    return stat(a, &one) == 0 && stat(b, &two) == 0 && S_ISREG(one.st_mode) && one.st_dev == two.st_dev &&
-           one.st_ino == two.st_ino;
+    return stat(a, &one) == 0 && stat(b, &two) == 0 && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
+}
+
+/* Of two that are not there yet: would the second be written over the first, maybe where case does not count? */
+static bool is_same(char a[MAX_PATH_BYTES], char b[MAX_PATH_BYTES])
+{
+    const char *folder_a, *folder_b;
+    if (!follow_links(a) || !follow_links(b))
+        return false;
+    const bool there = access(a, F_OK) == 0;
+    if (there != (access(b, F_OK) == 0))
+        return false;
+    if (there)
+        return !is_special(a) && same_inode(a, b);
+    const char *name_a = split(a, &folder_a), *name_b = split(b, &folder_b);
+    return same_name(name_a, name_b) && same_inode(folder_a, folder_b);
 }
 
 static bool replace(const char *from, const char *to)
@@ -534,7 +570,7 @@ static long size_of(const char *path)
 
 static bool is_same(const char *a, const char *b)
 {
-    return strcmp(a, b) == 0 && size_of(a) >= 0;
+    return same_name(a, b);
 }
 
 static bool make_runnable(const char *path)
@@ -599,12 +635,19 @@ static bool write_all(FILE *f, const void *buf, size_t len)
     return closed && good;
 }
 
-/* By way of a file beside it, so that it is old or new whatever happens. */
+enum { MOST_TEMPS = 100 };
+
+/* By way of a file beside it, which nobody had, so that it is old or new whatever happens. */
 static bool save_whole(char path[MAX_PATH_BYTES], const void *buf, size_t len)
 {
     char temp[MAX_PATH_BYTES + 32];
-    snprintf(temp, sizeof temp, "%s.%ld.tmp", path, process());
-    FILE *f = fopen(temp, "wb");
+    FILE *f = 0;
+    for (int i = 0; !f && i < MOST_TEMPS; i++) {
+        snprintf(temp, sizeof temp, i ? "%s.%ld-%d.tmp" : "%s.%ld.tmp", path, process(), i);
+        f = fopen(temp, "wbx");
+        if (!f && errno != EEXIST)
+            return false;
+    }
     if (!f)
         return false;
     keep_mode(f, path);

@@ -230,7 +230,7 @@ A run without a hit, or why there is none:
 .PP
 .nf
 .RS
-curtain survive mygame \-\-stage one \-\-frames 300 \-o one.demo
+curtain survive mygame \-\-stage one \-\-frames 300 \-o best.demo
 .RE
 .fi
 .SH SEE ALSO

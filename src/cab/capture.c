@@ -18,6 +18,7 @@
 #include "host/progress.h"
 #include "host/report.h"
 #include "pack/png.h"
+#include "store/output_paths.h"
 #include "tables/shade.h"
 #include "speaker/tape.h"
 #include "line/unseen.h"
@@ -384,8 +385,8 @@ static enum result shoot_film(struct capture *c)
     char part[FILES_PATH], sound[FILES_PATH], err[FILES_ERR];
     const bool heard = board_has_sound(c->run.guard.board) && c->a->faster <= 1 && c->a->slower <= 1;
 
-    if (snprintf(part, sizeof part, "%s.part", c->a->out) >= (int)sizeof part ||
-        snprintf(sound, sizeof sound, "%s.part.wav", c->a->out) >= (int)sizeof sound)
+    if (!output_path_temporary(c->a->out, ".part", part, sizeof part) ||
+        !output_path_temporary(c->a->out, ".part.wav", sound, sizeof sound))
         return report_line(RESULT_REFUSED, "-o: the path is too long");
     if (!heard)
         return feed(c, NULL, part);

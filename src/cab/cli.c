@@ -21,9 +21,10 @@
 #include "share/licences.h"
 #include "share/own.h"
 #include "start/start.h"
-#include "store/apart.h"
+#include "store/output_paths.h"
 #include "survive/survive.h"
 #include "testing/testing.h"
+#include "testing/told.h"
 #include "verify.h"
 
 /* Is it what an exported game does? */
@@ -40,16 +41,19 @@ static bool allowed(const struct args *a, char *err, size_t err_size)
     return false;
 }
 
-/* Does what is to be written leave what is read as it is? -o of unpack and render is a folder. */
-static bool apart(const struct args *a, char *err, size_t err_size)
+/* Does what is to be written leave what is read as it is? -o of render is a folder. */
+static bool outputs(const struct args *a, char *err, size_t err_size)
 {
-    const struct apart_out out[] = { { "-o", a->out },        { "--record", a->record }, { "--sheet", a->sheet },
-                                     { "--wav", a->wav },     { "--atlas", a->atlas },   { "--map", a->map },
-                                     { "--junit", a->junit }, { "--page", a->page } };
-    const bool games =
-        a->n_words && a->command != COMMAND_PALETTE && a->command != COMMAND_HELP && a->command != COMMAND_BULLETML;
+    const struct output_path out[] = { { "-o", a->out, NULL },
+                                       { "--record", a->record, NULL },
+                                       { "--sheet", a->sheet, NULL },
+                                       { "--wav", a->wav, NULL },
+                                       { "--atlas", a->atlas, NULL },
+                                       { "--map", a->map, NULL },
+                                       { "--junit", a->junit, told_is_junit },
+                                       { "--page", a->page, NULL } };
 
-    return apart_check(games ? a->words[0] : NULL, a->demo, out, sizeof out / sizeof *out, err, err_size);
+    return output_paths_check(a->n_words ? a->words[0] : NULL, a->demo, out, sizeof out / sizeof *out, err, err_size);
 }
 
 struct program {
@@ -66,7 +70,7 @@ static enum result run(struct program *p, int argc, char **argv)
     enum result own = own_open(err, sizeof err);
     if (own != RESULT_DONE)
         return report_line(own, "%s", err);
-    if (!args_parse(a, argc, argv, err, sizeof err) || !allowed(a, err, sizeof err) || !apart(a, err, sizeof err))
+    if (!args_parse(a, argc, argv, err, sizeof err) || !allowed(a, err, sizeof err) || !outputs(a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a->command != COMMAND_HELP && a->command != COMMAND_VERSION)

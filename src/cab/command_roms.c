@@ -14,6 +14,7 @@
 #include "pack/compress.h"
 #include "pack/pack.h"
 #include "share/export.h"
+#include "store/output_paths.h"
 #include "store/replays_print.h"
 
 /* What is allowed when packing and hardly meant. */
@@ -36,6 +37,11 @@ static bool save_packed(const struct rom_image *image, const char *out, bool pla
     return good;
 }
 
+static bool is_rom(const uint8_t *head, size_t n)
+{
+    return n >= 7 && memcmp(head, "CURTAIN", 7) == 0; /* packed or plain */
+}
+
 enum result command_pack(const struct args *a)
 {
     struct rom_image image;
@@ -56,6 +62,8 @@ enum result command_pack(const struct args *a)
     if (result == RESULT_DONE && !out) {
         snprintf(name, sizeof name, "%s.rom", cart.m.id);
         out = name;
+        if (!output_path_derived(dir, out, is_rom, err, sizeof err))
+            result = report_line(RESULT_REFUSED, "%s", err);
     }
     if (result == RESULT_DONE && !save_packed(&image, out, a->plain, err, sizeof err))
         result = report_line(RESULT_HOST, "%s", err);

@@ -10,6 +10,8 @@
 #include "host/files.h"
 #include "host/report.h"
 #include "speaker/tape.h"
+#include "store/output_paths.h"
+#include "../../platform/platform.h"
 #include "pack/png.h"
 #include "tables/shade.h"
 #include "demo/trace.h"
@@ -25,6 +27,7 @@ struct studio {
     uint32_t rgb[256];
     struct shade_kept shades;
     struct view view;
+    struct game_files game; /* no frame is written over one */
     struct contact sheet;
     struct tape tape;
 };
@@ -42,6 +45,7 @@ static void studio_close(struct studio *s)
 {
     free(s->mem);
     free(s->scratch);
+    game_files_close(&s->game);
     contact_close(&s->sheet);
     tape_close(&s->tape);
 }
@@ -52,6 +56,7 @@ static enum result studio_open(struct studio *s, const struct unseen *r)
 
     memset(s, 0, sizeof *s);
     board_screen(r->guard.board, &w, &h);
+    game_files_open(&s->game, r->game.path);
     s->mem = malloc(fb_size(w, h));
     s->scratch = malloc(board_scratch(r->guard.board) + 1);
     if (!s->mem || !s->scratch)
@@ -94,6 +99,10 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
         return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)
         return report_line(RESULT_REFUSED, "-o: the path is too long");
+    if (game_files_have(&s->game, path))
+        return report_line(RESULT_REFUSED, "-o: %s is a file of the game: name another folder", path);
+    if (r->a->sheet && plat_same(path, r->a->sheet))
+        return report_line(RESULT_REFUSED, "--sheet: %s is a frame's file: name another one", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
     return save(path, png, size);
 }

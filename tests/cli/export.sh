@@ -171,7 +171,7 @@ check '... which starts it, with all that is odd in its path' started 'with a bl
 icon=with\ a\ blank/'50 $x\ `b` "c".png'
 same 'an icon of a sprite: a square of whole pixels' 144x144 "$(identify -format '%wx%h' - <"$icon")"
 same '... of this path' "$PWD/${icon//\\/\\\\}" "$(sed -n 's/^Icon=//p' "$entry")"
-bad 'beside files of somebody' 'new.png: is already there: remove it first' \
+bad 'beside files of somebody' 'new.png: is already there: remove it, or name another file with -o' \
     export lanterns -o "$(touch new.png && echo new)" --desktop
 check '... and nothing was written' test ! -e new
 
@@ -244,7 +244,7 @@ same 'it has the name of its game' 'Sun & <Sea> @ROM@ ' "$(called ./lanterns_lib
 same 'and one without a game its own' 'Curtain rom' "$(called "$core")"
 says 'a core is replaced' 0 '' "$tool" export lanterns --libretro
 touch mine.info
-bad 'beside files of somebody' 'mine.info: is already there: remove it first' export lanterns --libretro -o mine.so
+bad 'beside files of somebody' 'mine.info: is already there: remove it, or name another file with -o' export lanterns --libretro -o mine.so
 bad 'what is none is not replaced' 'run.demo.so: is already there, and is no exported core: remove it first' \
     export lanterns --libretro -o "$(cp run.demo run.demo.so && echo run.demo.so)"
 bad 'a name that front ends pass over' '--libretro: expected -o with a name that ends in .so, got "lanterns.core"' \

@@ -69,7 +69,7 @@ examples() ( # PAGE
         n=$((n + 1))
     done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
     [ $n = 11 ] && [ -s atlas.png ] && [ -s mine/main.lua ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] &&
-        [ -s one.demo ] && [ -s .curtain.lua ]
+        [ -s best.demo ] && [ -s .curtain.lua ]
 )
 program=$(realpath "$curtain")
 check "its examples run" examples "$page"

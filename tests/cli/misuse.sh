@@ -24,6 +24,7 @@ host() { says "$1" 3 "${@:2}"; }
 "$curtain" new g --from first >/dev/null
 "$curtain" pack g -o g.rom
 "$curtain" hash g --frames 60 --record a.demo >/dev/null 2>&1
+echo '<bulletml/>' >g/doc.xml
 cp -r g kept
 cp g.rom kept.rom
 cp a.demo kept.demo
@@ -48,7 +49,49 @@ bad 'the game itself, packed' "-o: g/rom.lua $source" pack g -o g/rom.lua
 bad 'two reports in one file' '--page: x is what --junit writes: name another file' test g --page x --junit x
 check 'a film in the folder may be written anew' eval '"$curtain" capture g --frames 1:2 -o g/x.gif &&
     "$curtain" capture g --frames 1:2 -o g/x.gif && rm g/x.gif'
+bad 'a document of the game in place of a report' "--junit: g/doc.xml $source" test g --junit g/doc.xml
+mkdir pattern && printf 'fire = 1\n' >pattern/list.gpl
+bad 'a palette into what it is read from' "-o: pattern/../pattern/list.gpl $game" palette pattern/list.gpl \
+    -o pattern/../pattern/list.gpl
+bad 'two files that are one where case does not count' '--page: ./R.x is what --junit writes: name another file' \
+    test g --junit r.x --page ./R.x
+ln -s . here
+ln -s r.x link
+bad 'two files by a folder that is a link' '--page: here/r.x is what --junit writes: name another file' \
+    test g --junit r.x --page here/r.x
+bad 'two files by a link to none' '--page: link is what --junit writes: name another file' test g --junit r.x --page link
 check 'all of them are as they were' eval 'diff -r g kept && cmp g.rom kept.rom && cmp a.demo kept.demo'
+
+# ---- what nobody named is not written over, either ----
+
+report() { "$curtain" test g --junit "$1" >/dev/null 2>&1 && "$curtain" test g --junit "$1" >/dev/null 2>&1; }
+check 'a JUnit file is written again' report results.xml
+check 'also in the folder of the game' report g/tests/results.xml
+rm g/tests/results.xml
+echo mine >run.png
+cp g/art/bullets.png bullets.kept
+bad 'survive: its picture beside the demo' 'run.png: is already there: remove it, or name another file with -o' \
+    survive g -o run.demo
+bad 'survive: a picture of the game' '-o: g/art/bullets.png is a file of the game: name another one' \
+    survive g -o g/art/bullets.demo
+bad 'survive: its picture and its map in one file' '-o: ./map.png is what --map writes: name another file' \
+    survive g --map map.png -o ./map.demo
+cp -r g h
+mv h/art/bullets.png h/art/000001.png
+sed -i 's|art/bullets.png|art/000001.png|' h/rom.lua
+bad 'render: a frame in place of a picture of the game' '-o: h/art/000001.png is a file of the game: name another folder' \
+    render h --frames 1 -o h/art
+check 'it is as it was' cmp bullets.kept h/art/000001.png
+rm -r h
+bad 'render: a sheet in place of a frame' '--sheet: ./000001.png is a frame'"'"'s file: name another one' \
+    render g --frames 1 -o . --sheet ./000001.png
+echo mine >g.rom
+bad 'pack: the default name' 'g.rom: is already there: remove it, or name another file with -o' pack g
+same 'all are as they were' 'mine mine' "$(cat run.png g.rom | xargs)"
+check 'and so is the picture' cmp bullets.kept g/art/bullets.png
+cp kept.rom g.rom
+check 'pack: its own file again' "$curtain" pack g
+rm run.png
 
 # ---- words that are none ----
 
@@ -82,6 +125,10 @@ host 'a film in place of a folder' 'film.mp4: cannot be written (Is a directory)
 ln -s real.mp4 link.mp4
 "$curtain" capture g --frames 1:2 -o link.mp4
 same 'a film goes where a link leads' 'real.mp4 film' "$(readlink link.mp4) $(cat real.mp4)"
+echo mine | tee song.mp4.part >song.mp4.part.wav
+"$curtain" capture g --frames 1:2 -o song.mp4
+same "files with the names of a film's temporary ones stay" 'film mine mine 3' \
+    "$(cat song.mp4 song.mp4.part song.mp4.part.wav | xargs) $(ls song.mp4* | wc -l)"
 ln -s /dev/full full.mp4
 host 'a film on a full disk' 'full.mp4: cannot be written (No space left on device)' capture g --frames 1:2 -o full.mp4
 check 'a device stays one' test -c /dev/full

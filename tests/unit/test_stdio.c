@@ -260,7 +260,30 @@ static void same_files(void **state)
     (void)state;
     assert_true(plat_save("one", "x", 1) && plat_save("two", "x", 1) && symlink("one", "also") == 0);
     assert_true(plat_same("one", "one") && plat_same("one", "./one") && plat_same("also", "one"));
-    assert_false(plat_same("one", "two") || plat_same("none", "none") || plat_same("/dev/null", "/dev/null"));
+    assert_false(plat_same("one", "two") || plat_same("one", "none") || plat_same("/dev/null", "/dev/null"));
+}
+
+/* Of files that are not there yet: the same one by another way, a link that leads to it, another case. */
+static void same_files_to_be(void **state)
+{
+    (void)state;
+    assert_true(plat_save("to/be/x", "", 0) && symlink("to/be", "to_be") == 0 &&
+                symlink("to/be/none", "none_yet") == 0);
+    assert_true(plat_same("none", "none") && plat_same("none", "./NONE") && plat_same("to_be/none", "to/be/none"));
+    assert_true(plat_same("none_yet", "to_be/none"));
+    assert_false(plat_same("none", "to/be/none") || plat_same("none", "nine") || plat_same("none", "none.x"));
+    assert_false(plat_same("no/folder", "no/folder"));
+}
+
+/* The file that a save goes by way of is a new one: another's of that name stays. */
+static void temporary_files_are_new(void **state)
+{
+    char temp[64], read[8];
+    (void)state;
+    snprintf(temp, sizeof temp, "saved.%ld.tmp", (long)getpid());
+    assert_true(plat_save(temp, "mine", 4) && plat_save("saved", "new", 3));
+    assert_int_equal(plat_load(temp, read, sizeof read), 4);
+    assert_int_equal(plat_load("saved", read, sizeof read), 3);
 }
 
 static void user_dirs_say(const char *text)
@@ -494,6 +517,8 @@ int main(void)
         cmocka_unit_test(another_name),
         cmocka_unit_test(programs),
         cmocka_unit_test(same_files),
+        cmocka_unit_test(same_files_to_be),
+        cmocka_unit_test(temporary_files_are_new),
         cmocka_unit_test(a_failed_save_leaves_all),
     };
     return cmocka_run_group_tests(tests, into_folder, out_of_folder);

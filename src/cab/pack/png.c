@@ -244,6 +244,34 @@ bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size
     return write_picture(&(struct pixels){ rgb, (ptrdiff_t)w * 3, w, h, 3, NULL }, out, size);
 }
 
+/* ---- the mark ---- */
+
+enum { AFTER_HEAD = 8 + 12 + 13 /* bytes of the signature and IHDR */ };
+
+static const uint8_t author[] = "Software\0Curtain"; /* without the last byte: the data of a tEXt */
+
+bool png_sign(uint8_t **png, size_t *size)
+{
+    const size_t more = 12 + sizeof author - 1;
+    uint8_t *larger = realloc(*png, *size + more);
+
+    if (!larger)
+        return false;
+    memmove(larger + AFTER_HEAD + more, larger + AFTER_HEAD, *size - AFTER_HEAD);
+    png_chunk(larger + AFTER_HEAD, "tEXt", author, sizeof author - 1);
+    *png = larger;
+    *size += more;
+    return true;
+}
+
+bool png_is_signed(const uint8_t *head, size_t n)
+{
+    const size_t data = AFTER_HEAD + 8;
+
+    return n >= data + sizeof author - 1 && memcmp(head, signature, sizeof signature) == 0 &&
+           memcmp(head + data - 4, "tEXt", 4) == 0 && memcmp(head + data, author, sizeof author - 1) == 0;
+}
+
 /* ---- reading ---- */
 
 /* What a file says, once its chunks have been walked. */

@@ -15,6 +15,8 @@
 #include "../pack/compress.h"
 #include "../pack/icon.h"
 #include "../pack/pack.h"
+#include "../pack/png.h"
+#include "../store/output_paths.h"
 #include "beside.h"
 #include "image.h"
 #include "mark.h"
@@ -141,20 +143,31 @@ static void ignore(void *user, const struct plat_file *file)
     (void)file;
 }
 
-/* What would be written beside a new file is nobody's yet. */
-static bool nothing_beside(struct export *e)
-{
-    static const char *const ends[] = { ".desktop", ".png" };
-    char name[FILES_PATH + 16];
+#define ENTRY "[Desktop Entry]\nType=Application\n"
 
-    if (e->want->kind == EXPORT_CORE && plat_size(e->info) >= 0)
-        return err_set(e->err, e->err_size, "%s: is already there: remove it first", e->info);
-    for (int i = 0; e->want->desktop && i < 2; i++) {
-        snprintf(name, sizeof name, "%s%s", e->out, ends[i]);
-        if (plat_size(name) >= 0)
-            return err_set(e->err, e->err_size, "%s: is already there: remove it first", name);
-    }
-    return true;
+static bool is_entry(const uint8_t *head, size_t n)
+{
+    return n >= strlen(ENTRY) && memcmp(head, ENTRY, strlen(ENTRY)) == 0;
+}
+
+static bool is_info(const uint8_t *head, size_t n)
+{
+    return n >= strlen(RETRO_INFO_FIRST) && memcmp(head, RETRO_INFO_FIRST, strlen(RETRO_INFO_FIRST)) == 0;
+}
+
+/* May what is written beside the file be? */
+static bool free_beside(struct export *e)
+{
+    char entry[FILES_PATH + 16], icon[FILES_PATH + 16];
+
+    if (e->want->kind == EXPORT_CORE && !output_path_derived(e->want->rom, e->info, is_info, e->err, e->err_size))
+        return false;
+    if (!e->want->desktop)
+        return true;
+    snprintf(entry, sizeof entry, "%s.desktop", e->out);
+    snprintf(icon, sizeof icon, "%s.png", e->out);
+    return output_path_derived(e->want->rom, entry, is_entry, e->err, e->err_size) &&
+           output_path_derived(e->want->rom, icon, png_is_signed, e->err, e->err_size);
 }
 
 /* An entry is lines of text: in a path, what would end one is nothing it can hold. */
@@ -195,8 +208,10 @@ static bool may_write(struct export *e)
         return false;
     if (plat_size(e->out) < 0 && plat_list(e->out, ignore, NULL) >= 0)
         return err_set(e->err, e->err_size, "%s: is a folder; -o names the file to be written", e->out);
+    if (!free_beside(e))
+        return false;
     if (plat_size(e->out) < 0)
-        return nothing_beside(e);
+        return true;
     if (!files_read(e->out, e->out, PROGRAM, &there, &size, e->err, e->err_size))
         return false;
     const bool exported = is_exported(e, there, size);
@@ -270,10 +285,10 @@ static bool save_entry(struct export *e)
     quoted(path, exec, sizeof exec);
     escaped(e->cart.m.title, title);
     escaped(path, shown);
-    const bool icon = icon_png(&e->cart, ICON_SAVED, &png, &size);
+    const bool icon = icon_png(&e->cart, ICON_SAVED, &png, &size) && png_sign(&png, &size);
     snprintf(text, sizeof text,
-             "[Desktop Entry]\nType=Application\nName=%s\nExec=\"%s\"\nIcon=%s%s\nTerminal=false\n"
-             "Categories=Game;ArcadeGame;\n",
+             ENTRY "Name=%s\nExec=\"%s\"\nIcon=%s%s\nTerminal=false\n"
+                   "Categories=Game;ArcadeGame;\n",
              title, exec, icon ? shown : "applications-games", icon ? ".png" : "");
     snprintf(name, sizeof name, "%s.desktop", path);
     bool good = files_save(name, text, strlen(text), e->err, e->err_size);

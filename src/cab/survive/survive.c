@@ -9,7 +9,10 @@
 #include "../host/files.h"
 #include "../host/progress.h"
 #include "../host/report.h"
+#include "../pack/png.h"
 #include "../run/sections.h"
+#include "../store/output_paths.h"
+#include "../../base/err.h"
 #include "map.h"
 #include "tell.h"
 
@@ -58,6 +61,11 @@ static enum result look(struct survive *s, struct section_run *run, const struct
     return RESULT_DONE;
 }
 
+static const char *demo_path(const struct survive *s)
+{
+    return s->a->out ? s->a->out : "survive.demo";
+}
+
 /* Another ending for the name of the demo. */
 static bool other_ending(const char *demo, char *out, size_t size)
 {
@@ -70,12 +78,31 @@ static bool other_ending(const char *demo, char *out, size_t size)
 static enum result save_picture(const char *path, uint8_t *png, size_t size)
 {
     char err[FILES_ERR];
-    const bool good = png && files_save(path, png, size, err, sizeof err);
+    const bool good = png && png_sign(&png, &size) && files_save(path, png, size, err, sizeof err);
 
     free(png);
     if (!png)
         return report_line(RESULT_HOST, "%s: out of memory", path);
     return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+}
+
+static bool is_demo(const uint8_t *head, size_t n)
+{
+    return n >= 4 && memcmp(head, "CDEM", 4) == 0;
+}
+
+/* Before the work: may what nobody named be written? */
+static bool may_write(const struct survive *s, char *err, size_t err_size)
+{
+    char picture[FILES_PATH];
+    const char *demo = demo_path(s);
+
+    if (!other_ending(demo, picture, sizeof picture))
+        return err_set(err, err_size, "-o: the path is too long");
+    const struct output_path out[] = { { "-o", demo, NULL }, { "--map", s->a->map, NULL }, { "-o", picture, NULL } };
+    return output_paths_check(s->a->path, NULL, out, 3, err, err_size) &&
+           output_path_derived(s->a->path, picture, png_is_signed, err, err_size) &&
+           (s->a->out || output_path_derived(s->a->path, demo, is_demo, err, err_size));
 }
 
 static enum result write_map(struct survive *s, struct section_run *run, const char *path)
@@ -89,7 +116,7 @@ static enum result write_map(struct survive *s, struct section_run *run, const c
 static enum result write_files(struct survive *s, struct section_run *run, struct tell_of *of, char *picture,
                                size_t size)
 {
-    const char *demo = s->a->out ? s->a->out : "survive.demo";
+    const char *demo = demo_path(s);
     char err[FILES_ERR];
     size_t bytes = 0;
     enum result result = RESULT_DONE;
@@ -121,10 +148,14 @@ static enum result good_of(const struct section_run *run)
 static enum result one_section(struct survive *s)
 {
     struct section_run *run = calloc(1, sizeof *run);
-    char picture[FILES_PATH];
+    char picture[FILES_PATH], err[FILES_ERR];
 
     if (!run)
         return report_line(RESULT_HOST, "out of memory");
+    if (!s->a->bots && !may_write(s, err, sizeof err)) {
+        free(run);
+        return report_line(RESULT_REFUSED, "%s", err);
+    }
     const struct board_start *start = &s->a->start;
     struct tell_of of = { .section = start->practice.section, .difficulty = difficulty_name(s, start->difficulty) };
     enum result result = look(s, run, start);
@@ -180,6 +211,8 @@ static enum result keep_demo(struct survive *s, struct section_run *run, struct 
         if (*c == '/' || *c == ':')
             *c = '-';
     of->demo = path;
+    if (!output_path_derived(s->a->path, path, is_demo, err, sizeof err))
+        return report_line(RESULT_REFUSED, "%s", err);
     if (trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, path, s->a->prints, err, sizeof err))
         return RESULT_DONE;
     return report_line(RESULT_HOST, "%s", err);

@@ -118,11 +118,18 @@ static void junit_test(FILE *out, const struct test *t)
     fprintf(out, "%u frames</system-out>\n    </testcase>\n", (unsigned)t->frames);
 }
 
+static const char junit_head[] = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites";
+
+bool told_is_junit(const uint8_t *head, size_t n)
+{
+    return n >= sizeof junit_head - 1 && memcmp(head, junit_head, sizeof junit_head - 1) == 0;
+}
+
 void told_junit(FILE *out, const char *title, const struct test *tests, const struct sums *s)
 {
-    fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
-    fprintf(out, "<testsuites tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"",
-            s->tests, s->fail - s->host, s->host, (double)s->usec / 1e6);
+    fputs(junit_head, out);
+    fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"", s->tests,
+            s->fail - s->host, s->host, (double)s->usec / 1e6);
     told_escaped(out, title);
     fprintf(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests, s->fail - s->host, s->host,
             (double)s->usec / 1e6);

@@ -24,6 +24,9 @@ void told_tap(const struct test *t, int number);
 /* A JUnit file's text. title: the game's. */
 void told_junit(FILE *out, const char *title, const struct test *tests, const struct sums *s);
 
+/* Do the first bytes of a file show that told_junit wrote it? */
+bool told_is_junit(const uint8_t *head, size_t n);
+
 /* Text for XML and HTML. */
 void told_escaped(FILE *out, const char *text);
 
