@@ -63,15 +63,31 @@ static void hang_up(int sig)
     hung_up = 1;
 }
 
+static void (*hangup_before)(int) = SIG_ERR; /* SIG_ERR: the signal is not ours */
+
 /* Under nohup the signal is ignored, and stays so. */
 static void heed_hangup(void)
 {
-    if (signal(SIGHUP, hang_up) == SIG_IGN)
+    if (hangup_before != SIG_ERR)
+        return;
+    hangup_before = signal(SIGHUP, hang_up);
+    if (hangup_before == SIG_IGN)
         signal(SIGHUP, SIG_IGN);
+}
+
+static void forget_hangup(void)
+{
+    if (hangup_before != SIG_ERR)
+        signal(SIGHUP, hangup_before);
+    hangup_before = SIG_ERR;
 }
 #else
 enum { hung_up = 0 };
 static void heed_hangup(void)
+{
+}
+
+static void forget_hangup(void)
 {
 }
 #endif
@@ -307,6 +323,7 @@ bool plat_open(const struct plat_want *want)
 
 void plat_close(void)
 {
+    forget_hangup();
     close_speaker();
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (in.controller[i])
@@ -506,6 +523,14 @@ bool plat_dropped(char *path, size_t size)
     return was;
 }
 
+/* The graphics driver has lost what was in it, as after a sleep: the next picture makes another. */
+static void forget_texture(void)
+{
+    if (port.texture)
+        SDL_DestroyTexture(port.texture);
+    port.texture = NULL;
+}
+
 static void event(const SDL_Event *e)
 {
     switch (e->type) {
@@ -535,6 +560,10 @@ static void event(const SDL_Event *e)
     case SDL_WINDOWEVENT:
         if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)
             release_all();
+        break;
+    case SDL_RENDER_TARGETS_RESET:
+    case SDL_RENDER_DEVICE_RESET:
+        forget_texture();
         break;
     case SDL_AUDIODEVICEADDED:
         if (!e->adevice.iscapture)
@@ -608,8 +637,7 @@ static bool fit_texture(int w, int h)
 {
     if (port.texture && port.texture_w == w && port.texture_h == h)
         return true;
-    if (port.texture)
-        SDL_DestroyTexture(port.texture);
+    forget_texture();
     SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
     port.texture = SDL_CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
     port.texture_w = w;
@@ -647,10 +675,10 @@ bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
     return true;
 }
 
-/* What SDL cuts off: 59 is 59.94, as 119 is 119.88. */
+/* What SDL cuts off: 59 is 59.94, as 119 is 119.88; but 24 and 144 are whole. */
 static int thousandths(int hz)
 {
-    return hz % 5 == 4 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;
+    return hz % 5 == 4 && hz % 24 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;
 }
 
 bool plat_window(struct plat_window *out)
