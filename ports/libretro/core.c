@@ -343,6 +343,17 @@ static bool take_rom(const struct retro_game *game)
     return false;
 }
 
+static void give_back(void)
+{
+    close_game();
+    free(core.rom);
+    free(core.saved);
+    free(core.pixels);
+    core.rom = core.saved = NULL;
+    core.pixels = NULL;
+    core.powered = false;
+}
+
 bool retro_load_game(const struct retro_game *game)
 {
     const int format = RETRO_PIXEL_FORMAT_XRGB8888;
@@ -350,17 +361,21 @@ bool retro_load_game(const struct retro_game *game)
     if (!take_rom(game))
         return false;
     if (!core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format) || !power()) {
-        free(core.rom);
-        core.rom = NULL;
+        give_back();
         return false;
     }
     core.saved_size = SAVED + curtain_nvram_room(core.c);
     core.saved = calloc(1, core.saved_size);
     core.pixels = calloc((size_t)curtain_width(core.c) * (size_t)curtain_height(core.c), sizeof *core.pixels);
     core.loads = 0;
+    if (!core.saved || !core.pixels) {
+        show("there is too little memory");
+        give_back();
+        return false;
+    }
     tell_buttons();
     offer_choices();
-    return core.saved && core.pixels;
+    return true;
 }
 
 bool retro_load_game_special(unsigned type, const struct retro_game *games, size_t n)
@@ -400,13 +415,7 @@ void retro_unload_game(void)
                  (unsigned long long)curtain_hash(core.c), core.loads);
         say(RETRO_INFO, text);
     }
-    close_game();
-    free(core.rom);
-    free(core.saved);
-    free(core.pixels);
-    core.rom = core.saved = NULL;
-    core.pixels = NULL;
-    core.powered = false;
+    give_back();
 }
 
 void retro_reset(void)
