@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include "../../platform/platform.h"
 #include "../base/err.h"
+#include "host/result.h"
 #include "host/files.h"
 #include "host/progress.h"
 #include "host/report.h"
@@ -31,7 +32,7 @@ static bool save_packed(const struct rom_image *image, const char *out, bool pla
     size_t size = 0;
 
     if (!plain && !compress_rom(image->bytes, image->size, &small, &size))
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     const bool good = files_save(out, small ? small : image->bytes, small ? size : image->size, err, err_size);
     free(small);
     return good;

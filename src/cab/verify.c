@@ -469,7 +469,7 @@ static enum result verify_demo(struct verify *v, const char *path)
     if (demo_load(&v->demo, path, err, sizeof err))
         result = verify_loaded(v, path);
     else
-        result = refuse(v, report_cause(err), "%s", err);
+        result = refuse(v, report_cause(), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);

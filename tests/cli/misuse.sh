@@ -52,7 +52,7 @@ check 'a film in the folder may be written anew' eval '"$curtain" capture g --fr
 bad 'a document of the game in place of a report' "--junit: g/doc.xml $source" test g --junit g/doc.xml
 mkdir pattern && printf 'fire = 1\n' >pattern/list.gpl
 bad 'a palette into what it is read from' "-o: pattern/../pattern/list.gpl $game" palette pattern/list.gpl \
-    -o pattern/../pattern/list.gpl
+    --bank 1 -o pattern/../pattern/list.gpl
 bad 'two files that are one where case does not count' '--page: ./R.x is what --junit writes: name another file' \
     test g --junit r.x --page ./R.x
 ln -s . here
@@ -92,6 +92,18 @@ check 'and so is the picture' cmp bullets.kept g/art/bullets.png
 cp kept.rom g.rom
 check 'pack: its own file again' "$curtain" pack g
 rm run.png
+
+# ---- exit codes come from what happened, not from the words of a path ----
+
+odd='a: cannot be written'
+mkdir "$odd" && printf 'board = { nothing = 1 }\n' >"$odd/rom.lua"
+"$curtain" hash "$odd" >out 2>err
+same 'a path with the words of another error: a wrong game is 2' 2 $?
+mkdir 'out of memory'
+"$curtain" hash 'none/out of memory' >out 2>err
+same 'nor with those of another' 2 $?
+"$curtain" unpack g.rom /proc/nothing >out 2>err
+same 'unpack where nothing can be written: the host, 3' 3 $?
 
 # ---- words that are none ----
 

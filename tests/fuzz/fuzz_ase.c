@@ -41,7 +41,7 @@ static void make(const struct sheet *sheet, const struct art_sheet *asked, struc
         return;
     }
     look(&made);
-    bool good = art_make_sprite(&made.picture, &made.sprite, 0, rgb, true, &lump, &size, err, sizeof err);
+    bool good = art_make_sprite(&made.picture, &made.sprite, 0, rgb, true, &lump, &size, NULL, err, sizeof err);
     if (good ? size < CART_GFX_HEADER : err[0] == '\0')
         abort();
     free(lump);

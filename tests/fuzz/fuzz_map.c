@@ -28,7 +28,7 @@ static void make(const struct map_cells *c)
 
     for (int i = 0; i < (int)sizeof rgba; i++)
         rgba[i] = (uint8_t)(i % 4 == 3 ? i * 7 : 0);
-    bool good = map_make(c, c->side ? c->side : 8, &sheet, 3, rgb, true, &lump, &size, err, sizeof err);
+    bool good = map_make(c, c->side ? c->side : 8, &sheet, 3, rgb, true, &lump, &size, NULL, err, sizeof err);
     if (good ? size < CART_MAP_HEADER : err[0] == '\0')
         abort();
     if (good)

@@ -614,12 +614,14 @@ static void test_clock_jumps(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
-        for (int slowed = 0; slowed < 2; slowed++) {
+        for (int slowed = 0; slowed < 3; slowed++) { /* the second and third time it is believed to be */
             power(steady);
             even(60);
             for (int k = 0; k < 4 && slowed; k++)
                 jump(2e4, 1e5);
-            assert_int_equal(speaker.slowed > 0, slowed);
+            for (int k = 0; k < 40 && slowed == 2; k++)
+                jump(0, 0);
+            assert_int_equal(speaker.slowed > 0, slowed > 0);
             jump(times[i], 0);
             jump(0, times[i]);
             jump(times[i], times[i]);

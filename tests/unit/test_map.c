@@ -207,7 +207,7 @@ static void test_lump(void **state)
     struct art_picture sheet = sheet_of(rgb);
     for (uint32_t k = 1; k < 5; k++)
         cell[5 + k] = 1 | (k & 1 ? MAP_FLIP_X : 0) | (k & 2 ? MAP_FLIP_Y : 0) | (k & 4 ? MAP_DIAGONAL : 0);
-    assert_true(map_make(&c, 8, &sheet, 5, rgb, false, &lump, &size, err, sizeof err));
+    assert_true(map_make(&c, 8, &sheet, 5, rgb, false, &lump, &size, NULL, err, sizeof err));
     assert_int_equal(bytes_get16(lump), 5);
     assert_int_equal(bytes_get16(lump + 2), 2);
     assert_int_equal(bytes_get16(lump + 4), 8);
@@ -232,10 +232,10 @@ static void test_lump(void **state)
     }
     free(lump);
     cell[3] = 3;
-    assert_false(map_make(&c, 8, &sheet, 5, rgb, false, &lump, &size, err, sizeof err));
+    assert_false(map_make(&c, 8, &sheet, 5, rgb, false, &lump, &size, NULL, err, sizeof err));
     assert_string_equal(err, "column 4 of row 1: tile 3, the sheet has 2 of 8x8 px");
     cell[3] = 1;
-    assert_false(map_make(&c, 8, &sheet, 6, rgb, false, &lump, &size, err, sizeof err));
+    assert_false(map_make(&c, 8, &sheet, 6, rgb, false, &lump, &size, NULL, err, sizeof err));
     assert_non_null(strstr(err, "is not in bank 6"));
     free(sheet.rgba);
 }

@@ -13,6 +13,7 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../board/rom/bulletml.h"
+#include "../host/result.h"
 
 /* What of a node is written as a piece of its own. */
 enum piece { PIECE_ACTION, PIECE_TOP, PIECE_FIRE, PIECE_BULLET, PIECE_INSIDE /* a bullet's actions */, PIECES };
@@ -50,9 +51,10 @@ static void *grow(struct compiler *c, void *at, size_t n, size_t *room, size_t s
     if (n < *room)
         return at;
     void *more = realloc(at, (*room ? 2 * *room : 256) * size);
-    if (!more)
+    if (!more) {
+        host_is_why();
         fail(c, 0, "out of memory");
-    else
+    } else
         *room = *room ? 2 * *room : 256;
     return more ? more : at;
 }
@@ -502,6 +504,7 @@ static uint8_t *lump(struct compiler *c, const uint32_t *tops, uint32_t n, size_
     *size = ML_HEADER + 8 * c->numbers + 4 * (n + c->label.n + c->word.n + c->step.n) + c->bytes;
     uint8_t *out = malloc(*size), *to = out;
     if (!out) {
+        host_is_why();
         fail(c, 0, "out of memory");
         return NULL;
     }
@@ -524,8 +527,10 @@ bool bulletml_compile(const struct document *d, const char *file, uint8_t **out,
     uint32_t tops[ML_MAX_TOPS];
 
     *out = NULL;
-    if (!c.place)
+    if (!c.place) {
+        host_is_why();
         fail(&c, 0, "out of memory");
+    }
     const uint32_t n = c.failed ? 0 : compile(&c, tops);
     if (!c.failed)
         *out = lump(&c, tops, n, size);

@@ -11,8 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
 #include "../host/library.h"
+#include "../host/result.h"
 
 /* ---- libexpat, as its version 1 declares it in expat.h ---- */
 
@@ -384,6 +384,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
     char why[128];
 
     if (!x) {
+        host_is_why();
         document_bad(r, 1, 1, "out of memory");
         return;
     }
@@ -393,6 +394,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
         library_missing(LIBRARY_EXPAT, why, sizeof why);
         document_bad(r, 1, 1, "%s", why);
     } else if (!(x->parser = x->f.create(NULL))) {
+        host_is_why();
         document_bad(r, 1, 1, "out of memory");
     }
     if (x->parser) {

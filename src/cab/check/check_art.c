@@ -147,17 +147,18 @@ static void check_sprite(struct check *c, const struct sheet *sheet, const struc
     char why[256];
     uint8_t *data;
     size_t size;
+    bool pixel = false;
     const bool cut = sheet_sprite(sheet, of, s, &made, why, sizeof why);
 
     if (cut && sheet->is_ase)
         note_strays(c, of->file, of->bank, &made.picture, art_find_strays(&made.picture, NULL, of->bank, rgb));
     const bool good =
-        cut && art_make_sprite(&made.picture, &made.sprite, of->bank, rgb, true, &data, &size, why, sizeof why);
+        cut && art_make_sprite(&made.picture, &made.sprite, of->bank, rgb, true, &data, &size, &pixel, why, sizeof why);
     if (cut)
         sheet_sprite_close(sheet, &made);
     if (good)
         free(data);
-    else if (strstr(why, ": index ") == NULL) { /* of indices note_strays has told */
+    else if (!pixel) { /* note_strays has said it of those */
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
         c->broken = true;
     }

@@ -4,6 +4,7 @@
  * A part that this build's board does not have differs from the first frame on.
  */
 #include "replay.h"
+#include "../host/result.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,7 @@
 
 static enum result out_of_memory(char *err, size_t err_size)
 {
-    snprintf(err, err_size, "out of memory");
+    result_host(err, err_size, "out of memory");
     return RESULT_HOST;
 }
 

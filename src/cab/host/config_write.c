@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "result.h"
 #include "config.h"
 #include "files.h"
 
@@ -116,7 +117,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
     if (t.at)
         err_set(err, err_size, "%s: would be larger than %d bytes", shown, CONFIG_BYTES);
     else
-        err_set(err, err_size, "%s: out of memory", shown);
+        result_host(err, err_size, "%s: out of memory", shown);
     free(t.at);
     return NULL;
 }

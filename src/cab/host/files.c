@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "result.h"
 
 const char *files_shown(const char *name, char path[FILES_PATH])
 {
@@ -35,9 +36,11 @@ static void explain(const char *name, const char *verb, char *err, size_t err_si
 
 static bool wrote(bool good, const char *path, char *err, size_t err_size)
 {
-    if (!good)
-        explain(path, "written", err, err_size);
-    return good;
+    if (good)
+        return true;
+    explain(path, "written", err, err_size);
+    host_is_why();
+    return false;
 }
 
 bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size)
@@ -91,7 +94,7 @@ bool files_read(const char *path, const char *name, size_t max, uint8_t **data, 
         return err_set(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
     uint8_t *bytes = malloc((size_t)n + 1);
     if (bytes == NULL)
-        return err_set(err, err_size, "%s: out of memory", name);
+        return result_host(err, err_size, "%s: out of memory", name);
     if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
         free(bytes);
         return false;

@@ -33,18 +33,35 @@ enum result report_line(enum result result, const char *format, ...)
     return result;
 }
 
-enum result report_cause(const char *err)
-{
-    static const char memory[] = "out of memory";
-    size_t n = strlen(err), tail = sizeof memory - 1;
-    bool host = strstr(err, ": cannot be written") || (n >= tail && strcmp(err + n - tail, memory) == 0);
+static bool host_failed;
 
+void host_is_why(void)
+{
+    host_failed = true;
+}
+
+bool result_host(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    host_is_why();
+    return false;
+}
+
+enum result report_cause(void)
+{
+    const bool host = host_failed;
+
+    host_failed = false;
     return host ? RESULT_HOST : RESULT_REFUSED;
 }
 
 enum result report_error(const char *err)
 {
-    return report_line(report_cause(err), "%s", err);
+    return report_line(report_cause(), "%s", err);
 }
 
 static void log_lines(const char *text)

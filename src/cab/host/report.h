@@ -13,9 +13,9 @@
 /* One line, "curtain: ..."; returns result. */
 enum result report_line(enum result result, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What a sentence of game_open, demo_load, packing or unpacking says no with: RESULT_HOST when the host is why, else
- * RESULT_REFUSED. */
-enum result report_cause(const char *err);
+/* Why game_open, demo_load, packing or unpacking has said no: RESULT_HOST when the host is (result_host), else
+ * RESULT_REFUSED. To be asked once, right after it. */
+enum result report_cause(void);
 
 /* The same, and the sentence on plat_log. */
 enum result report_error(const char *err);

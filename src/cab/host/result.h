@@ -8,6 +8,7 @@
 #define CAB_RESULT_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 enum result {
     RESULT_DONE,
@@ -15,6 +16,12 @@ enum result {
     RESULT_REFUSED, /* bad input or a script fault */
     RESULT_HOST     /* the host failed, or ran out of memory */
 };
+
+/* err_set, where the host is why: there is no memory, or a file cannot be written. What such a sentence is put into
+ * later does not matter: report_cause knows that one was made since it was asked last. host_is_why: of one that is made
+ * otherwise. */
+bool result_host(char *err, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void host_is_why(void);
 
 /* What a command leaves to be called from frame to frame, by whoever has the loop. */
 struct running {

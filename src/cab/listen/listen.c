@@ -9,6 +9,7 @@
 #include "../../base/bytes.h"
 #include "../../base/edit.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../board/board.h"
 #include "hear.h"
 #include "../host/report.h"
@@ -139,7 +140,7 @@ static enum result measure(struct board *b, const struct args *a)
     }
     record(b, &t, a->words[1], MOST_FRAMES);
     if (!print_level(a->words[1], &t))
-        good = err_set(err, sizeof err, "out of memory");
+        good = result_host(err, sizeof err, "out of memory");
     if (good && out)
         good = tape_save(&t, out, err, sizeof err);
     tape_close(&t);

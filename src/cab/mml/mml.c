@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../snd/adpcm.h"
 #include "../../snd/pitch.h"
 
@@ -43,8 +44,10 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
     if (t->n == t->room) {
         const uint32_t room = t->room ? 2 * t->room : 256;
         struct mml_event *bigger = realloc(t->events, room * sizeof *bigger);
-        if (bigger == NULL)
+        if (bigger == NULL) {
+            host_is_why();
             mml_bad(m, m->now, "out of memory");
+        }
         t->events = bigger;
         t->room = room;
     }
@@ -549,7 +552,7 @@ bool mml_compile(const char *text, size_t n, const char *file, const struct mml_
         if (m)
             end(m);
         return n > MML_FILE ? err_set(err, err_size, "%s: longer than %d bytes", file, MML_FILE)
-                            : err_set(err, err_size, "out of memory");
+                            : result_host(err, err_size, "out of memory");
     }
     m->text = text;
     m->n = n;

@@ -13,6 +13,7 @@
 #include "../../../fb/resize.h"
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 
 enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
 
@@ -154,7 +155,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
     *size = (size_t)p->w * (size_t)p->h;
     *out = malloc(*size);
     if (*out == NULL)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     for (int y = 0; y < p->h; y++) {
         for (int x = 0; x < p->w; x++) {
             int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
@@ -276,7 +277,7 @@ static bool make_stack(struct stack *s, int w, int h, int n, char *err, size_t e
     if ((uint64_t)w * (uint64_t)h * (uint64_t)n > MAX_STACK)
         return err_set(err, err_size, "its frames and rotations take more than %d MiB", MAX_STACK >> 20);
     s->pix = calloc(1, stack_bytes(s));
-    return s->pix != NULL ? true : err_set(err, err_size, "out of memory");
+    return s->pix != NULL ? true : result_host(err, err_size, "out of memory");
 }
 
 /* The size that holds all turns of all frames. */
@@ -315,7 +316,7 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
         return err_set(err, err_size, "%dx%d pixels when turned, expected at most %d each way", w, h, CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     if (!make_stack(&t, w, h, s->n * rotations, err, err_size)) {
         free(scratch);
         return false;
@@ -356,7 +357,7 @@ static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *er
                        CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     if (!make_stack(&to, w, h, s->n, err, err_size)) {
         free(scratch);
         return false;
@@ -427,9 +428,11 @@ static bool write_lump(const struct stack *s, const struct art_sprite *sprite, s
 }
 
 bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
-                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
+                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
                      size_t err_size)
 {
+    if (pixel)
+        *pixel = false;
     int ox = sprite->ox, oy = sprite->oy;
     struct stack s;
 
@@ -442,6 +445,8 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     s.px = pivot(sprite->ox, sprite->w);
     s.py = pivot(sprite->oy, sprite->h);
     bool good = cut_frames(&s, sheet, sprite, bank, rgb, nearest, err, err_size);
+    if (pixel)
+        *pixel = !good;
     if (good && sprite->percent != 100) {
         ox = resized_at(ox, sprite->percent);
         oy = resized_at(oy, sprite->percent);
@@ -459,7 +464,7 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
         oy = s.py / 2;
     }
     if (good && !write_lump(&s, sprite, box, ox, oy, bank, out, size))
-        good = err_set(err, err_size, "out of memory");
+        good = result_host(err, err_size, "out of memory");
     free(s.pix);
     return good;
 }

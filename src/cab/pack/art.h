@@ -69,9 +69,10 @@ void art_faint_say(const struct art_picture *picture, const struct art_faint *f,
 /* A side of a sprite, in px, at so many percent of its size: rounded, at least 1. */
 int art_resized(int side, int percent);
 
-/* The gfx lump of a sprite on its sheet. Turned copies get the smallest size that holds all of them. *out is malloc. */
+/* The gfx lump of a sprite on its sheet. Turned copies get the smallest size that holds all of them. *out is malloc.
+ * *pixel, which may be NULL: false was returned for the colour of a pixel, which err begins with. */
 bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
-                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
+                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
                      size_t err_size);
 
 #endif

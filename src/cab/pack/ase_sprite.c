@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../chips/motion.h"
 
 enum { TICKS = 60, SECOND = 1000, HALF = 1 << 15 /* half a px */ };
@@ -165,7 +166,7 @@ static bool make_strip(const struct ase *a, const struct art_sprite *at, bool by
     if (good)
         good = fill_strip(a, at, s, work, work + canvas * 4, err, err_size);
     else
-        err_set(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
     free(work);
     if (!good)
         art_picture_free(&s->picture);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../board/cursor.h"
 #include "../../board/rom/face.h"
 
@@ -162,7 +163,7 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
     g.code = (uint32_t)l->code;
     g.pix = wanted ? calloc((size_t)g.w + 1, (size_t)g.h + 1) : NULL;
     if (wanted && g.pix == NULL)
-        return err_set(r->err, r->err_size, "out of memory");
+        return result_host(r->err, r->err_size, "out of memory");
     for (int y = 0; y < l->h; y++)
         if (!read_row(r, l->w, wanted ? g.pix + y * g.w : NULL)) {
             free(g.pix);
@@ -170,7 +171,7 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
         }
     if (!wanted)
         return true;
-    return faces_put(r->f, g) ? true : err_set(r->err, r->err_size, "out of memory");
+    return faces_put(r->f, g) ? true : result_host(r->err, r->err_size, "out of memory");
 }
 
 /* From behind STARTCHAR to ENDCHAR. */

@@ -9,11 +9,13 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 
 /* ---- the lump ---- */
 
 /* What map_make works on. */
 struct making {
+    bool pixel; /* the colour of one is wrong */
     const struct map_cells *cells;
     const struct art_picture *sheet;
     int side, bank, across, count; /* tiles in a row of the sheet, and in all */
@@ -50,7 +52,8 @@ static bool cut_tile(struct making *m, uint32_t cell, uint8_t *to)
             source_of(cell, m->side, x, y, &sx, &sy);
             int shade = art_shade(m->sheet, tile % m->across * m->side + sx, tile / m->across * m->side + sy, m->bank,
                                   m->rgb, m->nearest, m->err, m->err_size);
-            if (shade < 0)
+            m->pixel = shade < 0;
+            if (m->pixel)
                 return false;
             to[y * m->side + x] = shade == 0 ? 0 : (uint8_t)(m->bank * 16 + shade);
         }
@@ -63,7 +66,7 @@ static bool more_room(struct making *m)
     uint8_t *pix = realloc(m->pix, (size_t)room * tile_bytes(m));
 
     if (pix == NULL)
-        return err_set(m->err, m->err_size, "out of memory");
+        return result_host(m->err, m->err_size, "out of memory");
     m->pix = pix;
     m->room = room;
     return true;
@@ -120,7 +123,7 @@ static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, si
     *size = CART_MAP_HEADER + 2 * n + (size_t)m->tiles * (1 + tile);
     uint8_t *p = *out = calloc(1, *size);
     if (p == NULL)
-        return err_set(m->err, m->err_size, "out of memory");
+        return result_host(m->err, m->err_size, "out of memory");
     uint8_t *solid = p + CART_MAP_HEADER + 2 * n;
     for (int i = 0; i < m->tiles; i++)
         solid[i] = memchr(m->pix + (size_t)i * tile, 0, tile) == NULL;
@@ -138,7 +141,8 @@ static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, si
 }
 
 bool map_make(const struct map_cells *cells, int side, const struct art_picture *sheet, int bank,
-              const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err, size_t err_size)
+              const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
+              size_t err_size)
 {
     struct making m = { .cells = cells,
                         .sheet = sheet,
@@ -159,8 +163,11 @@ bool map_make(const struct map_cells *cells, int side, const struct art_picture 
     m.number = calloc((size_t)m.count * 8 + 8, sizeof *m.number);
     m.pix = calloc((size_t)m.room, tile_bytes(&m));
     uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
-    bool good = m.number != NULL && m.pix != NULL && numbers != NULL ? true : err_set(err, err_size, "out of memory");
+    bool good =
+        m.number != NULL && m.pix != NULL && numbers != NULL ? true : result_host(err, err_size, "out of memory");
     good = good && number_cells(&m, numbers) && join(&m, numbers, out, size);
+    if (pixel)
+        *pixel = m.pixel;
     free(numbers);
     free(m.number);
     free(m.pix);
@@ -186,7 +193,7 @@ static bool csv_add(struct csv *c, uint32_t cell)
         c->room = c->room ? 2 * c->room : 1024;
         uint32_t *more = realloc(c->out->cell, (size_t)c->room * sizeof *more);
         if (more == NULL)
-            return err_set(c->err, c->err_size, "out of memory");
+            return result_host(c->err, c->err_size, "out of memory");
         c->out->cell = more;
     }
     c->out->cell[c->n++] = cell;

@@ -37,8 +37,9 @@ bool map_read_tmx(const char *text, size_t n, const char *file, const char *laye
                   size_t err_size);
 
 /* The lump map/... of cells of `side` px, with those tiles of the sheet that it uses, each as it is turned; the caller
- * names the file. *out is malloc. */
+ * names the file. *out is malloc. *pixel is as of art_make_sprite. */
 bool map_make(const struct map_cells *cells, int side, const struct art_picture *sheet, int bank,
-              const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err, size_t err_size);
+              const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
+              size_t err_size);
 
 #endif

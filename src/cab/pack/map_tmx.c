@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../host/result.h"
 
 enum { NAME = 32, ATTRIBUTES = 32 };
 
@@ -356,7 +357,7 @@ static bool data_tag(struct tmx *t, const struct tag *tag)
         return wrong(t, tag->line, "a layer without a tileset before it");
     t->out->cell = calloc((size_t)t->cols * (size_t)t->rows, sizeof *t->out->cell);
     if (t->out->cell == NULL)
-        return err_set(t->err, t->err_size, "out of memory");
+        return result_host(t->err, t->err_size, "out of memory");
     const int n = tag->alone ? 0 : csv ? csv_cells(t) : xml_cells(t);
     if (n >= 0 && n != t->cols * t->rows)
         return err_set(t->err, t->err_size, "%s:%d: %d tiles, expected %d (%dx%d)", t->file, tag->line, n,

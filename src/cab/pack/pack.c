@@ -13,6 +13,7 @@
 #include "../../../platform/platform.h"
 #include "../../base/bits.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../base/hash.h"
 #include "../../base/heap.h"
 #include "../../board/board.h"
@@ -99,7 +100,7 @@ static bool add(struct packer *p, const char *folder, const char *name, uint8_t 
     if (full == NULL || (p->lumps.n == p->lumps.room && !lumps_grow(&p->lumps))) {
         free(full);
         free(data);
-        return err_set(p->err, p->err_size, "out of memory");
+        return result_host(p->err, p->err_size, "out of memory");
     }
     snprintf(full, n, "%s%s", folder, name);
     p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
@@ -111,7 +112,7 @@ static bool add_copy(struct packer *p, const char *folder, const char *name, con
     uint8_t *copy = malloc(size + 1);
 
     if (copy == NULL)
-        return err_set(p->err, p->err_size, "out of memory");
+        return result_host(p->err, p->err_size, "out of memory");
     memcpy(copy, data, size);
     return add(p, folder, name, copy, size);
 }
@@ -158,12 +159,12 @@ static bool read_manifest(struct packer *p)
     void *block, *work = tree_work(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
-                             : err_set(p->err, p->err_size, "out of memory");
+                             : result_host(p->err, p->err_size, "out of memory");
     free(block);
     p->rom_text = realloc(text, size + 1);
     if (p->rom_text == NULL) {
         free(text);
-        return err_set(p->err, p->err_size, "out of memory");
+        return result_host(p->err, p->err_size, "out of memory");
     }
     p->rom_text[size] = '\0';
     return good;
@@ -304,7 +305,7 @@ static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
     if (table != NULL && blend_make(rgb, mix, table))
         return table;
     free(table);
-    err_set(p->err, p->err_size, "out of memory");
+    result_host(p->err, p->err_size, "out of memory");
     return NULL;
 }
 
@@ -397,7 +398,7 @@ static bool add_face(struct packer *p, const struct art_font *font)
     size_t size = 0;
 
     if (wanted == NULL)
-        return err_set(p->err, p->err_size, "out of memory");
+        return result_host(p->err, p->err_size, "out of memory");
     *wanted = p->shown;
     for (uint32_t c = 32; c < 127; c++)
         faces_add(wanted, c);
@@ -409,7 +410,7 @@ static bool add_face(struct packer *p, const struct art_font *font)
     faces_close(&f);
     if (!good)
         return false;
-    return size > 0 ? add(p, "fonts/", font->name, data, size) : err_set(p->err, p->err_size, "out of memory");
+    return size > 0 ? add(p, "fonts/", font->name, data, size) : result_host(p->err, p->err_size, "out of memory");
 }
 
 static bool add_faces(struct packer *p)
@@ -426,10 +427,11 @@ static bool add_made(struct packer *p, const struct ase_sprite *made, const stru
     uint8_t hit[CART_HIT], *data;
     size_t size;
     char why[256];
+    bool pixel;
 
     if (!art_make_sprite(&made->picture, &made->sprite, s->bank, palette_of(p, s->palette), p->nearest, &data, &size,
-                         why, sizeof why))
-        return starts_with(why, "pixel")
+                         &pixel, why, sizeof why))
+        return pixel && !made->picture.cell
                    ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
                    : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, made->sprite.name, why);
     if (!add(p, "gfx/", made->sprite.name, data, size))
@@ -487,7 +489,7 @@ static bool rows_of(struct packer *p, const struct art_map *m, struct map_cells 
     *out = (struct map_cells){ m->cols, m->rows, 0, malloc(n * sizeof *out->cell) };
     for (size_t i = 0; out->cell != NULL && i < n; i++)
         out->cell[i] = p->art.cells[(size_t)m->cells + i];
-    return out->cell != NULL ? true : err_set(p->err, p->err_size, "out of memory");
+    return out->cell != NULL ? true : result_host(p->err, p->err_size, "out of memory");
 }
 
 static bool load_cells(struct packer *p, const struct art_map *m, struct map_cells *out)
@@ -529,16 +531,16 @@ static bool add_map(struct packer *p, const struct art_map *m)
         free(cells.cell);
         return false;
     }
+    bool pixel = false;
     bool good = map_make(&cells, cells.side ? cells.side : m->size, &sheet, m->bank, palette_of(p, m->palette),
-                         p->nearest, &data, &size, why, sizeof why);
+                         p->nearest, &data, &size, &pixel, why, sizeof why);
     tell_faint(p, m->tiles, &sheet, NULL);
     art_picture_free(&sheet);
     free(cells.cell);
     if (good)
         return add(p, "map/", m->name, data, size);
-    return starts_with(why, "pixel")
-               ? err_set(p->err, p->err_size, "%s: %s", m->tiles, why)
-               : err_set(p->err, p->err_size, "%s: map \"%s\": %s", m->file[0] ? m->file : "rom.lua", m->name, why);
+    return pixel ? err_set(p->err, p->err_size, "%s: %s", m->tiles, why)
+                 : err_set(p->err, p->err_size, "%s: map \"%s\": %s", m->file[0] ? m->file : "rom.lua", m->name, why);
 }
 
 /* Adds what a recording becomes: a tune, and of music its samples. */
@@ -753,7 +755,7 @@ static bool add_script(struct packer *p, const char *path)
     snprintf(chunk, sizeof chunk, "@%s", path);
     void *block, *work = tree_work(TREE_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
-                             : err_set(p->err, p->err_size, "out of memory");
+                             : result_host(p->err, p->err_size, "out of memory");
     free(block);
     if (!good) {
         free(text);
@@ -817,7 +819,7 @@ static bool add_lang(struct packer *p, const char *path)
     free(text);
     if (!good)
         return false;
-    return size > 0 ? add(p, "lang/", name, data, size) : err_set(p->err, p->err_size, "out of memory");
+    return size > 0 ? add(p, "lang/", name, data, size) : result_host(p->err, p->err_size, "out of memory");
 }
 
 bool pack_is_bulletml(const char *path)
@@ -997,7 +999,7 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
         return err_set(p->err, p->err_size, "too large for a ROM");
     *image = malloc(*size);
     if (*image == NULL)
-        return err_set(p->err, p->err_size, "out of memory");
+        return result_host(p->err, p->err_size, "out of memory");
     rom_write(*image, p->lumps.lump, p->lumps.n);
     if (check_image(*image, *size, &rom, p->err, p->err_size))
         return true;
@@ -1024,7 +1026,7 @@ bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context,
     struct packer *p = calloc(1, sizeof *p);
 
     if (p == NULL)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     p->dir = dir;
     p->nearest = nearest;
     p->warn = warn;
@@ -1050,7 +1052,7 @@ bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
         return false;
     uint8_t *plain = malloc(plain_size);
     if (!plain)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     if (!compressed_read(*bytes, *size, plain, err, err_size)) {
         free(plain);
         return false;

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../base/hash.h"
 
 enum { STB_MOST = 512 << 20 }; /* bytes in one piece */
@@ -394,7 +395,7 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
     uint8_t *room = malloc(size + 1);
 
     if (!room)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     /* a byte more, so that data of just the size does not look like too much */
     int n = stbi_zlib_decode_buffer((char *)room, (int)size + 1, (const char *)packed, (int)l->pixels);
     free(room);
@@ -461,7 +462,7 @@ static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size
     if (rgba)
         return rgba;
     if (reading.shortage)
-        err_set(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
     else
         snprintf(err, err_size, "a PNG that cannot be read (%s)", stbi_failure_reason());
     return NULL;
@@ -474,7 +475,7 @@ static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const 
     uint8_t *file = plain_file(data, l, packed, &size), *rgba;
 
     if (!file) {
-        err_set(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
         return NULL;
     }
     rgba = decode(file, size, err, err_size);
@@ -495,7 +496,7 @@ static uint8_t *read_pixels(const uint8_t *data, const struct layout *l, const u
     if (!check_pixels(l, packed, err, err_size))
         return NULL;
     if (index && l->colour == 3 && !(*index = malloc((size_t)l->w * l->h))) {
-        err_set(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
         return NULL;
     }
     rgba = decode_plain(data, l, packed, index ? *index : NULL, err, err_size);
@@ -523,7 +524,7 @@ bool png_read_indexed(const uint8_t *data, size_t n, uint8_t **rgba, uint8_t **i
         return false;
     uint8_t *packed = join_pixels(data, &l);
     if (!packed)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     *rgba = read_pixels(data, &l, packed, index, err, err_size);
     free(packed);
     *w = (int)l.w;

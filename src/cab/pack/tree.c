@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../base/heap.h"
 #include "../host/files.h"
 
@@ -47,7 +48,10 @@ void tree_add(struct tree *p, const char *folder, const char *name)
 
 const char *tree_failed(const struct tree *p)
 {
-    return p->n == MAX_FILES ? "too many files" : "out of memory";
+    if (p->n == MAX_FILES)
+        return "too many files";
+    host_is_why();
+    return "out of memory";
 }
 
 static int by_path(const void *a, const void *b)

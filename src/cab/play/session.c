@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../host/result.h"
 
 enum { LOOK_EVERY = 16 /* ticks between two looks at the clock */ };
 
@@ -292,7 +293,7 @@ struct session_rom *session_rom_load(const char *path, bool nearest, char *err, 
     struct session_rom *r = calloc(1, sizeof *r);
 
     if (!r) {
-        snprintf(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
         return NULL;
     }
     if (rom_image_load(path, nearest, &r->image, err, err_size) && cart_open(&r->cart, &r->image.rom, err, err_size))

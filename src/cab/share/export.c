@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
 #include "../host/files.h"
@@ -127,7 +128,7 @@ static bool build(struct export *e)
     mark_put(e->file + at, &m);
     uint8_t *more = realloc(e->file, (size_t)m.at + e->game_size);
     if (!more)
-        return err_set(e->err, e->err_size, "out of memory");
+        return result_host(e->err, e->err_size, "out of memory");
     e->file = more;
     memset(more + end, 0, (size_t)m.at - end);
     memcpy(more + m.at, e->game, e->game_size);
@@ -237,7 +238,7 @@ static bool save(struct export *e)
         return true;
     if (e->want->kind == EXPORT_CORE)
         return save_info(e);
-    return plat_runnable(e->out) ? true : err_set(e->err, e->err_size, "%s: cannot be made a program", e->out);
+    return plat_runnable(e->out) ? true : result_host(e->err, e->err_size, "%s: cannot be made a program", e->out);
 }
 
 /* A path in double quotes, as the line Exec of an entry wants it: the file's own escapes on top of the shell's. */
@@ -326,7 +327,7 @@ static bool load_game(struct export *e)
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
     if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
-        return err_set(e->err, e->err_size, "out of memory");
+        return result_host(e->err, e->err_size, "out of memory");
     e->game = e->small ? e->small : e->image.bytes;
     e->game_size = e->small ? e->game_size : e->image.size;
     return name_out(e);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../board/board.h"
 #include "../../board/rom/manifest.h"
 
@@ -147,7 +148,7 @@ bool web_make(const struct web_game *game, const uint8_t *player, size_t player_
     const size_t titles = (size_t)count(player, player_size, title_mark) * strlen(title);
     *out = malloc(player_size + titles + base64_size(game->size));
     if (!*out)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     *size = (size_t)(fill(*out, player, player_size, title, game->rom, game->size) - *out);
     return true;
 }

@@ -12,6 +12,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../snd/pitch.h"
 #include "../../snd/tune.h"
 #include "encode.h"
@@ -78,7 +79,7 @@ bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, si
     }
     if (!pcm_check(p, err, err_size))
         return false;
-    return pcm_prepare(p) ? true : err_set(err, err_size, "out of memory");
+    return pcm_prepare(p) ? true : result_host(err, err_size, "out of memory");
 }
 
 /* ---- samples ---- */
@@ -224,7 +225,7 @@ bool recording_sound(const struct pcm *p, const struct art_sound *s, struct reco
         add_track(&w, i, sides, p->loop >= 0, 0, ticks);
     end_tune(&w);
     if (!write_samples(p, s, w.n, tune))
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     bytes_put32(w.bytes + 12, (uint32_t)w.n);
     bytes_put32(w.bytes + 16, (uint32_t)tune->n);
     memcpy(tune->data, w.bytes, w.n);
@@ -353,7 +354,7 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     tune->data = malloc(w.n);
     if (!tune->data || !write_samples(p, s, 0, wave)) {
         free(tune->data);
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     }
     memcpy(tune->data, w.bytes, w.n);
     return true;

@@ -7,6 +7,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../board/board.h"
 #include "../host/files.h"
 
@@ -83,6 +84,6 @@ bool tape_end(struct tape *t)
 bool tape_save(struct tape *t, const char *path, char *err, size_t err_size)
 {
     if (!tape_end(t))
-        return err_set(err, err_size, "%s: out of memory", path);
+        return result_host(err, err_size, "%s: out of memory", path);
     return files_save(path, t->bytes, t->n, err, err_size);
 }

@@ -12,6 +12,7 @@
 #include "../host/report.h"
 #include "../pack/tree.h"
 #include "christen.h"
+#include "../host/result.h"
 
 static const char LUARC[] = "{\n"
                             "  \"runtime.version\": \"Lua 5.4\",\n"
@@ -130,7 +131,7 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
     }
     bool good = text.bytes && !text.failed && !first.failed;
     if (!good)
-        snprintf(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
     good = good && save(s, name, text.bytes, text.n, err, err_size);
     free(first.bytes);
     free(text.bytes);
@@ -144,7 +145,7 @@ static bool save_api(struct start *s, const char *name, void (*write)(struct pro
 
     write(&api);
     if (api.failed)
-        snprintf(err, err_size, "out of memory");
+        result_host(err, err_size, "out of memory");
     bool good = !api.failed && save(s, name, api.bytes, api.n, err, err_size);
     free(api.bytes);
     return good;

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../host/files.h"
 
 static const char first_line[] = "practice 1";
@@ -226,7 +227,7 @@ bool records_save(struct records *r, struct unsaved **unsaved, char *err, size_t
         return true;
     char *text = records_text(r, &size);
     if (!text)
-        return err_set(err, err_size, "%s: out of memory", r->file);
+        return result_host(err, err_size, "%s: out of memory", r->file);
     r->changed = false;
     const bool good = unsaved_save(unsaved, r->file, text, size, err, err_size);
     free(text);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../../board/inspect.h"
 #include "../../chips/player.h"
 #include "../demo/demo.h"
@@ -129,7 +130,7 @@ bool trial_open(struct trial *t, const struct rom *rom, const struct board_start
         return false;
     t->block = malloc(t->size + ALIGN);
     if (!t->block)
-        return err_set(err, err_size, "out of memory");
+        return result_host(err, err_size, "out of memory");
     const char *section = start->practice.section;
     t->section = !section[0] ? 0 : strchr(section, '/') ? '/' : ':';
     return trial_again(t, err, err_size);

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../host/files.h"
 #include "../pack/png.h"
 #include "outcome.h"
@@ -221,7 +222,7 @@ bool golden_picture(const struct golden *g, const struct board *b, const char *n
 {
     struct picture got = { 0 };
     const bool same =
-        draw(b, &got) ? compare_picture(g, name, &got, err, err_size) : err_set(err, err_size, "out of memory");
+        draw(b, &got) ? compare_picture(g, name, &got, err, err_size) : result_host(err, err_size, "out of memory");
 
     free_picture(&got);
     return same;

@@ -6,6 +6,7 @@
 #include "../../../platform/platform.h"
 #include "../run/clock.h"
 #include "../../base/err.h"
+#include "../host/result.h"
 #include "../demo/demo.h"
 #include "../host/files.h"
 #include "../pack/tree.h"
@@ -110,7 +111,7 @@ static struct board *power(void *context, int run, const struct trial_start *wan
     *frames = r->demo.frames;
     if (r->output)
         return r->guard.board;
-    err_set(err, err_size, "out of memory");
+    result_host(err, err_size, "out of memory");
     return NULL;
 }
 
