@@ -66,7 +66,7 @@ SAY = $(if $(V),@true,@echo)
 
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: FORCE all null play install uninstall deps format clean help programs test golden demos
+.PHONY: FORCE all null play install uninstall deps format clean help programs tools test golden demos
 .PHONY: asan ubsan ubsan-short monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
@@ -348,7 +348,7 @@ programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT
           $(UNIT) $(MACHINE)
 
 test: deps-play-test-ports-web
-	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs $(OUT)/curtain_libretro.so $(WEB)/player.html
+	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs tools $(WEB)/player.html
 	@OUT=$(OUT) tests/run.sh
 
 torture: deps-play-test
@@ -436,6 +436,10 @@ bench-fx: deps-play-bench
 	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/bench_fx/bench_fx.sh $(BENCH_FX)
 bench-fx-objects: $(BENCH_FX)
 	@:
+$(OUT)/bench_fx_build/bench_fx: $(BENCH_FX) $(wildcard tools/bench_fx/*)
+	$(SAY) "  LINK  $@"
+	$(Q)OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" \
+		tools/bench_fx/bench_fx.sh --build $(BENCH_FX)
 
 # The demos are recorded by a program that plays; needed when scripts or the core change.
 demos: deps-play
@@ -559,6 +563,10 @@ $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ -lm $(THREADS) -o $@
+
+# The programs behind other goals that no test runs: make test builds them, so that these goals work.
+tools: $(OUT)/bot $(OUT)/lively $(OUT)/need $(OUT)/libspeed $(OUT)/bench_fx_build/bench_fx \
+       $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 
 # With CONFIG=twins CFLAGS=-DFX_INTEGER: the same of the integer twins.
 prove: deps-test

@@ -7,7 +7,7 @@
 # Exit 1: a part failed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-parts="analyze asan ubsan monkey msan valgrind torture screens browser library ports fuzz mutants"
+parts="analyze asan ubsan monkey msan valgrind torture screens browser library ports bulletml bare fuzz mutants"
 out=build/nightly
 export FUZZ_SECONDS=${FUZZ_SECONDS:-600}
 
@@ -24,6 +24,8 @@ run() { # PART
     msan) tests/machine/uninitialised.sh whole ;;
     screens) screens ;;
     library) CURTAIN_LONG=1 tests/machine/library.sh ;;
+    bulletml) make --no-print-directory deps-play-bulletml && make --no-print-directory build/release/bulletml ;;
+    bare) tests/bare_root.sh ;;
     browser) CURTAIN_LONG=1 tests/house/onefile.sh ;;
     *) make --no-print-directory "$1" ARGS= ;;
     esac

@@ -13,7 +13,7 @@
 
 enum { INPUTS = 65536 }; /* arguments a function: too many for a branch predictor to learn */
 
-enum op {
+enum operation {
     OP_ADD,
     OP_ADD_MARK, /* theirs: a mark instead of the nearest value when the result is too large */
     OP_SUB,

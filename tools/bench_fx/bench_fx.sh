@@ -3,15 +3,22 @@
 # Curtain has, as it is, without its caches, and with its table of sines. The source is fetched from where apt gets
 # packages, and stays in the build folder; when it cannot be had, Debian's build is compared alone.
 #
-#     OUT=build/release CC=cc FLAGS="..." LIBS="..." tools/bench_fx/bench_fx.sh OBJECT...
+#     OUT=build/release CC=cc FLAGS="..." LIBS="..." tools/bench_fx/bench_fx.sh [--build] OBJECT...
 #
+# --build: fetches nothing and measures nothing; only builds the program, with Debian's build of libfixmath.
 # OBJECT: the board's objects but for trig.o, and those of the measuring program.
 # shellcheck disable=SC2086 # flags and libraries are lists
 set -eu
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 : "${OUT:=build/release}" "${CC:=cc}" "${FLAGS:=-std=c11 -fwrapv -ffp-contract=off -O2}"
 FLAGS="$FLAGS -falign-functions=64"
 dir=$OUT/bench_fx
+only_build=""
+if [ "${1:-}" = --build ]; then
+    only_build=yes
+    dir=$OUT/bench_fx_build
+    shift
+fi
 mkdir -p "$dir"
 
 # A private list of sources: what the system has configured, for source packages.
@@ -56,7 +63,7 @@ build() {
 }
 
 [ -n "$(source_dir)" ] || { rm -rf "$dir/fetched" && mkdir -p "$dir/fetched"; }
-if [ -z "$(source_dir)" ] && (set -e; fetch "$dir/fetched") >"$dir/fetch.log" 2>&1; then
+if [ -z "$only_build$(source_dir)" ] && (set -e; fetch "$dir/fetched") >"$dir/fetch.log" 2>&1; then
     mv "$dir/fetched/source" "$dir/source"
 fi
 
@@ -66,7 +73,7 @@ if [ -n "$(source_dir)" ]; then
     build uncached -DFIXMATH_NO_CACHE
     build lut -DFIXMATH_SIN_LUT
 else
-    echo "libfixmath's source cannot be had ($dir/fetch.log says why): Debian's build alone"
+    [ "$only_build" ] || echo "libfixmath's source cannot be had ($dir/fetch.log says why): Debian's build alone"
     for name in o2 uncached lut; do
         $CC $FLAGS -DABSENT -DSIDE="theirs_$name" -c tools/bench_fx/bench_fx_theirs.c -o "$dir/$name.o"
     done
@@ -75,6 +82,7 @@ $CC $FLAGS -c tools/bench_fx/bench_fx_ours.c -o "$dir/ours.o"
 $CC $FLAGS -c src/base/trig.c -o "$dir/trig.o"
 $CC $FLAGS "$@" "$dir/ours.o" "$dir/trig.o" "$dir/debian.o" "$dir/o2.o" "$dir/uncached.o" "$dir/lut.o" ${LIBS:-} \
     -o "$dir/bench_fx"
+[ -z "$only_build" ] || exit 0
 
 echo \
     "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 \
