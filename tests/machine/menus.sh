@@ -24,7 +24,7 @@ boot.run { stages = { "one" }, players = { "ship" } }
 LUA
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua asks/rom.lua
 
-UP=82 DOWN=81 RIGHT=79 LEFT=80 ENTER=40 ESCAPE=41 F1=58 F7=64 CTRL=224 Q=20 M=16 GUIDE=4000
+UP=82 DOWN=81 RIGHT=79 LEFT=80 ENTER=40 ESCAPE=41 F1=58 F2=59 F7=64 F8=65 CTRL=224 Q=20 M=16 GUIDE=4000
 conf=data/curtain/curtain.conf
 press() { for key; do echo "$key"; echo; done; } # KEY...: two polls each
 times() { # N KEY: so often
@@ -74,6 +74,21 @@ check 'F1 opens the keys, and closes them' cmp straight.demo menu.demo
 check 'while they are open no picture is of the game' differs <(part straight 41 60) <(part menu 41 60)
 { keys 40; press $F1; times 30 $DOWN; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'Escape closes them' cmp straight.demo menu.demo
+shows() { # OUT KEY...: each pressed once, in a game that has stages; then for a while nothing
+    local out=$1
+    shift
+    { keys 40; for key; do keys 1 "$key"; keys 20; done; } | ./player play asks --seed 5 >"$out" 2>err
+}
+for key in $F1 $F2; do
+    shows at_once $key
+    for from in $ESCAPE $F1 $F2 $F8; do
+        shows menu $from $key
+        [ $from = $key ] || same "key $key opens its screen from that of key $from" "$(tail -1 at_once)" "$(tail -1 menu)"
+    done
+    shows closed $ESCAPE $key $key
+    shows menu $ESCAPE $ESCAPE
+    check "key $key closes it again" cmp <(tail -1 closed) <(tail -1 menu)
+done
 { to_setting music; press $ESCAPE; keys 1 $ESCAPE; keys 100; } | plays g menu
 check 'settings are opened and left' cmp straight.demo menu.demo
 check 'settings that are as they were write no file' [ ! -e $conf ]

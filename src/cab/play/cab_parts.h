@@ -411,6 +411,7 @@ void cab_asked(struct cab *cab, enum board_ask what);
 
 void cab_open_menu(struct cab *cab);
 void cab_open_settings(struct cab *cab);
+extern const struct screen_def keys_screen;
 void cab_open_keys(struct cab *cab);
 void cab_open_controllers(struct cab *cab);
 void cab_open_log(struct cab *cab);

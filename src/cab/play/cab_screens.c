@@ -90,6 +90,24 @@ static void opening_keys(struct cab *cab, const struct keys_read *k)
         cab_open_menu(cab);
 }
 
+/* The keys of a screen, while some are open: that one comes in their place, or goes. */
+static void turning_keys(struct cab *cab, const struct keys_read *k)
+{
+    const bool help = k->pressed >> CAB_HELP & 1, practice = k->pressed >> CAB_PRACTICE & 1;
+    const struct screen_def *screen = help ? &keys_screen : &practice_screen;
+
+    if (help || practice) {
+        const bool was = screens_have(&cab->screens, screen);
+        screens_close_all(&cab->screens);
+        if (!was && help)
+            cab_open_keys(cab);
+        else if (!was)
+            cab_open_practice(cab);
+    } else if (k->pressed >> CAB_LOG & 1) {
+        log_turn(&cab->log, &cab->screens);
+    }
+}
+
 bool cab_screen_keys(struct cab *cab, const struct plat_input *in, struct keys_read *k)
 {
     const bool were = screens_are_open(&cab->screens);
@@ -101,10 +119,7 @@ bool cab_screen_keys(struct cab *cab, const struct plat_input *in, struct keys_r
             cab_practice_screen(cab);
         if (listened)
             k->pressed = 0;
-        if (k->pressed & ((uint32_t)1 << CAB_HELP | (uint32_t)1 << CAB_PRACTICE))
-            screens_close_all(&cab->screens);
-        else if (k->pressed & (uint32_t)1 << CAB_LOG)
-            log_turn(&cab->log, &cab->screens);
+        turning_keys(cab, k);
     } else {
         heed_focus(cab, in);
         if (!screens_are_open(&cab->screens))

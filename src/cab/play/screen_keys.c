@@ -218,13 +218,13 @@ static void closed(void *of)
     cab_save_settings(cab);
 }
 
-static const struct screen_def keys_screen = { .title = "keys",
-                                               .rows = rows,
-                                               .row = describe,
-                                               .accept = accept,
-                                               .remove = drop_one,
-                                               .listen = listen,
-                                               .closed = closed };
+const struct screen_def keys_screen = { .title = "keys",
+                                        .rows = rows,
+                                        .row = describe,
+                                        .accept = accept,
+                                        .remove = drop_one,
+                                        .listen = listen,
+                                        .closed = closed };
 
 void cab_open_keys(struct cab *cab)
 {

@@ -77,6 +77,14 @@ const struct screen_def *screens_top(const struct screens *s)
     return s->deep > 0 ? s->place[s->deep - 1].screen : NULL;
 }
 
+bool screens_have(const struct screens *s, const struct screen_def *screen)
+{
+    for (int i = 0; i < s->deep; i++)
+        if (s->place[i].screen == screen)
+            return true;
+    return false;
+}
+
 void screens_open(struct screens *s, const struct screen_def *screen, void *of)
 {
     if (s->deep == SCREENS_DEEP)

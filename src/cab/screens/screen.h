@@ -92,6 +92,9 @@ static inline bool screens_are_open(const struct screens *s)
 /* The topmost screen; NULL: none is open. */
 const struct screen_def *screens_top(const struct screens *s);
 
+/* Is it open, on top or below others? */
+bool screens_have(const struct screens *s, const struct screen_def *screen);
+
 /* Opens a screen above those that are open, its first row chosen that can be; the screens' depth is SCREENS_DEEP at
  * most, and one more is not opened. Both must outlive it. */
 void screens_open(struct screens *s, const struct screen_def *screen, void *of);
