@@ -7,8 +7,7 @@ local function tap(run, button, after)
 end
 
 local run = test.run { seed = 5, frames = 60 }
-tap(run, "start", 60) -- past the opening
-tap(run, "start", 30)
+tap(run, "start", 60) -- from the opening to the list
 tap(run, "down")
 tap(run, "down")
 tap(run, "fire", 40)
@@ -44,7 +43,6 @@ local function begin(i)
   local one = test.run { seed = i, frames = 60 }
   one:exec "save.set('unlock/rush', true) save.set('unlock/tern', true)"
   tap(one, "start", 60)
-  tap(one, "start", 30)
   tap(one, "down")
   tap(one, "down")
   tap(one, "fire", 30)
