@@ -458,6 +458,17 @@ bool plat_controller(int i, struct plat_controller *controller)
     return true;
 }
 
+/* SDL's code of a key that prints a character is that character; of others it has a bit of its own or is a control. */
+bool plat_key_label(unsigned usage, char *text, size_t size)
+{
+    const SDL_Keycode code = usage < PLAT_KEYS ? SDL_GetKeyFromScancode((SDL_Scancode)usage) : SDLK_UNKNOWN;
+
+    if (code <= SDLK_SPACE || code == SDLK_DELETE || code & SDLK_SCANCODE_MASK)
+        return false;
+    snprintf(text, size, "%s", SDL_GetKeyName(code));
+    return text[0] != 0;
+}
+
 static int button_switch(unsigned button)
 {
     static const signed char of[] = {

@@ -149,6 +149,16 @@ DEFAULT bool plat_controller(int i, struct plat_controller *controller)
 }
 #endif
 
+#ifndef PLAT_OWN_KEY_LABEL
+DEFAULT bool plat_key_label(unsigned usage, char *text, size_t size)
+{
+    (void)usage;
+    (void)text;
+    (void)size;
+    return false;
+}
+#endif
+
 #ifndef PLAT_OWN_SOUND
 DEFAULT int plat_sound(const int16_t *lr, int frames)
 {

@@ -4,7 +4,7 @@
  *
  * Write these six for your machine; the contract of each stands in platform.h. The game is there after the first two
  * that matter, plat_show and plat_poll. Then, if stdio.c's defaults do not suit, add any of plat_rgb, plat_fit,
- * plat_window, plat_paint, plat_icon, plat_dropped, plat_controller, plat_sound, plat_path,
+ * plat_window, plat_paint, plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path,
  * plat_size, plat_load, plat_same, plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program,
  * plat_beside, plat_runnable, plat_crash, plat_about, plat_system and plat_log to your file: yours win at the link.
  *

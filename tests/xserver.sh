@@ -6,7 +6,7 @@
 # $win.
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
 sandbox
-for tool in Xvfb xdotool xwd xprop convert openbox sdl2-config; do
+for tool in Xvfb xdotool xwd xprop convert openbox setxkbmap sdl2-config; do
     command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
 done
 child= xvfb= wm=

@@ -69,6 +69,7 @@ for what; do
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
         have Xvfb || need xvfb
         have xdotool || need xdotool
+        have setxkbmap || need x11-xkb-utils
         have xwd || need x11-apps
         have xprop || need x11-utils
         have openbox || need openbox

@@ -2,7 +2,7 @@
  * port_probe.c - a port on its own: a test picture in its window, and every switch it reports, for tests/window.sh.
  * floor: tests
  *
- *     port_probe show W H SCALE [full]   until Escape: shows the picture, prints "key 4", "text a", "mouse x y" as they
+ *     port_probe show W H SCALE [full]   until Escape: shows the picture, prints "key 4", "label A", "text a", "mouse x y" as they
  * come; F is held by nobody: it switches fullscreen port_probe expect W H WIN_W WIN_H  the window's bytes as they must
  * be, RGB, to stdout
  */
@@ -47,9 +47,14 @@ static void expect(int w, int h, int win_w, int win_h)
 static void report(const struct plat_input *in)
 {
     static struct plat_input was;
+    char label[32];
+
     for (unsigned u = 0; u < PLAT_KEYS; u++)
-        if (plat_key(in, u) != plat_key(&was, u))
+        if (plat_key(in, u) != plat_key(&was, u)) {
             printf("key %u %s\n", u, plat_key(in, u) ? "down" : "up");
+            if (plat_key(in, u) && plat_key_label(u, label, sizeof label))
+                printf("label %s\n", label);
+        }
     if (in->text[0])
         printf("text %s\n", in->text);
     if (in->mouse != was.mouse)

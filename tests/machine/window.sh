@@ -49,6 +49,19 @@ openbox --sm-disable >/dev/null 2>&1 &
 wm=$!
 check "a window manager" soon managed
 sleep 1 # it says so before it looks after windows
+
+# ---- what is printed on keys: the window manager is there all the time, for a server without a client forgets it ----
+labels() { [ "$(sed -n 's/^label //p' "$scratch/out" | paste -sd ' ')" = "$1" ]; }
+for layout in fr:W:A de:Y:Q us:Z:Q; do
+    setxkbmap "${layout%%:*}"
+    if start "port probe" "$probe" show 240 160 1; then
+        xdotool key --delay 100 52 24 37 # by place: the first of the lowest row, the first of the upper one, Ctrl
+        wanted=${layout#*:}
+        check "${layout%%:*}: what is printed on three keys, one of which has no character" soon labels "${wanted/:/ }"
+        stop Escape
+    fi
+done
+
 if start "port probe" "$probe" show 240 160 2; then
     check "pixels before fullscreen" same_pixels 240 160 480 320
     xdotool key --delay 100 f

@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/board/board.h"
@@ -330,6 +331,44 @@ static void hints_name_what_is_used(void **state)
     assert_string_equal(name, "q");
 }
 
+/* A layout for the tests: what keys print, by usage. */
+static const char *layout[PLAT_KEYS];
+
+bool plat_key_label(unsigned usage, char *text, size_t size)
+{
+    if (layout[usage])
+        snprintf(text, size, "%s", layout[usage]);
+    return layout[usage] != NULL;
+}
+
+/* A key is called by what is printed on it, where that can be drawn; the settings go on calling it by its place. */
+static void keys_are_called_as_printed(void **state)
+{
+    struct keys k;
+    char name[SWITCH_NAME];
+
+    (void)state;
+    keys_defaults(&k);
+    layout[29] = "W", layout[54] = ";", layout[31] = "\u00e9", layout[27] = "\u0447", layout[20] = "A";
+    keys_first(&k, "p1.fire", name, sizeof name);
+    assert_string_equal(name, "w");
+    keys_first(&k, "slow", name, sizeof name); /* ; is where a US keyboard has the comma */
+    assert_string_equal(name, "semicolon");
+    keys_first(&k, "p2.start", name, sizeof name);
+    assert_string_equal(name, "\u00e9");
+    keys_first(&k, "p1.bomb", name, sizeof name); /* no picture of this letter */
+    assert_string_equal(name, "x");
+    keys_first(&k, "quit", name, sizeof name);
+    assert_string_equal(name, "ctrl+a");
+    keys_first(&k, "p1.start", name, sizeof name);
+    assert_string_equal(name, "enter");
+    keys_text(&k, "p1.fire", name, sizeof name);
+    assert_string_equal(name, "z pad.south");
+    memset(layout, 0, sizeof layout);
+    keys_first(&k, "p1.fire", name, sizeof name);
+    assert_string_equal(name, "z");
+}
+
 /* All lists, as text, give the same codes again. */
 static void lists_are_written_and_read(void **state)
 {
@@ -607,6 +646,7 @@ int main(void)
         cmocka_unit_test(settings_of_the_window),
         cmocka_unit_test(bad_settings),
         cmocka_unit_test(help_has_them_all),
+        cmocka_unit_test(keys_are_called_as_printed),
         cmocka_unit_test(first_switch),
         cmocka_unit_test(hints_name_what_is_used),
         cmocka_unit_test(lists_are_written_and_read),

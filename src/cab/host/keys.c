@@ -187,10 +187,12 @@ void keys_first(const struct keys *k, const char *action, char *out, size_t size
     const struct keys_device *last = player < 0 ? &k->cabinet : &k->player[player];
     unsigned code = first_code(k, at, last->controller);
 
-    if (code && last->controller)
-        switch_label(code, last->kind, out, size);
+    if (!code)
+        code = first_code(k, at, !last->controller);
+    if (code & SWITCH_CONTROLLER && !last->controller)
+        switch_name(code, out, size);
     else
-        switch_name(code ? code : first_code(k, at, !last->controller), out, size);
+        switch_label(code, last->kind, out, size);
 }
 
 const char *keys_action(int i)

@@ -108,7 +108,7 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
 void keys_hand(struct keys *k, int player, enum keys_hand hand);
 
 /* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is
- * printed on their controller ("cross") or spelled as a key ("enter"); or the first there is, spelled; or "none". For
+ * printed on their controller ("cross") or on a key ("w", "enter"); or the first there is, a controller's spelled; or "none". For
  * an action of the cabinet, of what was used last by anybody. */
 void keys_first(const struct keys *k, const char *action, char *out, size_t size);
 

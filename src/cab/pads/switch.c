@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../../fb/utf8.h"
 
 /* Keys by HID usage, from 4 on; letters, digits and F keys are worked out. */
 static const struct key {
@@ -126,6 +127,49 @@ void switch_name(unsigned code, char *out, size_t size)
         plain_name(code & ~(unsigned)(SWITCH_ALT | SWITCH_CTRL), out + strlen(with), size - strlen(with));
 }
 
+/* ---- what is printed on a key ---- */
+
+/* The spelling of the key that has a sign on a US keyboard: "comma" is easier to read than ",". NULL: of none. */
+static const char *sign_name(char sign)
+{
+    static const char signs[] = "-=[]\\;'`,./";
+    static const uint8_t usages[] = { 45, 46, 47, 48, 49, 51, 52, 53, 54, 55, 56 };
+    const char *at = sign ? strchr(signs, sign) : NULL;
+
+    for (int i = 0; at && i < COUNT_KEYS; i++)
+        if (keys[i].usage == usages[at - signs])
+            return keys[i].name;
+    return NULL;
+}
+
+enum { DRAWN = 0x180 /* code points that the canvas has: Latin, no other script */ };
+
+static bool can_be_drawn(const char *text)
+{
+    const char *end = text + strlen(text);
+
+    while (text < end)
+        if (utf8_next(&text, end) >= DRAWN)
+            return false;
+    return true;
+}
+
+/* Letters are small, as the settings have them. */
+static void key_label(unsigned code, char *out, size_t size)
+{
+    const unsigned chord = code & (SWITCH_ALT | SWITCH_CTRL);
+    char text[SWITCH_NAME];
+
+    if (!code || !plat_key_label(code & 255, text, sizeof text) || !can_be_drawn(text)) {
+        switch_name(code, out, size);
+        return;
+    }
+    if (text[0] >= 'A' && text[0] <= 'Z' && !text[1])
+        text[0] = (char)(text[0] - 'A' + 'a');
+    const char *name = text[1] ? NULL : sign_name(text[0]);
+    snprintf(out, size, "%s%s", chord == SWITCH_ALT ? "alt+" : chord ? "ctrl+" : "", name ? name : text);
+}
+
 /* ---- what is printed on a controller ---- */
 
 /* The directions are called alike everywhere. */
@@ -189,7 +233,9 @@ void switch_label(unsigned code, enum plat_kind kind, char *out, size_t size)
 {
     unsigned bit = switch_bit(code);
 
-    if (!(code & SWITCH_CONTROLLER) || bit >= PLAT_SWITCHES)
+    if (!(code & SWITCH_CONTROLLER))
+        key_label(code, out, size);
+    else if (bit >= PLAT_SWITCHES)
         switch_name(code, out, size);
     else
         snprintf(out, size, "%s", bit < BUTTONS && printed[kind][bit] ? printed[kind][bit] : common[bit]);
