@@ -28,6 +28,7 @@ static const struct chip core_chip = { "board", core_columns, sizeof core_column
 static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
                                          false };
 
+enum { A_STEP = 8 /* work: a motion step */ };
 enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 
 /* The first n groups of values. */
@@ -477,6 +478,18 @@ void board_move(struct board *b)
     b->counts.moved = b->bullets.moved;
 }
 
+/* The motion steps of this frame are work; with too many a move ended where it was. */
+static void count_steps(struct board *b)
+{
+    const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
+
+    if (!board_work(b, A_STEP * ran))
+        board_too_much(b,
+                       "motion programs: %llu steps in one frame are too many, of %u bullets, %u shots and %u lasers; "
+                       "let their loops take time, or give fewer of them programs",
+                       (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
+}
+
 /* Moves, then hits, then what programs fire. For vm_call: a full event list is a fault. */
 static int move_and_hit(lua_State *L)
 {
@@ -486,12 +499,12 @@ static int move_and_hit(lua_State *L)
     if (b->option_plans)
         options_count(b, L);
     board_move(b);
-    vm_charge(L, b->bullets.ran + b->shots.ran + b->laser_heads.ran);
+    count_steps(b);
     phase_done(b, PHASE_MOTION);
     hit_run(b);
     if (b->ml_fresh.n)
         board_ml_let_go(b);
-    vm_charge(L, WORK_FIRE * emit_run(b));
+    emit_run(b);
     return 0;
 }
 
@@ -589,6 +602,13 @@ static void clear_output(struct output *o)
     out->fault = NULL;
 }
 
+/* For vm_call. */
+static int count_picture(lua_State *L)
+{
+    board_charge_picture(vm_board(L));
+    return vm_collect(L);
+}
+
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
@@ -625,7 +645,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
         if (b->reset)
             reset(b);
         else
-            vm_call(b, vm_collect);
+            vm_call(b, count_picture);
     }
     phase_done(b, PHASE_REST);
     o->out.log_size = o->log_size;
@@ -816,6 +836,7 @@ struct motion_world board_world(const struct board *b, bool shots)
                               where,
                               b,
                               { 0, 0, pixels(b->cart.m.field_w), pixels(b->cart.m.field_h) },
+                              (b->vm.limit - b->vm.work) / A_STEP,
                               emit_queue };
 
     if (shots) {

@@ -32,7 +32,7 @@ enum board_fault_kind {
     FAULT_SCRIPT, /* an error no pcall may catch, or an uncaught one */
     FAULT_MEMORY, /* out of Lua RAM */
     FAULT_STACK,  /* call depth */
-    FAULT_LOOP,   /* over 2 * 10^8 VM instructions in one tick: "endless loop" */
+    FAULT_LOOP,   /* over 2 * 10^8 VM instructions, or work in C worth as many, in one tick */
 };
 
 struct board_fault {

@@ -43,8 +43,8 @@ void emit_none(struct board *b);
 /* struct motion_world's emit; its context is the board. Raises Lua's error when there is no memory. */
 void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t i, uint32_t st);
 
-/* Fires what was queued; returns how many bullets and shots that was. */
-uint64_t emit_run(struct board *b);
+/* Fires what was queued, which counts as work. For vm_call. */
+void emit_run(struct board *b);
 
 /* A pattern of n, as numbers: the bullets of ring, fan, arc, stack and line differ in these alone. */
 struct emit_figure {

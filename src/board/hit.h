@@ -40,6 +40,9 @@ bool hit_solid_possible(const struct board *b);
 /* How far from its line laser i hits at that age; below 0: it hits nothing. */
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age);
 
+/* Counts the work that asking hit_laser_enemy is. */
+void hit_laser_work(struct board *b, uint32_t i, uint32_t foe);
+
 /* Does laser i, as it is now, touch that enemy in this frame? */
 bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe);
 

@@ -203,6 +203,21 @@ void board_move(struct board *b);
 /* A number of the game's stream below that; below 0: of all 64 bits. */
 uint64_t board_chance(void *board, uint64_t below);
 
+/* Adds work in C to that of the tick, which vm_charge counts too: a unit is at most about 10 ns. False: that is more
+ * than a tick may do, and the caller raises board_too_much. For vm_call. */
+static inline bool board_work(struct board *b, uint64_t work)
+{
+    b->vm.work += work;
+    return b->vm.work <= b->vm.limit;
+}
+
+/* Raises the fault that a frame has too much to do. The text says what there is too much of, with counts, and what to
+ * change. */
+void board_too_much(struct board *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* What the picture of the board as it is will take to draw, as work; over the limit that is a fault. For vm_call. */
+void board_charge_picture(struct board *b);
+
 /* Raises an event, or the fault that there is no room for it. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 

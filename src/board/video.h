@@ -95,6 +95,14 @@ bool video_bg_covers(const struct board *b);
 /* Lasers: those that hurt enemies, or the others. By slot. */
 void video_lasers(struct draw_target *c, bool shoot);
 
+/* What the picture takes to draw, in units of work, and which part takes most, with what to change. All 0 where nothing
+ * had to be counted. False: more than that. */
+struct video_work {
+    uint64_t work;
+    const char *what, *instead;
+};
+bool video_fits(const struct board *b, uint64_t most, struct video_work *out);
+
 /* Bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct manifest *m);
 

@@ -91,7 +91,7 @@ struct ml_runners {
     fx *put_speed, *put_vx, *put_vy;
     uint32_t serials; /* given out so far */
     uint32_t n;       /* in `order` */
-    uint32_t ran;     /* commands done in this frame */
+    uint64_t ran;     /* commands done in this frame, and steps of the values that they worked out */
 };
 
 struct ml_frames {

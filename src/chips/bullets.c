@@ -560,6 +560,12 @@ ang targets_aim(const struct targets *t, fx x, fx y, ang none)
     return trig_atan2(fx_sub(t->y[i], y), fx_sub(t->x[i], x));
 }
 
+/* Looking for the nearest of them takes as long as so many steps more. */
+static inline uint64_t steps_of_aim(const struct targets *t)
+{
+    return t->s->used ? t->s->top / (SLOTS_BLOCK / 2) : 0;
+}
+
 static ang toward(ang dir, ang goal, ang most)
 {
     int32_t gap = trig_difference(dir, goal);
@@ -591,6 +597,8 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     const unsigned does = s->does[st];
 
     if (!(mute & OVERRIDE_DIR)) {
+        if (does & (DOES_AIM | DOES_HOME))
+            b->ran += steps_of_aim(&w->targets);
         if (does & DOES_DIR)
             b->dir[i] = s->dir[st];
         if (does & DOES_AIM)
@@ -937,7 +945,7 @@ static bool crossed(fx from, fx now, fx line)
 }
 
 /* Has what bullet i waits for come? */
-static bool has_come(const struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st)
+static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st)
 {
     const struct steps *s = w->steps;
 
@@ -948,6 +956,7 @@ static bool has_come(const struct bullets *b, const struct motion_world *w, uint
         return crossed((fx)b->from[i], b->y[i], s->y[st]);
     case HOW_NEAR: {
         const int32_t t = targets_nearest(&w->targets, b->x[i], b->y[i]);
+        b->ran += steps_of_aim(&w->targets);
         return t != NO_SLOT && distance_squared(&w->targets, (uint32_t)t, b->x[i], b->y[i]) <
                                    (uint64_t)((int64_t)s->size[st] * s->size[st]);
     }
@@ -1119,8 +1128,10 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         b->ran++;
         if (!(does & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most */
             state = do_step(b, w, i, st, does & (DOES_DRIVE | DOES_WAIT), &r);
-        else if (does == DOES_NEXT)
+        else if (does == DOES_NEXT && b->ran <= w->most)
             r.pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r.pc);
+        else if (b->ran > w->most) /* the frame ends in a fault */
+            return PROGRAM_RUNS;
         else {
             struct run other = r; /* a copy, so that of the others `run` stays in registers */
             if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
@@ -1529,6 +1540,8 @@ __attribute__((noinline)) static void keep_course(struct bullets *b, const struc
     if (c->timed)
         b->ran += (uint64_t)s->n;
     if (c->does & DOES_STEER) {
+        if (c->does & (DOES_AIM | DOES_HOME))
+            b->ran += (uint64_t)s->n * steps_of_aim(&w->targets);
         turn_some(b, w, c, s, dir);
         for (int k = 0; !s->row && k < s->n; k++)
             b->dir[s->slot[k]] = dir[k];
@@ -1838,6 +1851,8 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
             prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
+        if (b->ran > w->most) /* the frame ends in a fault */
+            break;
         if (b->busy[block])
             run_programs(b, w, block, now);
         else if (now)

@@ -133,7 +133,7 @@ struct bullets {
     fx fastest;                                             /* no |vx| or |vy| is above it */
     uint32_t standing;                                      /* how many stand */
     uint32_t moved;                                         /* bullets moved this frame */
-    uint64_t ran;                                           /* motion steps run this frame */
+    uint64_t ran;      /* motion steps run this frame, and targets they looked at */
     uint32_t *of_kind; /* the column `live` of their kinds, kept up to date; NULL: of laser heads, which have none */
 };
 
@@ -169,6 +169,7 @@ struct motion_world {
     bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
     const void *context; /* of where and emit */
     struct box field;    /* its edges are walls */
+    uint64_t most;       /* motion steps that may run in this move; with more it ends where it is */
     /* Queues what the emit that begins with step st fires from bullet i as it is now. */
     void (*emit)(const struct motion_world *w, const struct bullets *b, uint32_t i, uint32_t st);
 };

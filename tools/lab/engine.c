@@ -136,9 +136,16 @@ void engine_move(struct board *b, const struct box *keep)
     b->core.clock++;
 }
 
-uint32_t engine_board_frame(struct board *b, const struct box *keep)
+/* No tick sets the limit of work here. */
+static void begin_frame(struct board *b)
 {
     b->events.n = 0;
+    b->vm.limit = UINT64_MAX;
+}
+
+uint32_t engine_board_frame(struct board *b, const struct box *keep)
+{
+    begin_frame(b);
     b->keep = *keep;
     b->area = ENGINE_EVERYWHERE;
     board_move(b);
@@ -152,7 +159,7 @@ uint32_t engine_hits(struct board *b)
 {
     struct bullets_query query[PADS];
 
-    b->events.n = 0;
+    begin_frame(b);
     hit_queries(b, query);
     bullets_find_near(&b->bullets, query);
     hit_run(b);

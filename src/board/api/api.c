@@ -24,7 +24,7 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
 
 /* ---- the script digest ---- */
 
-enum { FOLDED = 16 /* bytes of a text that count as a VM instruction */ };
+enum { FOLDED = 8 /* bytes of a text that count as a VM instruction */ };
 
 void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
 {

@@ -239,6 +239,8 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     return 1;
 }
 
+enum { A_READ = 4, A_WRITE = 6 /* work, beside the instruction; the next look of the guard compares the sum */ };
+
 static int get_property(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -246,6 +248,7 @@ static int get_property(lua_State *L)
     size_t bytes;
     int p;
 
+    b->vm.work += A_READ;
     if (!handle_is(h))
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     if (lua_type(L, 2) != LUA_TSTRING)
@@ -292,6 +295,7 @@ static int set_property(lua_State *L)
     size_t bytes;
     int p;
 
+    b->vm.work += A_WRITE;
     if (!handle_is(h) || lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     const char *name = lua_tolstring(L, 2, &bytes);

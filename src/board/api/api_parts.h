@@ -217,7 +217,7 @@ extern const char *const api_hit_forms[];
 
 /* Where `aim` points from a place: at the nearest player, of a shot at the nearest enemy; if there is none, or just
  * there, down, and of a shot up. */
-ang api_aim(const struct board *b, bool shot, fx x, fx y);
+ang api_aim(struct board *b, bool shot, fx x, fx y);
 
 /* A hit shape as rows of kinds (motion.h). */
 struct api_shape {

@@ -105,6 +105,8 @@ static bool in_region(const struct board *b, const struct field *f, const struct
     return f->kind == H_LASER ? api_region_laser(b, r, i) : api_region_has(r, f->x[i], f->y[i]);
 }
 
+enum { A_CORNER = 3, A_LINE = 3, AN_ENTRY = 12, A_LEVEL = 6 /* work; the last two: of an entry that is sorted */ };
+
 /* A laser's place is the one of its line that is nearest to the region's. Leaves a userdata on the stack. */
 static void place_lasers(lua_State *L, const struct board *b, struct field *f, const struct api_region *r)
 {
@@ -113,10 +115,20 @@ static void place_lasers(lua_State *L, const struct board *b, struct field *f, c
 
     EACH_LIVE (i, f->s) {
         lasers_nearest(b, i, r->x, r->y, &x[i], &y[i]);
-        vm_charge(L, lasers_corners(b, i));
+        vm_charge(L, A_CORNER * (uint64_t)lasers_corners(b, i));
     }
     f->x = x;
     f->y = y;
+}
+
+/* What sort_near is for n of them. */
+static uint64_t sort_work(uint64_t n)
+{
+    uint64_t levels = 0;
+
+    while (n >> levels)
+        levels++;
+    return n * (AN_ENTRY + A_LEVEL * levels);
 }
 
 /* Pushes the list of what is in the region, nearest to its place first; `there` false: an empty one. */
@@ -136,7 +148,7 @@ static int found(lua_State *L, struct board *b, struct field *f, uint32_t tag, c
         lua_pushinteger(L, i);
         lua_rawseti(L, list, ++n);
     }
-    vm_charge(L, f->s->live + 20 * (uint64_t)n);
+    vm_charge(L, (r->shape == REGION_LINE ? A_LINE : 1) * (uint64_t)f->s->live + sort_work((uint64_t)n));
     sort_near(L, list, n, f, r->x, r->y);
     for (lua_Integer i = 1; i <= n; i++) {
         lua_rawgeti(L, list, i);

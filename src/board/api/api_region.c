@@ -130,13 +130,15 @@ static bool takes(const struct board *b, const struct bullets *s, const struct c
            (c->all || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
 }
 
+enum { A_LINE = 3, A_CLEAR = 10 /* work: of a bullet that is tested against a line; of one that is cleared */ };
+
 /* Removes what the clear takes; returns how many. What is held has left the field in this frame: what it touched is
  * spared, and it is not counted. */
 static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const struct clearing *c)
 {
     lua_Integer n = 0;
 
-    vm_charge(L, s->s.live);
+    vm_charge(L, (c->region.shape == REGION_LINE ? A_LINE : 1) * (uint64_t)s->s.live);
     EACH_LIVE (i, &s->s) {
         if (!takes(b, s, c, i))
             continue;
@@ -145,6 +147,7 @@ static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const
         bullets_drop(s, i);
         n++;
     }
+    vm_charge(L, A_CLEAR * (uint64_t)n);
     EACH_HELD (i, &s->s)
         if (takes(b, s, c, i))
             bullets_release(s, i);

@@ -8,6 +8,8 @@
 #include "hit_parts.h"
 #include "../lasers_run.h"
 
+enum { A_LASER = 2, A_CORNER = 8 /* work: a laser and a thing, and each corner and piece of the two */ };
+
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age)
 {
     const struct lasers *l = &b->lasers;
@@ -144,6 +146,23 @@ bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe)
     return false;
 }
 
+static void too_much(struct board *b, const char *what, uint32_t n)
+{
+    board_too_much(b,
+                   "lasers: %u lasers and %u %s are too many to test in one frame; lower board.lasers or board.%s in "
+                   "rom.lua, or make curves shorter",
+                   b->lasers.s.live, n, what, what);
+}
+
+void hit_laser_work(struct board *b, uint32_t i, uint32_t foe)
+{
+    const uint16_t kind = b->enemies.kind[foe];
+    const uint32_t pieces = b->enemy_kinds.shape[kind] == SHAPE_CIRCLES ? (uint32_t)b->enemy_kinds.b[kind] + 1 : 1;
+
+    if (!board_work(b, A_LASER + A_CORNER * (uint64_t)lasers_corners(b, i) * pieces))
+        too_much(b, "enemies", b->enemies.s.live);
+}
+
 /* A laser that hits does not graze too. */
 static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_t i)
 {
@@ -173,11 +192,15 @@ void hit_lasers(struct board *b, uint32_t p, const struct body *c)
         raise_hit(b, p, c, i);
 }
 
-static bool touches_any(const struct board *b, uint32_t i)
+static bool touches_any(struct board *b, uint32_t i)
 {
-    EACH_LIVE (e, &b->enemies.s)
-        if (!(b->enemies.flags[e] & ENEMY_DYING) && hit_laser_enemy(b, i, e))
+    EACH_LIVE (e, &b->enemies.s) {
+        if (b->enemies.flags[e] & ENEMY_DYING)
+            continue;
+        hit_laser_work(b, i, e);
+        if (hit_laser_enemy(b, i, e))
             return true;
+    }
     return false;
 }
 

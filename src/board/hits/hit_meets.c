@@ -11,21 +11,26 @@
 #include "hit_parts.h"
 #include <string.h>
 #include "../../base/int.h"
+#include "../api.h"
 #include "../hit.h"
 
 enum {
     SIDE = 64,  /* most cells in a row, and most rows */
     SHIFT = 19, /* a cell is at least so large: 2^19, 8 px */
     FAR = 2,    /* cells that a bullet in the grid may reach */
-    LISTS = SIDE * SIDE + 1
+    LISTS = SIDE * SIDE + 1,
+    A_PUT = 2, /* work: a bullet put into its list, one looked at there, and one of whose pieces each is tested */
+    A_LOOK = 3,
+    A_TEST = 4
 };
 static const uint32_t LAST = UINT32_MAX; /* the end of a list */
 
 /* The bullets of the second tag. */
 struct crowd {
+    struct board *b;
     const struct bullets *s;
     const struct bullet_kinds *k;
-    uint16_t tag;
+    uint16_t first, tag;
     bool alone;         /* it is the first tag too */
     int64_t left, top;  /* the grid's corner */
     int64_t wide, high; /* the box of their places */
@@ -112,6 +117,25 @@ static bool measure(struct crowd *c)
     return true;
 }
 
+/* How many bullets have that tag. */
+static uint32_t count_tagged(const struct bullets *s, uint16_t tag)
+{
+    uint32_t n = 0;
+
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        n += (uint32_t)bits_count(tagged(s, block, tag));
+    return n;
+}
+
+static void too_much(const struct crowd *c)
+{
+    board_too_much(c->b,
+                   "bullet.meet: %u bullets of tag \"%s\" and %u of tag \"%s\" are too many to test in one frame; "
+                   "lower board.bullets in rom.lua, or give fewer bullets these tags",
+                   count_tagged(c->s, c->first), api_names_at(c->b, N_TAG, c->first), count_tagged(c->s, c->tag),
+                   api_names_at(c->b, N_TAG, c->tag));
+}
+
 /* Puts bullet i into its list. */
 static void put(struct crowd *c, uint32_t i)
 {
@@ -133,6 +157,8 @@ static void put(struct crowd *c, uint32_t i)
 /* Sorts those of the second tag. False: there are none. */
 static bool gather(struct crowd *c)
 {
+    uint64_t n = 0;
+
     if (!measure(c))
         return false;
     for (c->shift = SHIFT; int64_max(c->wide, c->high) >> c->shift >= SIDE; c->shift++)
@@ -143,8 +169,10 @@ static bool gather(struct crowd *c)
     memset(c->list, 0xff, (size_t)(c->cols * c->rows) * sizeof *c->list);
     c->list[LISTS - 1] = LAST;
     for (uint32_t block = 0; block < c->s->s.top / SLOTS_BLOCK; block++)
-        for (uint64_t m = ready(c->s, c->k, block, c->tag); m; m &= m - 1)
+        for (uint64_t m = ready(c->s, c->k, block, c->tag); m; m &= m - 1, n++)
             put(c, block * SLOTS_BLOCK + bits_lowest(m));
+    if (!board_work(c->b, A_PUT * n))
+        too_much(c);
     return true;
 }
 
@@ -175,7 +203,10 @@ static void search_list(struct search *q, uint32_t i)
     const struct crowd *c = q->c;
     struct body piece[SHAPE_PARTS];
 
+    uint64_t looks = 0;
+
     for (; i != LAST; i = c->s->next[i]) {
+        looks++;
         int64_t x = was_x(c->s, i), y = was_y(c->s, i), dx = x - q->x, dy = y - q->y;
         if (x < q->x0 || x > q->x1 || y < q->y0 || y > q->y1)
             continue;
@@ -185,11 +216,16 @@ static void search_list(struct search *q, uint32_t i)
         if (has(c->s->taken, i) || (c->alone && has(c->s->met, i)))
             continue;
         q->tested++;
-        if (!hit_pieces_touch(q->piece, q->n, piece, pieces_of(c, i, piece), true))
+        const uint32_t n = pieces_of(c, i, piece);
+        if (!board_work(c->b, (uint64_t)A_TEST * q->n * n))
+            too_much(c);
+        if (!hit_pieces_touch(q->piece, q->n, piece, n, true))
             continue;
         q->best = d;
         q->found = i;
     }
+    if (!board_work(c->b, A_LOOK * looks))
+        too_much(c);
 }
 
 /* Looks through the cells of the box. */
@@ -254,8 +290,9 @@ static void meet(struct board *b, struct crowd *c, uint32_t p)
 {
     const struct bullets *s = c->s;
 
+    c->first = s->meet_first[p];
     c->tag = s->meet_second[p];
-    c->alone = s->meet_first[p] == c->tag;
+    c->alone = c->first == c->tag;
     if (!gather(c))
         return;
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
@@ -276,6 +313,7 @@ void hit_meets(struct board *b)
 
     if (s->s.live + s->s.holding < 2)
         return;
+    c.b = b;
     c.s = s;
     c.k = &b->bullet_kinds;
     memset(s->met, 0, s->s.top / 8);

@@ -148,7 +148,7 @@ static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_k
 
 /* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot;
  * nearer than *apart, a squared distance, which becomes the bullet's. */
-int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
                   uint64_t *apart);
 
 /* Shots against enemies and bullets: raises an event for each shot that hits; for one that pierces an event for each

@@ -26,7 +26,11 @@ enum {
     BATCH = 8,                        /* places of a list compared in one go: nearly always more than nine cells hold */
     MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
     MAX_CELLS = 4 * (MAX_FILLED + 3),
-    NO_ENEMY = MAX_ENEMIES
+    NO_ENEMY = MAX_ENEMIES,
+    A_RUN = 1, /* work: a run of cells that is searched, each FEW places in it, and a test of plain, of other shapes */
+    FEW = 2,
+    A_TEST = 4,
+    A_LONG_TEST = 4 * SHAPE_PARTS * SHAPE_PARTS
 };
 
 /* Where an enemy was, from the grid's corner on; and its squared distance from that corner, times 2^bits, with its slot
@@ -72,6 +76,7 @@ struct search {
     int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
     uint64_t best;          /* the square of the distance of what was found */
     uint32_t found;         /* its slot */
+    uint64_t work;          /* that the search was */
 };
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
@@ -211,6 +216,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
 {
     const uint16_t *begin = s->g->begin + row * s->g->cols;
 
+    s->work += A_RUN + (uint32_t)(begin[to + 1] - begin[from]) / FEW;
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
         const struct place *p = &s->g->place[i];
         const int64_t x = p->x, y = p->y;
@@ -221,6 +227,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
         if (d > s->best || (d == s->best && slot > s->found) || hit_has_passed(s->passed, H_ENEMY, slot))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
+        s->work += (s->shot.shape | e.shape) <= SHAPE_PLAIN ? A_TEST : A_LONG_TEST;
         if (hit_shot_touches(s->b, s->pool, s->kinds, s->slot, &s->shot, slot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
@@ -289,7 +296,20 @@ static void search_rings(struct search *s)
     }
 }
 
-static uint32_t target_by_rings(const struct board *b, const struct grid *g, const struct bullets *pool,
+static void too_much(struct board *b, bool blocks)
+{
+    if (blocks)
+        board_too_much(b,
+                       "enemies that block: %u enemies and %u bullets are too many to test in one frame; lower "
+                       "board.enemies or board.bullets in rom.lua",
+                       b->enemies.s.live, b->bullets.s.live);
+    board_too_much(b,
+                   "shots that hit enemies: %u shots and %u enemies are too many to test in one frame; lower "
+                   "board.shots or board.enemies in rom.lua",
+                   b->shots.s.live, b->enemies.s.live);
+}
+
+static uint32_t target_by_rings(struct board *b, const struct grid *g, const struct bullets *pool,
                                 const struct bullet_kinds *kinds, uint32_t i, const struct hit_passed *passed)
 {
     struct search s = {
@@ -301,6 +321,8 @@ static uint32_t target_by_rings(const struct board *b, const struct grid *g, con
     if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
         return NO_ENEMY;
     search_rings(&s);
+    if (!board_work(b, s.work))
+        too_much(b, pool == &b->bullets);
     return s.found;
 }
 
@@ -410,7 +432,7 @@ static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 }
 
 /* The slot of the enemy that the shot hits, or NO_ENEMY; `at` is the shot's place in its block. */
-static inline uint32_t target(const struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
+static inline uint32_t target(struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
 {
     uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
 
@@ -418,7 +440,7 @@ static inline uint32_t target(const struct board *b, const struct grid *g, const
 }
 
 /* The bullet that shot i hits, if that was nearer than the enemy that it touches (NO_ENEMY: none); or NO_SLOT. */
-static int32_t nearer_solid(const struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
+static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
                             const struct hit_passed *passed)
 {
     const struct bullets *s = &b->shots;
@@ -460,7 +482,7 @@ static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 }
 
 /* The nearest thing that shot i hits and has not passed, or 0. */
-static int64_t next_thing(const struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
+static int64_t next_thing(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
                           const struct hit_passed *passed)
 {
     uint32_t foe = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;

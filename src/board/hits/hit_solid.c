@@ -3,11 +3,14 @@
  * hit_parts.h.
  *
  * No grid: each shot asks every block of bullets at once who ended its move near the shot's path, and tests those. So
- * the price is the number of shots times the number of blocks that have such bullets (manual, chapter 20).
+ * the price is the number of shots times the number of blocks that have such bullets (manual, chapter 20), and it is
+ * counted as work.
  */
 #include "hit_parts.h"
 #include "../../base/int.h"
 #include "../hit.h"
+
+enum { A_BLOCK = 4, A_TEST = 4 /* work: a block that is asked, and a bullet whose pieces are tested each */ };
 
 static bool any_cancels(const struct bullet_kinds *k)
 {
@@ -34,15 +37,28 @@ static fx extent(const struct bullet_kinds *k, uint32_t kind)
     return fx_max(e.x, e.y);
 }
 
-static bool touches(const struct board *b, uint32_t i, const struct body *shot, uint32_t k, const struct body *bullet,
+static void add_work(struct board *b, uint64_t work)
+{
+    if (!board_work(b, work))
+        board_too_much(b,
+                       "shots that hit bullets: %u shots and %u bullets are too many to test in one frame; lower "
+                       "board.shots or board.bullets in rom.lua, or fire fewer shots that cancel",
+                       b->shots.s.live, b->bullets.s.live);
+}
+
+static bool touches(struct board *b, uint32_t i, const struct body *shot, uint32_t k, const struct body *bullet,
                     bool swept)
 {
     struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
 
-    if ((shot->shape | bullet->shape) <= SHAPE_PLAIN)
+    if ((shot->shape | bullet->shape) <= SHAPE_PLAIN) {
+        add_work(b, A_TEST);
         return hit_touches(shot, bullet, swept);
-    return hit_pieces_touch(p, hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p), q,
-                            hit_bullet_pieces(&b->bullets, &b->bullet_kinds, k, q), swept);
+    }
+    const uint32_t n = hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p),
+                   m = hit_bullet_pieces(&b->bullets, &b->bullet_kinds, k, q);
+    add_work(b, (uint64_t)A_TEST * n * m);
+    return hit_pieces_touch(p, n, q, m, swept);
 }
 
 bool hit_find_solids(struct board *b, struct hit_solids *f)
@@ -68,7 +84,7 @@ static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, 
     return found;
 }
 
-int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
                   uint64_t *apart)
 {
     const struct bullets *s = &b->bullets;
@@ -80,6 +96,7 @@ int32_t hit_solid(const struct board *b, const struct hit_solids *f, uint32_t i,
 
     if (shot.shape == SHAPE_NONE || !(f->some || flags & KIND_CANCELS))
         return NO_SLOT;
+    add_work(b, A_BLOCK * (uint64_t)(s->s.top / SLOTS_BLOCK));
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         if (!(flags & KIND_CANCELS) && !s->solid[block])
             continue;

@@ -117,9 +117,12 @@ static int pcall_done(lua_State *L, int status, lua_KContext context)
     return 2;
 }
 
+enum { A_PCALL = 20 /* work: one that catches an error; the others are less */ };
+
 static int base_pcall(lua_State *L)
 {
     luaL_checkany(L, 1);
+    vm_charge(L, A_PCALL);
     lua_pushcfunction(L, note_fault);
     lua_insert(L, 1);
     lua_pushboolean(L, 1);

@@ -704,6 +704,8 @@ static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, 
     return true;
 }
 
+enum { A_MATCH = 4 /* work: one that is replaced */ };
+
 /* Replaces up to max matches; the result is left in out but for what follows the last. Returns the count. */
 static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **rest, bool anchor, lua_Integer max,
                               bool *changed)
@@ -720,6 +722,7 @@ static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **
         e = match_at(m, s);
         if (e && e != last) {
             n++;
+            charge(m, A_MATCH);
             *changed |= add_replacement(m, out, s, e);
             s = last = e;
         } else if (s < m->to) {

@@ -177,7 +177,7 @@ static bool prepare(lua_State *L, const struct spec *f, int arg)
     lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
     size_t n = is_text ? (size_t)lua_rawlen(L, arg) : 0;
 
-    vm_charge(L, number ? 500 : 16 + (*f->letter == 'q' ? n / 2 : 0));
+    vm_charge(L, number ? 800 : 16 + (*f->letter == 'q' ? n / 2 : 0));
     if (*f->letter == 's') {
         if (!is_text)
             lualib_tolstring(L, arg, &n), lua_replace(L, arg);

@@ -28,7 +28,8 @@ struct work {
     struct given own, fire, bullet; /* parameters of the action, and of a fire and a bullet that refs lead to */
     struct given *given;            /* those in force */
     int64_t fire_value[ML_PARAMS], bullet_value[ML_PARAMS];
-    bool yields; /* what follows is for the next frame */
+    bool yields;    /* what follows is for the next frame */
+    uint64_t steps; /* of the values worked out since work was last counted */
 };
 
 static uint32_t next_word(struct work *w)
@@ -44,10 +45,11 @@ static int64_t param(const struct given *g, uint32_t i)
 }
 
 /* Works out the value whose steps begin there. */
-static int64_t work_out(const struct work *w, uint32_t at)
+static int64_t work_out(struct work *w, uint32_t at)
 {
     struct ml_roots *o = &w->t->b->ml_roots;
     int64_t stack[ML_STACK + 1], *top = stack; /* the topmost number; below the first there is room for none */
+    const uint32_t first = at;
 
     for (;; at++) {
         const uint32_t step = ml_step(w->t->ml, at), argument = ML_ARGUMENT(step);
@@ -84,12 +86,13 @@ static int64_t work_out(const struct work *w, uint32_t at)
             *top = ml_negate(*top);
             break;
         default:
+            w->steps += at - first;
             return *top;
         }
     }
 }
 
-static int64_t value(const struct work *w, uint32_t v)
+static int64_t value(struct work *w, uint32_t v)
 {
     return v & ML_WORKED_OUT ? work_out(w, v & ~ML_WORKED_OUT) : ml_number(w->t->ml, v);
 }
@@ -191,7 +194,7 @@ static void change_speed(struct work *w, enum ml_type type)
                  type == ML_SEQUENCE ? ml_add(now, ml_multiply(v, term * ML_ONE)) : resolve_speed(w, type, v), term, 0);
 }
 
-static void accelerate(const struct work *w, int change, enum ml_type type, int32_t term, int64_t v)
+static void accelerate(struct work *w, int change, enum ml_type type, int32_t term, int64_t v)
 {
     const int64_t now = (change == CHANGE_X ? w->r->vx : w->r->vy)[w->t->body];
 
@@ -452,6 +455,19 @@ static void command(struct work *w, uint32_t c)
     }
 }
 
+enum { A_COMMAND = 8, A_STEP = 1 /* work */ };
+
+/* Counts the command that was done, and the values it worked out. */
+static void count(struct work *w, uint32_t c)
+{
+    struct ml_runners *r = w->r;
+
+    r->ran += 1 + w->steps;
+    if (!board_work(w->t->b, A_COMMAND + A_STEP * w->steps))
+        bulletml_too_much(w->t, c);
+    w->steps = 0;
+}
+
 void bulletml_do(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
@@ -468,7 +484,7 @@ void bulletml_do(struct turn *t)
         if (++n > MOST_COMMANDS)
             bulletml_fault(t, c, "more than 100000 commands in a frame: a repeat without a wait?");
         command(&w, c);
+        count(&w, c);
     }
     r->at[t->runner] = w.at;
-    r->ran += (uint32_t)n;
 }

@@ -63,4 +63,7 @@ int64_t bulletml_aim(const struct turn *t);
 /* Raises the fault that names the runner's document, and the line of the command w. */
 void bulletml_fault(const struct turn *t, uint32_t w, const char *what);
 
+/* The same where all documents together have more to do than a frame may. */
+void bulletml_too_much(const struct turn *t, uint32_t w);
+
 #endif

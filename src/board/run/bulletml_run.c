@@ -83,6 +83,18 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *what)
              cart_bulletml_name(&t->b->cart, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), what);
 }
 
+void bulletml_too_much(const struct turn *t, uint32_t w)
+{
+    const struct ml_runners *r = &t->b->ml_runners;
+
+    board_too_much(
+        t->b,
+        "bulletml/%s.xml:%d: documents have too much to do in one frame: %u runners, %llu commands and steps "
+        "of values so far; lower board.bulletml in rom.lua, or let documents wait longer",
+        cart_bulletml_name(&t->b->cart, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), r->s.live,
+        (unsigned long long)r->ran);
+}
+
 /* ---- velocities ---- */
 
 /* What a polar speed and an extra velocity of a document come to on the board. */
@@ -533,12 +545,25 @@ static inline bool glide(struct board *b, uint32_t i, uint32_t now)
     return true;
 }
 
+/* A root goes through all runners to find its own: counts as work. */
+static void count_search(struct board *b)
+{
+    const struct ml_runners *r = &b->ml_runners;
+
+    if (!board_work(b, r->n / 2))
+        board_too_much(b,
+                       "bulletml: %u documents with %u runners have too much to do in one frame; lower board.bulletml "
+                       "in rom.lua, or run fewer documents at once",
+                       b->ml_roots.s.live, r->n);
+}
+
 /* All tops of a root begin anew. */
 static void restart(struct board *b, uint32_t root, const struct ml *ml, uint32_t now)
 {
     struct ml_runners *r = &b->ml_runners;
     uint32_t top = 0;
 
+    count_search(b);
     for (uint32_t k = 0; k < r->n && top < ml->tops; k++) {
         const uint32_t i = r->order[k];
         if (r->root[i] != root || !(r->flags[i] & RUNNER_TOP))
@@ -691,10 +716,11 @@ static void move_root(struct board *b, uint32_t i)
 }
 
 /* Have all of its own ended? */
-static bool all_ended(const struct board *b, uint32_t root)
+static bool all_ended(struct board *b, uint32_t root)
 {
     const struct ml_runners *r = &b->ml_runners;
 
+    count_search(b);
     for (uint32_t k = 0; k < r->n; k++)
         if (r->root[r->order[k]] == root && (r->flags[r->order[k]] & (RUNNER_TOP | RUNNER_ENDED)) == RUNNER_TOP)
             return false;
@@ -763,7 +789,6 @@ void board_ml_run(struct board *b)
     slots_trim(&r->s);
     slots_trim(&b->ml_frames.s);
     slots_trim(&b->ml_params.s);
-    vm_charge(b->vm.running, 4 * (uint64_t)r->ran);
 }
 
 int32_t board_ml_begin(struct board *b, const struct bulletml_start *start)

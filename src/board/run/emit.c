@@ -8,7 +8,7 @@
 #include "../machine.h"
 
 static const char queue_key = 0;
-enum { FIRST_ROOM = 64 };
+enum { FIRST_ROOM = 64, A_TARGET = 8 /* looking at so many is a unit of work */ };
 
 void emit_none(struct board *b)
 {
@@ -270,8 +270,18 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i)
     return at != NO_SLOT;
 }
 
-/* Returns how many it fired. */
-static uint32_t fire(struct board *b, const struct emission *m)
+static void count(struct board *b, const struct volley *v, uint32_t n)
+{
+    const uint32_t aims = v->aim && v->e.flags & EMIT_SHOTS ? b->enemies.s.top / A_TARGET : 0;
+
+    if (!board_work(b, (WORK_FIRE + aims) * ((uint64_t)n + 1)))
+        board_too_much(b,
+                       "motion programs: %u emits in one frame fire too much; lower board.bullets or board.shots in "
+                       "rom.lua, or let fewer bullets emit",
+                       b->output->emissions.n);
+}
+
+static void fire(struct board *b, const struct emission *m)
 {
     struct volley v;
     uint32_t n = 0;
@@ -287,18 +297,16 @@ static uint32_t fire(struct board *b, const struct emission *m)
         }
         n++;
     }
-    return n;
+    count(b, &v, n);
 }
 
-uint64_t emit_run(struct board *b)
+void emit_run(struct board *b)
 {
     const struct emissions *q = &b->output->emissions;
-    uint64_t n = 0;
 
     for (uint32_t k = 0; k < q->n; k++)
-        n += fire(b, &q->list[k]);
+        fire(b, &q->list[k]);
     emit_refuse(b, false, q->over[0]);
     emit_refuse(b, true, q->over[1]);
     emit_none(b);
-    return n;
 }

@@ -77,6 +77,17 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     return true;
 }
 
+enum { AN_EVENT = 30, A_HANDLER = 10 /* work: an event, and each function that is told of it, beside its own */ };
+
+static void count(struct board *b, uint64_t work)
+{
+    if (!board_work(b, work))
+        board_too_much(b,
+                       "events: %u in one frame are more than their handlers can be told of; raise fewer events, or "
+                       "declare fewer handlers",
+                       b->events.n);
+}
+
 /* Calls every handler of an event with the n values on top of the stack (popped). */
 static void call_handlers(lua_State *L, int kind, int n)
 {
@@ -84,8 +95,9 @@ static void call_handlers(lua_State *L, int kind, int n)
 
     luaL_checkstack(L, n + 4, NULL);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_Integer count = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
-    for (lua_Integer h = 1; h <= count; h++) {
+    lua_Integer handlers = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
+    for (lua_Integer h = 1; h <= handlers; h++) {
+        count(vm_board(L), A_HANDLER);
         lua_rawgeti(L, -1, h);
         for (int i = 0; i < n; i++)
             lua_pushvalue(L, first + i);
@@ -400,7 +412,10 @@ static void apply_laser(struct board *b, lua_State *L, const struct event *e)
     EACH_LIVE (k, &b->enemies.s) {
         if (!board_alive(b, e->a))
             return;
-        if (b->enemies.flags[k] & ENEMY_DYING || !hit_laser_enemy(b, i, k))
+        if (b->enemies.flags[k] & ENEMY_DYING)
+            continue;
+        hit_laser_work(b, i, k);
+        if (!hit_laser_enemy(b, i, k))
             continue;
         b->counts.hit++;
         if (events_enemy_hurt(b, L, k, damage, b->laser_heads.player[i]) ||
@@ -726,6 +741,7 @@ int events_run(lua_State *L)
     luaL_checkstack(L, 32, NULL);
     for (uint32_t i = 0; i < b->events.n; i++) {
         struct event e = events_at(&b->events, i);
+        count(b, AN_EVENT);
         apply(b, L, &e);
     }
     b->events.n = 0;

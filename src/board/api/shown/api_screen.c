@@ -360,6 +360,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+enum { A_SPARK = 6 /* work */ };
 enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst[] = {
@@ -389,6 +390,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
         s.along_x = v[B_TO_X].f - s.x;
         s.along_y = v[B_TO_Y].f - s.y;
     }
+    vm_charge(L, A_SPARK * (uint64_t)s.n);
     board_sparks(b, &s);
     return 0;
 }

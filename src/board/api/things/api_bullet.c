@@ -406,10 +406,13 @@ static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
                                               { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL },
                                               AROUND };
 
-ang api_aim(const struct board *b, bool shot, fx x, fx y)
+enum { A_TARGET = 8 /* looking at so many is a unit of work */ };
+
+ang api_aim(struct board *b, bool shot, fx x, fx y)
 {
     struct targets t = board_world(b, shot).targets;
 
+    b->vm.work += shot ? b->enemies.s.top / A_TARGET : 0;
     return targets_aim(&t, x, y, shot ? 0xc0000000u : 0x40000000u);
 }
 
@@ -819,9 +822,11 @@ static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
     count_tagged(L, &b->shots, tag);
 }
 
+enum { A_WRITE = 10, AN_ACT = 2, AN_AIM = 4 /* work, of a thing of a group */ };
+
 static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
-    vm_charge(L, b->bullets.s.live);
+    vm_charge(L, A_WRITE * (uint64_t)b->bullets.s.live);
     EACH_LIVE (i, &b->bullets.s)
         if (api_has_tag(b->bullets.tag, i, tag))
             set_bullet(L, b, i, p, v);
@@ -829,7 +834,7 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
 
 static void set_shots(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
-    vm_charge(L, b->shots.s.live);
+    vm_charge(L, A_WRITE * (uint64_t)b->shots.s.live);
     EACH_LIVE (i, &b->shots.s)
         if (api_has_tag(b->shots.tag, i, tag))
             set_shot(L, b, i, p, v);
@@ -892,7 +897,9 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     bool shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
     struct bullets *s = shot ? &b->shots : &b->bullets;
     const struct targets targets = board_world(b, shot).targets;
+    const uint64_t each = verb != V_AIM ? AN_ACT : AN_AIM + (shot ? b->enemies.s.top / A_TARGET : 0);
 
+    vm_charge(L, each);
     if (!handle_kind_group(handle_kind(h))) {
         if (board_alive(b, h))
             act(b, shot, &targets, handle_slot(h), verb, v);
@@ -900,7 +907,7 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
             bullets_release(s, handle_slot(h));
         return 0;
     }
-    vm_charge(L, s->s.live);
+    vm_charge(L, each * s->s.live);
     EACH_LIVE (i, &s->s)
         if (api_has_tag(s->tag, i, handle_slot(h)))
             act(b, shot, &targets, i, verb, v);

@@ -60,6 +60,8 @@ static bool is_list(const struct board *b, const uint8_t *list, size_t size)
     return true;
 }
 
+enum { AN_ITEM = 6 /* work: one that is dropped */ };
+
 /* Of a list that an enemy, a bullet or a phase drops. */
 static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
 
@@ -95,7 +97,7 @@ void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
     for (int i = 0; i < kinds; i++) {
         kind[i] = bytes_get16(list + i * DROP_BYTES);
         n[i] = bytes_get16(list + i * DROP_BYTES + 2);
-        vm_charge(L, n[i]);
+        vm_charge(L, AN_ITEM * (uint64_t)n[i]);
     }
     d.x = x;
     d.y = y;
@@ -277,7 +279,7 @@ static int item_drop_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[P_TAG].given)
         d.tag = api_tag(L, "item.drop", v[P_TAG].at);
-    vm_charge(L, n);
+    vm_charge(L, AN_ITEM * (uint64_t)n);
     if (api_place(L, b, "item.drop", v + P_PLACE, &d.x, &d.y))
         board_drop(b, &d, &kind, &n, 1);
     return 0;
