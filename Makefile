@@ -328,7 +328,7 @@ $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/ge
 	$(Q)$(CC) $(ALL_C) -Itests $(filter-out $(if $(filter $*,$(OWN_PORT)),%/null.o),$^) $(LIBS) -lcmocka -lquadmath -o $@
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
-$(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst)
+$(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst dearest)
 $(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
 $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
 

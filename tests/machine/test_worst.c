@@ -1,6 +1,8 @@
 /*
  * test_worst.c - no operation of Lua does much for little: each of tools/bench/worst.c, in an endless loop, is stopped
- * by the guard, and after no more rounds than its work allows. How long that takes, `make bench ARGS=guards` measures.
+ * by the guard, and after no more rounds than its work allows. Nor does C do much that is not counted: each frame of
+ * tools/bench/dearest.c counts what it does, and stays below the limit or ends in a fault soon above it. How long all
+ * that takes, `make bench ARGS=guards` measures.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
+#include "../../tools/bench/dearest.h"
 #include "../../tools/bench/scene.h"
 #include "../../tools/bench/worst.h"
 
@@ -107,12 +110,65 @@ static void texts_have_a_limit(void **state)
     }
 }
 
+/* The dearest frame that a scene has, and what it ends with. */
+static void counts(const struct dearest *d)
+{
+    const uint64_t most = WORK_LIMIT + WORK_LIMIT / 4; /* a call is counted whole, and then not done */
+    uint64_t work = 0;
+    struct scene s;
+    char err[256];
+    bool fine = true;
+
+    if (!scene_power(&s, &image.rom, &d->want, err, sizeof err))
+        fail_msg("%s: %s", d->what, err);
+    for (int i = 0; fine && i < d->frames; i++) {
+        fine = scene_tick(&s);
+        work = s.b->vm.work > work ? s.b->vm.work : work;
+    }
+    if (fine != !d->says || (d->says && !strstr(board_last(s.b)->fault->message, d->says)))
+        fail_msg("%s: it ended with %s, after %llu units of work", d->what,
+                 fine ? "nothing" : board_last(s.b)->fault->message, (unsigned long long)work);
+    if (work < d->least || work > (d->says ? most : WORK_LIMIT))
+        fail_msg("%s: %llu units of work, expected %llu to %llu", d->what, (unsigned long long)work,
+                 (unsigned long long)d->least, (unsigned long long)most);
+    scene_close(&s);
+}
+
+static void every_frame_is_bounded(void **state)
+{
+    (void)state;
+    for (int i = 0; i < DEAREST_COUNT; i++)
+        counts(&DEAREST[i]);
+}
+
+/* What is too much to draw is not drawn: a host that draws after the fault must not hang. */
+static void too_large_a_picture_is_not_drawn(void **state)
+{
+    const struct dearest *d = NULL;
+    struct scene s;
+    char err[256];
+
+    (void)state;
+    for (int i = 0; i < DEAREST_COUNT; i++)
+        d = DEAREST[i].says && strstr(DEAREST[i].says, "the picture: ") ? &DEAREST[i] : d;
+    assert_non_null(d);
+    assert_true(scene_power(&s, &image.rom, &d->want, err, sizeof err));
+    assert_false(scene_tick(&s));
+    scene_draw(&s);
+    assert_int_equal(s.drawn, 0);
+    for (int i = 0; i < s.fb.h * s.fb.pitch; i++)
+        assert_int_equal(s.fb.pix[i], 0);
+    scene_close(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_operation_is_charged),
         cmocka_unit_test(the_reason_is_said),
         cmocka_unit_test(texts_have_a_limit),
+        cmocka_unit_test(every_frame_is_bounded),
+        cmocka_unit_test(too_large_a_picture_is_not_drawn),
     };
 
     return cmocka_run_group_tests_name("worst", tests, load, drop);

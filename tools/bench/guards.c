@@ -1,8 +1,10 @@
 /*
  * guards.c - section "guards": how long the worst operations run before the guard of endless loops stops them.
  */
+#include <stdio.h>
 #include <string.h>
 #include "bench.h"
+#include "dearest.h"
 #include "worst.h"
 
 /* Seconds until a frame's limit is reached, at the pace of WORST_LIMIT; *rounds: how often it ran until that. */
@@ -19,6 +21,64 @@ static double seconds(const struct worst *w, uint64_t *rounds)
         report_fail(report_string("%s: %s", w->what, fault ? fault : "it ended"));
     scene_close(&s);
     return took / 1e9 * ((double)WORK_LIMIT / WORST_LIMIT);
+}
+
+/* Of one of the dearest frames: seconds of its tick and of its picture, the work it counted, and how it ended. */
+struct took {
+    double tick, draw;
+    uint64_t work;
+    char end[160];
+};
+
+static void time_dearest(const struct dearest *d, struct took *t)
+{
+    struct scene s;
+    char err[256];
+    bool fine = true;
+
+    *t = (struct took){ .end = "below the limit" };
+    if (!scene_power(&s, bench_rom(), &d->want, err, sizeof err))
+        report_fail(report_string("%s: %s", d->what, err));
+    for (int i = 0; fine && i < d->frames; i++) {
+        double from = bench_now();
+        fine = scene_tick(&s);
+        const double tick = bench_since(from) / 1e9;
+        from = bench_now();
+        scene_draw(&s);
+        const double draw = bench_since(from) / 1e9;
+        t->tick = tick > t->tick ? tick : t->tick;
+        t->draw = draw > t->draw ? draw : t->draw;
+        t->work = s.b->vm.work > t->work ? s.b->vm.work : t->work;
+    }
+    if (!fine)
+        snprintf(t->end, sizeof t->end, "%.60s...", board_last(s.b)->fault->message);
+    scene_close(&s);
+}
+
+static void dearest_frames(void)
+{
+    double worst = 0;
+    const char *what = "";
+
+    report_section("The dearest frames");
+    report_text("Work in C is counted as that of scripts is. Of each feature whose work the manifest does not bound, a "
+                "frame that has as much of it as there may be: what it counted, and how long its tick and its picture "
+                "took, in seconds. What counts more than %s ends in a fault.",
+                report_count(WORK_LIMIT));
+    report_table(NULL, "a frame of | counted> | tick> | picture> | ends");
+    bench_own_clock(true);
+    for (int i = 0; i < DEAREST_COUNT; i++) {
+        struct took t;
+        time_dearest(&DEAREST[i], &t);
+        report_row(false, DEAREST[i].what, report_count((int64_t)t.work), report_figure(t.tick), report_figure(t.draw),
+                   t.end, NULL);
+        if (t.tick + t.draw > worst)
+            worst = t.tick + t.draw, what = DEAREST[i].what;
+    }
+    bench_own_clock(false);
+    report_table_end();
+    bench_target("the dearest frame of any feature", "2 s", report_string("%s s: %s", report_figure(worst), what),
+                 worst < 2);
 }
 
 void section_guards(void)
@@ -44,4 +104,5 @@ void section_guards(void)
     report_table_end();
     bench_target("the slowest endless loop until it is found", "30 s",
                  report_string("%s s: %s", report_figure(worst), what), worst < 30);
+    dearest_frames();
 }

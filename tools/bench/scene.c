@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../src/base/bytes.h"
 #include "../../src/board/rom/cart.h"
+#include "../../src/cab/bulletml/compile.h"
 
 enum { ROTATIONS = 16, RAM_ALIGN = 64 };
 
@@ -57,12 +58,31 @@ static uint8_t *shuffled_picture(const struct lump *l, struct rng *r)
     return out;
 }
 
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const struct lump *)a)->name, ((const struct lump *)b)->name);
+}
+
+/* Compiles a document; *out is malloc's. */
+static bool compile(const char *xml, uint8_t **out, uint32_t *size, char *err, size_t err_size)
+{
+    struct document d;
+    size_t n = 0;
+    const bool fine = document_read(&d, xml, strlen(xml), "doc.xml", NULL, NULL, err, err_size) &&
+                      bulletml_compile(&d, "doc.xml", out, &n, err, err_size);
+
+    document_close(&d);
+    *size = (uint32_t)n;
+    return fine;
+}
+
 /* The ROM with `bullets` as its capacity and pictures of its own. */
 static bool remake(struct rom_image *image, const struct rom *rom, const struct scene_want *want, char *err,
                    size_t err_size)
 {
-    struct lump *lumps = calloc(rom->count, sizeof *lumps);
-    uint8_t **made = calloc(rom->count, sizeof *made), manifest[MANIFEST_BYTES];
+    const uint32_t most = rom->count + 1;
+    struct lump *lumps = calloc(most, sizeof *lumps);
+    uint8_t **made = calloc(most, sizeof *made), manifest[MANIFEST_BYTES];
     struct cart cart;
     struct rng r;
     bool fine = lumps && made && cart_open(&cart, rom, err, err_size);
@@ -77,21 +97,34 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
             cart.m.sparks = want->sparks;
             cart.m.bg = want->scenery;
             cart.m.hp = cart.m.around = cart.m.frozen = cart.m.bullet_values = want->groups;
-            manifest_pack(&cart.m, manifest);
+            if (want->manifest)
+                want->manifest(&cart.m);
+            l->size = manifest_pack(&cart.m, manifest);
             l->data = manifest;
+        } else if (want->script && !strcmp(l->name, "script/main.lua")) {
+            l->data = (const uint8_t *)want->script;
+            l->size = (uint32_t)strlen(want->script);
         } else if (kind) {
             bool large = want->side && !strcmp(l->name, "gfx/kind1");
             l->data = made[i] = large ? large_picture(want->side, &l->size, &r) : shuffled_picture(l, &r);
             fine = made[i];
         }
     }
-    image->size = fine ? rom_write_size(lumps, (int)rom->count) : 0;
+    uint32_t n = rom->count;
+    if (fine && want->document) {
+        lumps[n].name = "bulletml/doc";
+        fine = compile(want->document, &made[n], &lumps[n].size, err, err_size);
+        lumps[n].data = made[n];
+        n++;
+        qsort(lumps, n, sizeof *lumps, by_name);
+    }
+    image->size = fine ? rom_write_size(lumps, (int)n) : 0;
     image->bytes = fine ? malloc(image->size) : NULL;
     if (image->bytes) {
-        rom_write(image->bytes, lumps, (int)rom->count);
+        rom_write(image->bytes, lumps, (int)n);
         fine = rom_open(&image->rom, image->bytes, image->size, err, err_size);
     }
-    for (uint32_t i = 0; made && i < rom->count; i++)
+    for (uint32_t i = 0; made && i < most; i++)
         free(made[i]);
     free(made);
     free(lumps);
@@ -153,6 +186,10 @@ static bool power(struct scene *s, const struct scene_want *want, char *err, siz
     s->b = board_power(s->ram, s->ram_size, &s->image.rom, &start, err, err_size);
     if (!s->b)
         return false;
+    if (board_last(s->b)->fault) {
+        snprintf(err, err_size, "%s", board_last(s->b)->fault->message);
+        return false;
+    }
     board_screen(s->b, &w, &h);
     s->mem = malloc(fb_size(w, h));
     s->scratch = malloc(board_scratch(s->b));
@@ -162,13 +199,18 @@ static bool power(struct scene *s, const struct scene_want *want, char *err, siz
     return true;
 }
 
-bool scene_open(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size)
+bool scene_power(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size)
 {
     *s = (struct scene){ 0 };
     snprintf(err, err_size, "out of memory");
-    if (!remake(&s->image, rom, want, err, err_size) || !power(s, want, err, err_size))
+    return remake(&s->image, rom, want, err, err_size) && power(s, want, err, err_size);
+}
+
+bool scene_open(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size)
+{
+    if (!scene_power(s, rom, want, err, err_size))
         return false;
-    if (!board_last(s->b)->fault && scene_tick(s))
+    if (scene_tick(s))
         return true;
     snprintf(err, err_size, "%s", board_last(s->b)->fault->message);
     return false;

@@ -19,6 +19,9 @@ struct scene_want {
     int sparks;                         /* capacity */
     bool scenery;                       /* there is room for backgrounds */
     uint64_t seed;                      /* of the game and of the pictures */
+    const char *script;                 /* in place of main.lua; NULL: the ROM's */
+    void (*manifest)(struct manifest *m); /* what else is changed; NULL: nothing */
+    const char *document;                 /* a BulletML document, which the script calls "doc"; NULL: none */
 };
 
 struct scene {
@@ -37,6 +40,9 @@ struct scene {
  * alike. False and one sentence else.
  */
 bool scene_open(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size);
+
+/* The same before the first frame. */
+bool scene_power(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size);
 void scene_close(struct scene *s);
 
 /* A frame of the game, in which the player wanders over the whole field; false: a fault, see board_last. */
