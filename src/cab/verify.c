@@ -11,6 +11,7 @@
 #include <string.h>
 #include "demo/bisect.h"
 #include "host/clean.h"
+#include "host/files.h"
 #include "host/progress.h"
 #include "line/game.h"
 #include "host/report.h"
@@ -505,10 +506,14 @@ static enum result verify_stdin(struct verify *v)
 {
     char name[DEMO_PATH];
     enum result worst = RESULT_DONE;
-    bool whole;
+    bool whole, first = true;
 
     v->batch = true;
     while (next_name(name, v->a->null, &whole)) {
+        size_t n = strlen(name);
+        if (first)
+            files_drop_mark(name, &n);
+        first = false;
         v->path = name;
         enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: the name is too long", name);
         worst = result > worst ? result : worst;

@@ -93,6 +93,9 @@ same 'a thousand names: the worst code is that of bad input' 2 "$code"
 same 'a thousand lines' 1000 "$(wc -l <got)"
 if cmp -s wanted got; then ok 'every verdict is right'; else not_ok 'every verdict is right' \
     "$(diff wanted got | head -20)"; fi
+head -1 names | "$curtain" verify g - >plain
+head -1 names | sed $'1s/^/\xef\xbb\xbf/' | "$curtain" verify g - >marked
+same 'a list with a byte order mark' "$(cat plain)" "$(cat marked)"
 same 'nothing is said elsewhere' '' "$("$curtain" verify g - <names 2>&1 >/dev/null)"
 
 # ---- memory ----

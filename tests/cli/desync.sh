@@ -91,6 +91,8 @@ bisect() { # NAME CODE LINES A B
 "$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,player,pal >trace 2>/dev/null
 bisect 'equal tracks' 0 'whole and whole are equal: 201 frames, 0 to 200' whole whole
 bisect 'equal tracks of parts' 0 'parts and parts are equal: 201 frames, 0 to 200' parts parts
+sed $'1s/^/\xef\xbb\xbf/' whole >marked
+bisect 'a track with a byte order mark' 0 'whole and marked are equal: 201 frames, 0 to 200' whole marked
 bisect 'equal traces' 0 'trace and trace are equal: 3 frames, 2198 to 2200' trace trace
 "$curtain" verify --bisect parts - <parts >out
 same 'standard input' '0 parts and standard input are equal: 201 frames, 0 to 200' "$? $(cat out)"

@@ -316,6 +316,12 @@ static void the_file(void **state)
     assert_false(config_save(&c, err, sizeof err));
     says(":1: no setting is called \"musik\"");
     file_is("musik = 60 # so\n");
+    write_file("\xef\xbb\xbfmusic = 60\n"); /* a byte order mark, as editors of Windows write */
+    assert_true(config_load(&c, err, sizeof err));
+    assert_int_equal(c.music, 60);
+    c.music = 20;
+    assert_true(config_save(&c, err, sizeof err));
+    file_is("music = 20\n");
 }
 
 static int open_folder(void **state)

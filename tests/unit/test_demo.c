@@ -1530,6 +1530,15 @@ static void test_load_text(void **state)
     loads(&d);
     same(&d, &w.demo);
     demo_free(&d);
+    text_size = 0;
+    to_text(text, "\xef\xbb\xbf", 3); /* a byte order mark, and the demo's first line behind it */
+    demo_text_begin(&t, to_text, text);
+    demo_text_add(&t, file, n);
+    demo_text_end(&t);
+    assert_true(plat_save(path, text, text_size));
+    loads(&d);
+    same(&d, &w.demo);
+    demo_free(&d);
     text[100]++; /* a letter is another */
     assert_true(plat_save(path, text, text_size));
     assert_false(demo_load(&d, path, err, sizeof err));

@@ -275,9 +275,7 @@ static void test_what_goes_in(void **state)
     assert_lump(&image.rom, "script/boot/start.lua", "return 7");
     assert_lump(&image.rom, "script/stages/deep/one.lua", "return 1");
     assert_lump(&image.rom, "script/stages/tests/t.lua", "return 2");
-    assert_lump(&image.rom, "data/names.txt",
-                "\xef\xbb\xbf"
-                "Ann\r\n");
+    assert_lump(&image.rom, "data/names.txt", "Ann\r\n");
     assert_lump(&image.rom, "data/data/x.txt", "");
     assert_lump(&image.rom, "data/demos/readme.txt", "hi");
     assert_int_equal(find(&image.rom, "demo/attract").size, 3);

@@ -71,9 +71,8 @@ static enum result import(const char *from, int bank, const char *out)
     char err[FILES_ERR];
     size_t n;
 
-    if (!files_read(from, from, SWATCH_FILE, &text, &n, err, sizeof err))
+    if (!files_read_text(from, from, SWATCH_FILE, &text, &n, err, sizeof err))
         return report_error(err);
-    tree_drop_bom(text, &n);
     const bool good = swatch_read(&s, (const char *)text, n, from, ends_in(from, ".gpl"), err, sizeof err);
     free(text);
     if (!good)

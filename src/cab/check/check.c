@@ -76,7 +76,7 @@ static void check_manifest(struct check *c)
         free(block);
         return;
     }
-    tree_drop_bom(c->rom_text, &size);
+    files_drop_mark(c->rom_text, &size);
     tree_id(c->dir, folder);
     symbols_read(&c->rom, (const char *)c->rom_text, size, NULL);
     c->manifest = work != NULL && manifest_read((const char *)c->rom_text, size, "rom.lua", folder, &c->m, &c->art,

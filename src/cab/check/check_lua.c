@@ -13,6 +13,7 @@
 #include "../../base/edit.h"
 #include "../../board/api_table.h"
 #include "../../board/script.h"
+#include "../host/files.h"
 #include "../pack/pack.h"
 
 static bool same(const char *a, const char *b)
@@ -77,7 +78,7 @@ static void read_script(struct check *c, const char *path)
     if (!check_load(c, path, TREE_SCRIPT, &s->text, &size))
         return;
     c->n_scripts++;
-    tree_drop_bom(s->text, &size);
+    files_drop_mark(s->text, &size);
     snprintf(s->name, sizeof s->name, "%.*s", (int)(strlen(path) - strlen(".lua")), path);
     scan(c, s, size);
     compile(c, s, size);

@@ -13,6 +13,7 @@
 #include "../../../fb/utf8.h"
 #include "../../board/rom/cart.h"
 #include "../pack/lang.h"
+#include "../host/files.h"
 #include "../pack/pack.h"
 
 /* Where a text is shown: codes below `from` are not judged, those over `most` cannot be shown. */
@@ -136,7 +137,7 @@ static void read_tongues(struct check *c, struct tongues *t)
         one->path = c->files.name[i];
         if (!pack_is_lang(one->path) || !check_load(c, one->path, LANG_FILE, &text, &size))
             continue;
-        tree_drop_bom(text, &size);
+        files_drop_mark(text, &size);
         t->n++;
         if (!lang_read(&one->lang, (const char *)text, size, one->path, err, sizeof err)) {
             diagnostics_add_sentence(&c->found, one->path, err);

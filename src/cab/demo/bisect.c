@@ -13,6 +13,7 @@
 #include <string.h>
 #include "../../base/err.h"
 #include "../host/clean.h"
+#include "../host/files.h"
 #include "demo.h"
 
 enum {
@@ -166,8 +167,9 @@ static bool next(struct bisect *s, struct side *f)
         return true;
     if (!fgets(f->text, LINE, f->file))
         return read_failed(s, f);
-    f->line++;
     n = strlen(f->text);
+    if (f->line++ == 0)
+        files_drop_mark(f->text, &n);
     if (n == 0 || f->text[n - 1] != '\n')
         return err_set(s->err, sizeof s->err, "%s:%lu: the line is cut short", f->path, f->line);
     f->text[n - 1] = 0;

@@ -231,8 +231,12 @@ bool config_load(struct config *c, char *err, size_t err_size)
     bool good = text && plat_load(CONFIG_FILE, text, (size_t)size) == size;
     if (!good)
         snprintf(err, err_size, "%s: cannot be read, or larger than %d bytes", shown, CONFIG_BYTES);
-    else
-        good = config_read(c, shown, text, (size_t)size, err, err_size);
+    if (good) {
+        size_t n = (size_t)size;
+        text[n] = 0;
+        files_drop_mark(text, &n);
+        good = config_read(c, shown, text, n, err, err_size);
+    }
     free(text);
     return good;
 }

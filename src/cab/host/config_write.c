@@ -129,7 +129,7 @@ bool config_save(const struct config *c, char *err, size_t err_size)
     size_t size = 0;
 
     if (files_size(CONFIG_FILE) >= 0 &&
-        !files_read(CONFIG_FILE, files_shown(CONFIG_FILE, shown), CONFIG_BYTES, &text, &size, err, err_size))
+        !files_read_text(CONFIG_FILE, files_shown(CONFIG_FILE, shown), CONFIG_BYTES, &text, &size, err, err_size))
         return false;
     char *now = config_edit(c, text ? (const char *)text : "", size, err, err_size);
     const bool same = now && strlen(now) == size && (size == 0 || memcmp(now, text, size) == 0);

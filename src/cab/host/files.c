@@ -104,3 +104,22 @@ bool files_read(const char *path, const char *name, size_t max, uint8_t **data, 
     *size = (size_t)n;
     return true;
 }
+
+void files_drop_mark(void *text, size_t *size)
+{
+    uint8_t *bytes = text;
+
+    if (*size < 3 || memcmp(bytes, "\xef\xbb\xbf", 3) != 0)
+        return;
+    *size -= 3;
+    memmove(bytes, bytes + 3, *size + 1);
+}
+
+bool files_read_text(const char *path, const char *name, size_t max, uint8_t **text, size_t *size, char *err,
+                     size_t err_size)
+{
+    if (!files_read(path, name, max, text, size, err, err_size))
+        return false;
+    files_drop_mark(*text, size);
+    return true;
+}

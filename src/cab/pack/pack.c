@@ -134,6 +134,15 @@ static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **da
     return files_read(path, name, max, data, size, p->err, p->err_size);
 }
 
+static bool load_text(struct packer *p, const char *name, size_t max, uint8_t **text, size_t *size)
+{
+    char path[PATH];
+
+    if (!tree_join(path, p->dir, name))
+        return err_set(p->err, p->err_size, "%s: the path is too long", name);
+    return files_read_text(path, name, max, text, size, p->err, p->err_size);
+}
+
 static bool ends_with(const char *s, const char *tail)
 {
     size_t n = strlen(s), m = strlen(tail);
@@ -152,9 +161,8 @@ static bool read_manifest(struct packer *p)
     uint8_t *text;
     size_t size;
 
-    if (!load_in(p, "rom.lua", TREE_SCRIPT, &text, &size))
+    if (!load_text(p, "rom.lua", TREE_SCRIPT, &text, &size))
         return false;
-    tree_drop_bom(text, &size);
     tree_id(p->dir, folder);
     void *block, *work = tree_work(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
@@ -364,7 +372,7 @@ static bool read_bdf(struct packer *p, const struct art_font *font, const struct
 
     if (!tree_has(&p->files, font->file))
         return refuse_missing(p, font->file);
-    if (!load_in(p, font->file, BDF_FILE, &text, &size))
+    if (!load_text(p, font->file, BDF_FILE, &text, &size))
         return false;
     bool good = bdf_read(f, (const char *)text, size, wanted, why, sizeof why);
     free(text);
@@ -503,9 +511,8 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
         return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", m->file);
     if (!tree_has(&p->files, m->file))
         return refuse_missing(p, m->file);
-    if (!load_in(p, m->file, TREE_FILE, &text, &n))
+    if (!load_text(p, m->file, TREE_FILE, &text, &n))
         return false;
-    tree_drop_bom(text, &n);
     bool good = ends_with(m->file, ".csv")
                     ? map_read_csv((const char *)text, n, m->file, m->first, out, p->err, p->err_size)
                     : map_read_tmx((const char *)text, n, m->file, m->layer, out, p->err, p->err_size);
@@ -591,7 +598,7 @@ static bool compile_mml(struct packer *p, const struct art_sound *s, const char 
     }
     if (!load_named(p, s->file, MML_FILE, &text, &n))
         return false;
-    tree_drop_bom(text, &n);
+    files_drop_mark(text, &n);
     bool good = mml_compile((const char *)text, n, s->file, about, tune, size, p->err, p->err_size);
     free(text);
     return good;
@@ -749,9 +756,8 @@ static bool add_script(struct packer *p, const char *path)
 
     if (std && !pack_is_std(path))
         return err_set(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
-    if (!load_in(p, path, TREE_SCRIPT, &text, &size))
+    if (!load_text(p, path, TREE_SCRIPT, &text, &size))
         return false;
-    tree_drop_bom(text, &size);
     snprintf(chunk, sizeof chunk, "@%s", path);
     void *block, *work = tree_work(TREE_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
@@ -786,7 +792,7 @@ static bool add_text(struct packer *p, const char *path)
     uint8_t *data;
     size_t size;
 
-    if (!load_in(p, path, TREE_FILE, &data, &size))
+    if (!load_text(p, path, TREE_FILE, &data, &size))
         return false;
     if (size > MAX_TEXT) {
         free(data);
@@ -808,9 +814,8 @@ static bool add_lang(struct packer *p, const char *path)
     if (!manifest_word_ok(name))
         return err_set(p->err, p->err_size, "%s: expected a language's name of 1 to %d letters, digits, _ and -", path,
                        MAX_WORD - 1);
-    if (!load_in(p, path, LANG_FILE, &text, &size))
+    if (!load_text(p, path, LANG_FILE, &text, &size))
         return false;
-    tree_drop_bom(text, &size);
     bool good = lang_read(&lang, (const char *)text, size, path, p->err, p->err_size);
     for (int i = 0; good && i < lang.n; i++)
         faces_add_text(&p->shown, lang.list[i].words, strlen(lang.list[i].words));

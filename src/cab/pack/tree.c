@@ -117,14 +117,6 @@ bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size)
     return good;
 }
 
-void tree_drop_bom(uint8_t *data, size_t *size)
-{
-    if (*size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
-        *size -= 3;
-        memmove(data, data + 3, *size + 1);
-    }
-}
-
 void tree_id(const char *dir, char out[64])
 {
     size_t n = strlen(dir), from;

@@ -46,9 +46,6 @@ void tree_sort(struct tree *files);
 /* The file's path for the platform: dir/name. False: too long. */
 bool tree_join(char out[TREE_PATH], const char *dir, const char *name);
 
-/* Takes the byte order mark off that some editors start a text with, and Lua does not know. */
-void tree_drop_bom(uint8_t *data, size_t *size);
-
 /* Room for Lua to think in, aligned as its heap asks (malloc of a 32-bit host may give 8 bytes); *block is what to
  * free. NULL: out of memory. */
 void *tree_work(size_t size, void **block);

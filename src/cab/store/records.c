@@ -198,6 +198,10 @@ static bool read_file(struct records *r, const char *file, size_t size, char *er
 
     if (!there)
         snprintf(err, err_size, "cannot be read, or larger than %d bytes", RECORDS_BYTES);
+    if (there) {
+        text[size] = 0;
+        files_drop_mark(text, &size);
+    }
     bool good = there && records_read(r, text, size, err, err_size);
     free(text);
     return good;

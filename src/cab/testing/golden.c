@@ -298,7 +298,7 @@ bool golden_hash(const struct golden *g, const struct board *b, const char *name
         return err_set(err, err_size, "there is no %s yet: --update keeps the hashes of this frame", shown);
     bool same = false;
     if (there) {
-        if (!files_read(path, shown, HASH_FILE, &kept, &size, err, err_size))
+        if (!files_read_text(path, shown, HASH_FILE, &kept, &size, err, err_size))
             return false;
         same = compare_hashes(b, shown, (const char *)kept, err, err_size);
         free(kept);

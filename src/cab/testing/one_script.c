@@ -56,10 +56,7 @@ static uint8_t *read_script(const struct testing *t, const char *name, size_t *n
         err_set(err, err_size, "%s: the path is too long", name);
         return NULL;
     }
-    if (!files_read(path, name, TREE_SCRIPT, &data, n, err, err_size))
-        return NULL;
-    tree_drop_bom(data, n);
-    return data;
+    return files_read_text(path, name, TREE_SCRIPT, &data, n, err, err_size) ? data : NULL;
 }
 
 static const char *required(void *context, const char *name, size_t *n)
