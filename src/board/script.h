@@ -29,6 +29,11 @@ bool script_next_read(const char *text, size_t n, size_t *at, const char **name,
  * none, so all that the name stands for may be read. */
 const char *script_field(const char *text, size_t n, size_t at, size_t *size);
 
+/* How `require` names the script that somebody may mean by `name`: "a.b", "a\\b", "./a/b" and "a/b.lua" become "a/b".
+ * False: the name is written so already, or too long. */
+enum { SCRIPT_NAME = 128 };
+bool script_name(const char *name, char out[SCRIPT_NAME]);
+
 /* The syntax check alone; compiled Lua is refused too. As script_check. */
 bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                     size_t err_size);

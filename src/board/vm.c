@@ -322,13 +322,17 @@ void vm_seal(lua_State *L)
 
 void vm_load(lua_State *L, const char *name)
 {
+    const struct cart *cart = &vm_board(L)->cart;
     const char *text, *what;
     size_t size;
     int line;
-    char chunk[160];
+    char chunk[160], meant[SCRIPT_NAME];
 
-    if (!cart_script(&vm_board(L)->cart, name, &text, &size))
+    if (!cart_script(cart, name, &text, &size)) {
+        if (script_name(name, meant) && cart_script(cart, meant, &text, &size))
+            vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game; write require \"%s\"", name, meant);
         vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
+    }
     if (!script_scan(text, size, &line, &what)) {
         lua_pushfstring(L, "%s.lua:%d: %s", name, line, what);
         lua_error(L);

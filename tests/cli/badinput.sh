@@ -226,6 +226,10 @@ task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
 LUA
 fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)' \
     <<<'local t = {} while true do t[#t + 1] = {} end'
+mkdir -p bad/pl
+echo 'return 7' >bad/pl/list.lua
+fault 'require with dots' 'main.lua:1: require: no script "pl.list.lua" in the game; write require "pl/list"' \
+    <<<'require "pl.list"'
 fault 'require of nothing' 'main.lua:1: require: no script "stages/none.lua" in the game' <<<'require "stages/none"'
 fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' \
     <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'

@@ -393,11 +393,12 @@ printf '\n\nprint(bullet.fier, x' >s/stages/two.lua
 printf '\33Lua' >s/stages/three.lua
 echo 'return {}' >'s/stages/my file.lua'
 echo 'return {}' >s/std/nothing.lua
-printf 'require "stages/one"\nrequire "stages/noen"\nrequire "stages/two.lua"\nprint(hud.own)\n' >>s/main.lua
+printf 'require "stages/one"\nrequire "stages/noen"\nrequire "stages/two.lua"\nrequire "stages.two"\nprint(hud.own)\n' >>s/main.lua
 finds 'syntax errors in several files, and the others still read' s <<'END'
 main.lua:3: require: there is no stages/noen.lua in the game
-main.lua:4: require: there is no stages/two.lua.lua in the game (the name goes without .lua)
-main.lua:5: hud has no "own"
+main.lua:4: require: there is no stages/two.lua.lua in the game; write require "stages/two"
+main.lua:5: require: there is no stages.two.lua in the game; write require "stages/two"
+main.lua:6: hud has no "own"
 stages/my file.lua: expected a name of letters, digits, _ - and . only
 stages/one.lua:1: unexpected symbol near '='
 stages/three.lua:1: compiled Lua, expected text

@@ -488,3 +488,17 @@ bool script_check(const char *text, size_t n, const char *chunk, void *work, siz
     snprintf(err, err_size, "%s:%d: %s", chunk + 1, line, what);
     return false;
 }
+
+bool script_name(const char *name, char out[SCRIPT_NAME])
+{
+    const char *from = name + (strncmp(name, "./", 2) == 0 ? 2 : 0);
+    size_t n = strlen(from);
+
+    if (n >= SCRIPT_NAME)
+        return false;
+    n -= n > 4 && strcmp(from + n - 4, ".lua") == 0 ? 4 : 0;
+    for (size_t i = 0; i < n; i++)
+        out[i] = from[i] == '.' || from[i] == '\\' ? '/' : from[i];
+    out[n] = '\0';
+    return strcmp(out, name) != 0;
+}

@@ -325,14 +325,20 @@ static void judge_format(struct check *c, const struct check_script *s, const st
 static void judge_require(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *name = call->arg[0];
-    char path[TREE_PATH];
+    char path[TREE_PATH], there[TREE_PATH], meant[SCRIPT_NAME];
 
     if (call->space != NULL || strcmp(call->name, "require") != 0 || name == NULL || name[0] == '@')
         return;
     snprintf(path, sizeof path, "%s.lua", name);
-    if (!tree_has(&c->files, path))
-        diagnostics_add(&c->found, s->path, call->line, "require: there is no %s in the game%s", path,
-                        ends_with(name, ".lua") ? " (the name goes without .lua)" : "");
+    if (tree_has(&c->files, path))
+        return;
+    const bool other = script_name(name, meant);
+    snprintf(there, sizeof there, "%s.lua", other ? meant : name);
+    if (other && tree_has(&c->files, there))
+        diagnostics_add(&c->found, s->path, call->line, "require: there is no %s in the game; write require \"%s\"",
+                        path, meant);
+    else
+        diagnostics_add(&c->found, s->path, call->line, "require: there is no %s in the game", path);
 }
 
 static void judge_demo(struct check *c, const struct check_script *s, int line, const char *how, const char *name)
