@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
@@ -114,25 +115,165 @@ static void test_bdf_refused(void **state)
     refused("\x89PNG", "line 1: expected STARTFONT, so it is no BDF");
     refused(HEAD, "line 9: the file ends without ENDFONT");
     refused(HEAD "ENDFONT", "line 10: no characters");
-    refused("STARTFONT 2.1\nCHARSET_REGISTRY \"JISX0208.1983\"\n",
-            "line 2: expected a font by Unicode, \"ISO10646\", got \"JISX0208.1983\"");
     refused("STARTFONT 2.1\nFONT_ASCENT many\n",
-            "line 2: expected 1 numbers from -128 to 128, got \"FONT_ASCENT many\"");
+            "line 2: expected 1 numbers from -32768 to 32767, got \"FONT_ASCENT many\"");
+    refused("STARTFONT 2.1\nFONT_ASCENT 7\nSTARTCHAR A\n",
+            "line 3: the head has no FONT_DESCENT, and no FONTBOUNDINGBOX");
+    refused("STARTFONT 2.1\nMETRICSSET 1\n", "line 2: a font for lines that run down is not read");
+    refused("STARTFONT 2.3\nSIZE 9 75 75 3\n", "line 2: pixels of 3 bits; expected 1, 2, 4 or 8");
+    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: pixels of 2 bits, but of 4 before");
     refused("STARTFONT 2.1\nFONT_ASCENT 0\nFONT_DESCENT 0\nSTARTCHAR A\n",
             "line 4: a line of 0 px (ascent 0, descent 0); expected 1 to 128");
     refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends within a character");
     refused(HEAD "STARTCHAR A\nENCODING 1114112\n",
             "line 11: expected 1 numbers from -1 to 1114111, got \"ENCODING 1114112\"");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: a BITMAP without ENCODING and BBX before it");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 65 1 0 0\n",
-            "line 12: a character of 65x1 px; expected at most 64 each way");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9 0\nBBX 65 1 0 0\nBITMAP\n",
+            "line 14: a character of 65x1 px; expected at most 64 each way");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 -1 0 0\n",
             "line 12: a character of 8x-1 px; expected at most 64 each way");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 1 0 500\nBITMAP\n00\n", "line 13: U+0041 lies too far from the line");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 9 1 0 0\nBITMAP\n00\n",
-            "line 14: expected a row of 4 hexadecimal digits, got \"00\"");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 2 0 0\nBITMAP\n00\n", "line 14: the file ends within a BITMAP");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 1 0 500\nBITMAP\n00\n",
+            "line 14: U+0041 lies too far from the line");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 9 1 0 0\nBITMAP\n00\n",
+            "line 15: expected a row of 4 hexadecimal digits, got \"00\"");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 2 0 0\nBITMAP\n00\n",
+            "line 15: the file ends within a BITMAP");
     refused(HEAD LETTER_A LETTER_A "ENDFONT", "U+0041 is there twice");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 1 1 0 0\nBITMAP\n80\n",
+            "line 13: U+0041 has no DWIDTH, and the head has none");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH -4 0\nBBX 1 1 0 0\nBITMAP\n80\n",
+            "line 14: U+0041: DWIDTH -4 0; expected 0 to 128, and 0");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 1\nBBX 1 1 0 0\nBITMAP\n80\n",
+            "line 14: U+0041: DWIDTH 4 1; expected 0 to 128, and 0");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 0\nENDCHAR\n", "line 13: a character without BITMAP");
+}
+
+#define BOX               "FONTBOUNDINGBOX 4 7 0 -2\n"
+#define DOT(name, number) "STARTCHAR " name "\nENCODING " number "\nDWIDTH 5 0\nBBX 1 1 0 0\nBITMAP\n80\nENDCHAR\n"
+
+/* The code that becomes of a font's one character; 0: of none, or it is refused. */
+static uint32_t code_in(const char *head, const char *letter)
+{
+    char text[1024];
+
+    snprintf(text, sizeof text, "STARTFONT 2.1\n" BOX "%s%sENDFONT\n", head, letter);
+    const bool good = bdf_read(&f, text, strlen(text), &set, err, sizeof err);
+    const uint32_t code = good && f.n == 1 ? f.list[0].code : 0;
+    faces_close(&f);
+    return code;
+}
+
+static uint32_t code_by(const char *registry, const char *encoding, const char *letter)
+{
+    char head[256];
+
+    err[0] = '\0';
+    snprintf(head, sizeof head, "STARTPROPERTIES 2\n%s%s%s%s%s%s%s\nENDPROPERTIES\n",
+             encoding[0] ? "CHARSET_ENCODING \"" : "", encoding, encoding[0] ? "\"\n" : "",
+             registry[0] ? "CHARSET_REGISTRY \"" : "", registry, registry[0] ? "\"" : "", "");
+    return code_in(head, letter);
+}
+
+/* Registry and encoding together say what the numbers are. */
+static void test_bdf_charset(void **state)
+{
+    (void)state;
+    memset(&set, 0xff, sizeof set);
+    assert_int_equal(code_by("ISO10646", "1", DOT("x", "261")), 261);
+    assert_int_equal(code_by("iso10646", "", DOT("x", "261")), 261);
+    assert_int_equal(code_by("", "", DOT("x", "233")), 233);
+    assert_int_equal(code_by("ISO8859", "1", DOT("x", "177")), 177);
+    assert_int_equal(code_by("ISO8859", "1", DOT("x", "261")), 0);
+    assert_int_equal(code_by("ISO8859", "2", DOT("x", "177")), 0x105);
+    assert_int_equal(code_by("ISO8859", "2", DOT("x", "255")), 0x2d9);
+    assert_int_equal(code_by("ISO8859", "2", DOT("x", "65")), 65);
+    assert_int_equal(code_by("ISO8859", "3", DOT("x", "165")), 0); /* there is none */
+    assert_int_equal(code_by("ISO8859", "5", DOT("x", "160")), 0xa0);
+    assert_int_equal(code_by("ISO8859", "5", DOT("x", "255")), 0x45f);
+    assert_int_equal(code_by("ISO8859", "7", DOT("x", "225")), 0x3b1);
+    assert_int_equal(code_by("ISO8859", "9", DOT("x", "208")), 0x11e);
+    assert_int_equal(code_by("ISO8859", "13", DOT("x", "255")), 0x2019);
+    assert_int_equal(code_by("iso8859", "15", DOT("x", "164")), 0x20ac);
+    assert_int_equal(code_by("ISO8859", "16", DOT("x", "254")), 0x21b);
+    assert_int_equal(code_by("KOI8", "R", DOT("x", "128")), 0x2500);
+    assert_int_equal(code_by("KOI8", "R", DOT("x", "255")), 0x42a);
+    assert_int_equal(code_by("US", "ASCII", DOT("x", "126")), 126);
+    assert_int_equal(code_by("ASCII", "0", DOT("x", "65")), 65);
+    assert_int_equal(code_by("US", "ASCII", DOT("x", "233")), 0);
+    assert_string_equal(err, "");
+    assert_int_equal(code_by("Adobe", "FontSpecific", DOT("alpha", "97")), 97);
+    assert_int_equal(code_by("Adobe", "FontSpecific", DOT("uni03B1", "97")), 0x3b1);
+    assert_int_equal(code_by("Adobe", "FontSpecific", DOT("u1F600", "97")), 0x1f600);
+    assert_int_equal(code_by("ISO10646", "1", DOT("uni03B1", "97")), 97);
+    assert_int_equal(code_in("FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-iso8859-2\n", DOT("x", "177")), 0x105);
+    assert_int_equal(code_in("CHARSET_REGISTRY \"ISO8859\"\nCHARSET_ENCODING \"15\"\n"
+                             "FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-iso8859-2\n",
+                             DOT("x", "177")),
+                     177);
+    assert_int_equal(code_in("FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-jisx0201.1976-0\n", DOT("x", "65")), 0);
+    assert_non_null(strstr(err, "line 3: the font's characters are JISX0201.1976-0; expected ISO10646-1 (Unicode), "));
+    assert_int_equal(code_by("ISO8859", "", DOT("x", "65")), 0);
+    assert_non_null(strstr(err, "the font's characters are ISO8859; expected "));
+    assert_int_equal(code_by("ISO8859", "6", DOT("x", "65")), 0);
+    assert_int_equal(code_by("JISX0208.1983", "0", DOT("x", "65")), 0);
+}
+
+/* What the head says once holds for all characters. */
+static void test_bdf_head(void **state)
+{
+    static const char *const heads[] = {
+        "DWIDTH 6 0\n" BOX "FONT_ASCENT 6\nFONT_DESCENT 2\n",
+        "FONT_DESCENT 2\nFONT_ASCENT 6\n" BOX "DWIDTH 6\nMETRICSSET 2\nDWIDTH1 0 9\n",
+        "FONTBOUNDINGBOX 200 8 0 -2\nDWIDTH 6 0\nSWIDTH 1 2\n",
+        "FONTBOUNDINGBOX 4 8 0 -2\nDWIDTH 6 0\nFONT_ASCENT 0\nFONT_DESCENT 0\n",
+        "FONTBOUNDINGBOX 4 8 0 -2\nDWIDTH 6 0\nFONT_ASCENT 6\n",
+    };
+    char text[1024];
+
+    (void)state;
+    memset(&set, 0xff, sizeof set);
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
+        snprintf(
+            text, sizeof text,
+            "STARTFONT 2.1\n%sSTARTCHAR A\nENCODING 65\nBBX 4 1 0 0\nBITMAP\nCOMMENT a row\n 90\nENDCHAR\n"
+            "COMMENT STARTCHAR\nSTARTCHAR B\nDWIDTH 3 0\nDWIDTH1 1 2\nVVECTOR 1 2\nBBX 4 1 0 0\nENCODING 66\nBITMAP\n"
+            "60\nENDCHAR\nENDFONT\n",
+            heads[i]);
+        if (!bdf_read(&f, text, strlen(text), &set, err, sizeof err))
+            fail_msg("%s", err);
+        assert_true(f.n == 2 && f.height == 8 && f.list[0].advance == 6 && f.list[1].advance == 3);
+        assert_true(f.list[0].y == 5 && f.list[1].y == 5);
+        assert_memory_equal(f.list[0].pix, "\17\0\0\17", 4);
+        assert_memory_equal(f.list[1].pix, "\0\17\17\0", 4);
+        faces_close(&f);
+    }
+}
+
+/* Of greys, 0 is nothing and the greatest is ink. */
+static void test_bdf_greys(void **state)
+{
+    static const struct {
+        const char *head, *row, *shades;
+    } greys[] = {
+        { "SIZE 9 75 75 1", "90", "\17\0\0\17" },
+        { "SIZE 9 75 75 2", "1B", "\0\5\12\17" },
+        { "BITS_PER_PIXEL 4", "f017", "\17\0\1\7" },
+        { "SIZE 9 75 75 8\nBITS_PER_PIXEL 8", "FF001880", "\17\0\1\10" },
+    };
+    char text[512];
+
+    (void)state;
+    memset(&set, 0xff, sizeof set);
+    for (size_t i = 0; i < sizeof greys / sizeof *greys; i++) {
+        snprintf(text, sizeof text,
+                 "STARTFONT 2.3\n%s\n" BOX
+                 "STARTCHAR A\nENCODING 65\nDWIDTH 5 0\nBBX 4 1 0 0\nBITMAP\n%s\nENDCHAR\nENDFONT",
+                 greys[i].head, greys[i].row);
+        if (!bdf_read(&f, text, strlen(text), &set, err, sizeof err))
+            fail_msg("%s", err);
+        assert_memory_equal(f.list[0].pix, greys[i].shades, 4);
+        faces_close(&f);
+    }
 }
 
 /* A picture of two cells of 4 x 3 px, in bank 0 of the standard palette. */
@@ -218,8 +359,9 @@ static void test_lump(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_set),   cmocka_unit_test(test_bdf),  cmocka_unit_test(test_bdf_refused),
-        cmocka_unit_test(test_cells), cmocka_unit_test(test_lump),
+        cmocka_unit_test(test_set),         cmocka_unit_test(test_bdf),      cmocka_unit_test(test_bdf_refused),
+        cmocka_unit_test(test_bdf_charset), cmocka_unit_test(test_bdf_head), cmocka_unit_test(test_bdf_greys),
+        cmocka_unit_test(test_cells),       cmocka_unit_test(test_lump),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

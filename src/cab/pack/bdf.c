@@ -12,7 +12,52 @@
 #include "../../board/cursor.h"
 #include "../../board/rom/face.h"
 
-enum { LINE = 256, NUMBERS = 4 };
+enum { LINE = 1024, NUMBERS = 4, NAME = 80 };
+
+/* A character set: ASCII below `first`, then these characters; U+FFFD is none. */
+struct charset {
+    const char *name;
+    uint32_t first;
+    const char *letters; /* NULL: as Unicode, up to `first` */
+};
+
+static const struct charset charsets[] = {
+    { "ISO10646", UTF8_MAX + 1, NULL },
+    { "ISO10646-1", UTF8_MAX + 1, NULL },
+    { "FONTSPECIFIC", UTF8_MAX + 1, NULL }, /* numbers of its own, or names that tell the code */
+    { "ISO8859-1", 0x100, NULL },
+    { "US-ASCII", 0x80, NULL },
+    { "ASCII", 0x80, NULL },
+    { "ASCII-0", 0x80, NULL },
+    { "ISO646.1991-IRV", 0x80, NULL },
+    { "ISO8859-2", 0xa0,
+      "\u00a0Ą˘Ł¤ĽŚ§¨ŠŞŤŹ\u00adŽŻ°ą˛ł´ľśˇ¸šşťź˝žżŔÁÂĂÄĹĆÇČÉĘËĚÍÎĎĐŃŇÓÔŐÖ×ŘŮÚŰÜÝŢßŕáâăäĺćçčéęëěíîďđńňóôőö÷řůúűüýţ˙" },
+    { "ISO8859-3", 0xa0,
+      "\u00a0Ħ˘£¤\ufffdĤ§¨İŞĞĴ\u00ad\ufffdŻ°ħ²³´µĥ·¸ışğĵ½\ufffdżÀÁÂ\ufffdÄĊĈÇÈÉÊËÌÍÎÏ\ufffdÑÒÓÔĠÖ×ĜÙÚÛÜŬŜßàáâ\ufffdäċĉç"
+      "èéêëìíîï\ufffdñòóôġö÷ĝùúûüŭŝ˙" },
+    { "ISO8859-4", 0xa0,
+      "\u00a0ĄĸŖ¤ĨĻ§¨ŠĒĢŦ\u00adŽ¯°ą˛ŗ´ĩļˇ¸šēģŧŊžŋĀÁÂÃÄÅÆĮČÉĘËĖÍÎĪĐŅŌĶÔÕÖ×ØŲÚÛÜŨŪßāáâãäåæįčéęëėíîīđņōķôõö÷øųúûüũū˙" },
+    { "ISO8859-5", 0xa0,
+      "\u00a0ЁЂЃЄЅІЇЈЉЊЋЌ\u00adЎЏАБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдежзийклмнопрстуфхцчшщъыьэюя№ёђѓєѕіїјљњћќ§ўџ" },
+    { "ISO8859-7", 0xa0,
+      "\u00a0‘’£€₯¦§¨©ͺ«¬\u00ad\ufffd―°±²³΄΅Ά·ΈΉΊ»Ό½ΎΏΐΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡ\ufffdΣΤΥΦΧΨΩΪΫάέήίΰαβγδεζηθικλμνξοπρςστυφχψωϊϋ"
+      "όύώ\ufffd" },
+    { "ISO8859-9", 0xa0,
+      "\u00a0¡¢£¤¥¦§¨©ª«¬\u00ad®¯°±²³´µ¶·¸¹º»¼½¾¿ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏĞÑÒÓÔÕÖ×ØÙÚÛÜİŞßàáâãäåæçèéêëìíîïğñòóôõö÷øùúûüışÿ" },
+    { "ISO8859-10", 0xa0,
+      "\u00a0ĄĒĢĪĨĶ§ĻĐŠŦŽ\u00adŪŊ°ąēģīĩķ·ļđšŧž―ūŋĀÁÂÃÄÅÆĮČÉĘËĖÍÎÏÐŅŌÓÔÕÖŨØŲÚÛÜÝÞßāáâãäåæįčéęëėíîïðņōóôõöũøųúûüýþĸ" },
+    { "ISO8859-13", 0xa0,
+      "\u00a0”¢£¤„¦§Ø©Ŗ«¬\u00ad®Æ°±²³“µ¶·ø¹ŗ»¼½¾æĄĮĀĆÄÅĘĒČÉŹĖĢĶĪĻŠŃŅÓŌÕÖ×ŲŁŚŪÜŻŽßąįāćäåęēčéźėģķīļšńņóōõö÷ųłśūüżž’" },
+    { "ISO8859-14", 0xa0,
+      "\u00a0Ḃḃ£ĊċḊ§Ẁ©ẂḋỲ\u00ad®ŸḞḟĠġṀṁ¶ṖẁṗẃṠỳẄẅṡÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏŴÑÒÓÔÕÖṪØÙÚÛÜÝŶßàáâãäåæçèéêëìíîïŵñòóôõöṫøùúûüýŷÿ" },
+    { "ISO8859-15", 0xa0,
+      "\u00a0¡¢£€¥Š§š©ª«¬\u00ad®¯°±²³Žµ¶·ž¹º»ŒœŸ¿ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏÐÑÒÓÔÕÖ×ØÙÚÛÜÝÞßàáâãäåæçèéêëìíîïðñòóôõö÷øùúûüýþÿ" },
+    { "ISO8859-16", 0xa0,
+      "\u00a0ĄąŁ€„Š§š©Ș«Ź\u00adźŻ°±ČłŽ”¶·žčș»ŒœŸżÀÁÂĂÄĆÆÇÈÉÊËÌÍÎÏĐŃÒÓÔŐÖŚŰÙÚÛÜĘȚßàáâăäćæçèéêëìíîïđńòóôőöśűùúûüęțÿ" },
+    { "KOI8-R", 0x80,
+      "─│┌┐└┘├┤┬┴┼▀▄█▌▐░▒▓⌠■∙√≈≤≥\u00a0⌡°²·÷═║╒ё╓╔╕╖╗╘╙╚╛╜╝╞╟╠╡Ё╢╣╤╥╦╧╨╩╪╫╬©"
+      "юабцдефгхийклмнопярстужвьызшэщчъЮАБЦДЕФГХИЙКЛМНОПЯРСТУЖВЬЫЗШЭЩЧЪ" },
+};
 
 struct reader {
     struct faces *f;
@@ -22,15 +67,21 @@ struct reader {
     int at;          /* number of the line */
     char *err;
     size_t err_size;
-    int ascent, descent;
-    bool metrics[2]; /* those two were given */
+    char registry[NAME], encoding[NAME], font[NAME]; /* upper case; font: both, of the font's name */
+    int charset_line;
+    const struct charset *charset;
+    int bits; /* of a pixel */
+    bool has_ascent, has_descent, has_box, has_advance;
+    int ascent, descent, advance; /* advance: of characters that give none */
+    int64_t box[NUMBERS];         /* FONTBOUNDINGBOX */
 };
 
 /* A character while it is read. */
 struct letter {
-    bool encoded, boxed;
-    int64_t code;
-    int advance, w, h, x, y; /* x, y: of the lower left corner, y up, from the baseline */
+    bool encoded, boxed, drawn;
+    bool has_advance;
+    int64_t code;                  /* of Unicode, or -1 */
+    int advance, rise, w, h, x, y; /* x, y: of the lower left corner, y up, from the baseline */
 };
 
 static bool refuse(const struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -92,13 +143,85 @@ static bool numbers(const struct reader *r, const char *s, int n, int64_t lo, in
     return true;
 }
 
-/* CHARSET_REGISTRY "ISO10646" */
-static bool check_charset(const struct reader *r, const char *name)
+/* ---- the head ---- */
+
+/* A property's text in upper case, without quotes. */
+static void take_name(const char *from, char out[NAME])
 {
-    if (strstr(name, "10646") != NULL || strstr(name, "8859") != NULL || strstr(name, "FontSpecific") != NULL ||
-        strstr(name, "ASCII") != NULL)
-        return true;
-    return refuse(r, "expected a font by Unicode, \"ISO10646\", got %.40s", name);
+    size_t n = 0;
+
+    for (; *from != '\0' && n < NAME - 1; from++)
+        if (*from != '"')
+            out[n++] = *from >= 'a' && *from <= 'z' ? (char)(*from - 'a' + 'A') : *from;
+    out[n] = '\0';
+}
+
+/* Registry and encoding end an X logical font description, "-misc-fixed-...-iso8859-2". */
+static void take_font(struct reader *r, const char *name)
+{
+    int dashes = 0;
+
+    for (const char *s = name; *s != '\0' && *name == '-'; s++)
+        if (*s == '-' && ++dashes == 13)
+            take_name(s + 1, r->font);
+}
+
+/* Which characters the numbers of the font are. A font that does not say is read as Unicode. */
+static bool find_charset(struct reader *r)
+{
+    char name[2 * NAME + 1];
+
+    snprintf(name, sizeof name, "%s%s%s", r->registry, r->encoding[0] != '\0' ? "-" : "", r->encoding);
+    const char *said = r->registry[0] != '\0' || r->encoding[0] != '\0' ? name : r->font;
+    const char *tail = strstr(said, "FONTSPECIFIC") != NULL ? "FONTSPECIFIC" : said;
+    r->charset = &charsets[0];
+    for (size_t i = 0; said[0] != '\0'; i++) {
+        if (i == sizeof charsets / sizeof *charsets) {
+            r->at = r->charset_line;
+            return refuse(r,
+                          "the font's characters are %.60s; expected ISO10646-1 (Unicode), US-ASCII, KOI8-R, "
+                          "FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16",
+                          said);
+        }
+        r->charset = &charsets[i];
+        if (strcmp(tail, charsets[i].name) == 0)
+            break;
+    }
+    return true;
+}
+
+static bool read_bits(struct reader *r, int64_t bits)
+{
+    if (bits != 1 && bits != 2 && bits != 4 && bits != 8)
+        return refuse(r, "pixels of %d bits; expected 1, 2, 4 or 8", (int)bits);
+    if (r->bits != 1 && r->bits != bits)
+        return refuse(r, "pixels of %d bits, but of %d before", (int)bits, r->bits);
+    r->bits = (int)bits;
+    return true;
+}
+
+/* SIZE points x y, and in fonts of greys the bits of a pixel. */
+static bool read_size(struct reader *r, const char *s)
+{
+    int64_t v[NUMBERS];
+
+    for (int i = 0; i < 3; i++) {
+        s += strcspn(s, " \t");
+        s += strspn(s, " \t");
+    }
+    return *s == '\0' || (numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]));
+}
+
+/* A metric of the font: FONT_ASCENT and the like. */
+static bool read_metric(const struct reader *r, const char *s, bool *has, int *out)
+{
+    int64_t v[NUMBERS];
+
+    if (!numbers(r, s, 1, -32768, 32767, v))
+        return false;
+    *has = true;
+    *out = (int)v[0];
+    return true;
 }
 
 static bool read_head(struct reader *r)
@@ -106,49 +229,115 @@ static bool read_head(struct reader *r)
     const char *s;
     int64_t v[NUMBERS];
 
-    if ((s = behind(r, "CHARSET_REGISTRY")) != NULL)
-        return check_charset(r, s);
-    if ((s = behind(r, "FONT_ASCENT")) != NULL || (s = behind(r, "FONT_DESCENT")) != NULL) {
-        const bool down = r->line[5] == 'D';
-        if (!numbers(r, s, 1, -FACE_HEIGHT, FACE_HEIGHT, v))
-            return false;
-        *(down ? &r->descent : &r->ascent) = (int)v[0];
-        r->metrics[down] = true;
+    if ((s = behind(r, "CHARSET_REGISTRY")) != NULL || (s = behind(r, "CHARSET_ENCODING")) != NULL) {
+        take_name(s, r->line[8] == 'R' ? r->registry : r->encoding);
+        r->charset_line = r->at;
+    } else if ((s = behind(r, "FONT")) != NULL && r->font[0] == '\0') {
+        take_font(r, s);
+        r->charset_line = r->charset_line > 0 ? r->charset_line : r->at;
+    } else if ((s = behind(r, "FONT_ASCENT")) != NULL) {
+        return read_metric(r, s, &r->has_ascent, &r->ascent);
+    } else if ((s = behind(r, "FONT_DESCENT")) != NULL) {
+        return read_metric(r, s, &r->has_descent, &r->descent);
+    } else if ((s = behind(r, "DWIDTH")) != NULL) {
+        return read_metric(r, s, &r->has_advance, &r->advance);
     } else if ((s = behind(r, "FONTBOUNDINGBOX")) != NULL) {
-        if (!numbers(r, s, 4, -FACE_HEIGHT, FACE_HEIGHT, v))
-            return false;
-        r->ascent = r->metrics[0] ? r->ascent : (int)(v[1] + v[3]);
-        r->descent = r->metrics[1] ? r->descent : (int)-v[3];
+        r->has_box = true;
+        return numbers(r, s, 4, -32768, 32767, r->box);
+    } else if ((s = behind(r, "SIZE")) != NULL) {
+        return read_size(r, s);
+    } else if ((s = behind(r, "BITS_PER_PIXEL")) != NULL) {
+        return numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]);
+    } else if ((s = behind(r, "METRICSSET")) != NULL) {
+        return numbers(r, s, 1, 0, 2, v) && (v[0] != 1 || refuse(r, "a font for lines that run down is not read"));
     }
     return true;
 }
 
-/* Before the first character: the height is known now. */
+/* Before the first character: what the head says is known. */
 static bool begin(struct reader *r)
 {
+    const bool none = r->has_ascent && r->has_descent && r->ascent == 0 && r->descent == 0;
+
+    if (!r->has_box && !(r->has_ascent && r->has_descent))
+        return refuse(r, "the head has no %s, and no FONTBOUNDINGBOX", r->has_ascent ? "FONT_DESCENT" : "FONT_ASCENT");
+    if (r->has_box && (none || !r->has_ascent))
+        r->ascent = (int)(r->box[1] + r->box[3]);
+    if (r->has_box && (none || !r->has_descent))
+        r->descent = (int)-r->box[3];
     r->f->height = r->ascent + r->descent;
-    if (r->f->height >= 1 && r->f->height <= FACE_HEIGHT)
-        return true;
-    return refuse(r, "a line of %d px (ascent %d, descent %d); expected 1 to %d", r->f->height, r->ascent, r->descent,
-                  FACE_HEIGHT);
+    if (r->f->height < 1 || r->f->height > FACE_HEIGHT)
+        return refuse(r, "a line of %d px (ascent %d, descent %d); expected 1 to %d", r->f->height, r->ascent,
+                      r->descent, FACE_HEIGHT);
+    return find_charset(r);
 }
 
-/* One row of hexadecimal digits into w shades. */
+/* ---- characters ---- */
+
+/* The code of Unicode for a number of the font; -1: none. */
+static int64_t code_of(const struct charset *set, int64_t number)
+{
+    if (number < 0 || (uint64_t)number < set->first)
+        return number;
+    if (set->letters == NULL)
+        return -1;
+    const char *s = set->letters, *end = s + strlen(s);
+    uint32_t code = 0xfffd;
+    for (int64_t i = set->first; i <= number; i++)
+        code = s < end ? utf8_next(&s, end) : 0xfffd;
+    return code != 0xfffd ? (int64_t)code : -1;
+}
+
+/* The code that a character's name tells: "uni20AC", "u1F600", "U+20AC"; -1: none. */
+static int64_t code_of_name(const char *name)
+{
+    const size_t head = strncmp(name, "uni", 3) == 0 ? 3 : strncmp(name, "U+", 2) == 0 ? 2 : *name == 'u' ? 1 : 0;
+    size_t n = 0;
+    int64_t code = 0;
+
+    for (; cursor_hex(name[head + n]) >= 0 && n < 7; n++)
+        code = code * 16 + cursor_hex(name[head + n]);
+    return head > 0 && n >= 4 && n <= 6 && name[head + n] == '\0' && code <= UTF8_MAX ? code : -1;
+}
+
+/* One row of hexadecimal digits into w shades; NULL: nobody wants it. */
 static bool read_row(struct reader *r, int w, uint8_t *out)
 {
-    if (!next(r))
-        return refuse(r, "the file ends within a BITMAP");
-    for (int i = 0; i < (w + 7) / 8 * 2; i++)
-        if (cursor_hex(r->line[i]) < 0)
-            return refuse(r, "expected a row of %d hexadecimal digits, got \"%.40s\"", (w + 7) / 8 * 2, r->line);
-    for (int x = 0; out != NULL && x < w; x++)
-        out[x] = cursor_hex(r->line[x / 4]) >> (3 - x % 4) & 1 ? 15 : 0;
+    const int digits = (w * r->bits + 7) / 8 * 2, most = (1 << r->bits) - 1;
+
+    do
+        if (!next(r))
+            return refuse(r, "the file ends within a BITMAP");
+    while (behind(r, "COMMENT") != NULL);
+    const char *s = r->line + strspn(r->line, " \t");
+    for (int i = 0; i < digits && i < LINE - 64; i++)
+        if (cursor_hex(s[i]) < 0)
+            return refuse(r, "expected a row of %d hexadecimal digits, got \"%.40s\"", digits, r->line);
+    for (int x = 0; out != NULL && x < w; x++) {
+        const int bit = x * r->bits, byte = cursor_hex(s[bit / 8 * 2]) << 4 | cursor_hex(s[bit / 8 * 2 + 1]);
+        out[x] = (uint8_t)(((byte >> (8 - r->bits - bit % 8) & most) * 15 + most / 2) / most);
+    }
     return true;
 }
 
 static bool fits(int v, int lo, int hi)
 {
     return v >= lo && v <= hi;
+}
+
+/* Can a wanted character be drawn? */
+static bool check_letter(const struct reader *r, const struct letter *l, const struct faces_glyph *g)
+{
+    if (!l->has_advance)
+        return refuse(r, "U+%04X has no DWIDTH, and the head has none", (unsigned)l->code);
+    if (l->rise != 0 || l->advance < 0 || l->advance > FACE_HEIGHT)
+        return refuse(r, "U+%04X: DWIDTH %d %d; expected 0 to %d, and 0", (unsigned)l->code, l->advance, l->rise,
+                      FACE_HEIGHT);
+    if (l->w > FACE_SIDE || l->h > FACE_SIDE)
+        return refuse(r, "a character of %dx%d px; expected at most %d each way", l->w, l->h, FACE_SIDE);
+    if (!fits(g->x, -128, 127) || !fits(g->y, -128, 127))
+        return refuse(r, "U+%04X lies too far from the line", (unsigned)l->code);
+    return true;
 }
 
 static bool read_bitmap(struct reader *r, const struct letter *l)
@@ -158,8 +347,8 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
 
     if (!l->boxed || !l->encoded)
         return refuse(r, "a BITMAP without ENCODING and BBX before it");
-    if (wanted && !(fits(g.x, -128, 127) && fits(g.y, -128, 127) && fits(g.advance, 0, FACE_HEIGHT)))
-        return refuse(r, "U+%04X lies too far from the line", (unsigned)l->code);
+    if (wanted && !check_letter(r, l, &g))
+        return false;
     g.code = (uint32_t)l->code;
     g.pix = wanted ? calloc((size_t)g.w + 1, (size_t)g.h + 1) : NULL;
     if (wanted && g.pix == NULL)
@@ -174,36 +363,57 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
     return faces_put(r->f, g) ? true : result_host(r->err, r->err_size, "out of memory");
 }
 
-/* From behind STARTCHAR to ENDCHAR. */
-static bool read_letter(struct reader *r)
+static bool read_advance(const struct reader *r, const char *s, struct letter *l)
 {
-    struct letter l = { .code = -1 };
+    const char *second = s + strcspn(s, " \t");
+    int64_t v[NUMBERS] = { 0 };
+
+    if (!numbers(r, s, second[strspn(second, " \t")] != '\0' ? 2 : 1, -32768, 32767, v))
+        return false;
+    l->has_advance = true;
+    l->advance = (int)v[0];
+    l->rise = (int)v[1];
+    return true;
+}
+
+/* A line between STARTCHAR and ENDCHAR. */
+static bool read_letter_line(struct reader *r, struct letter *l, int64_t named)
+{
     const char *s;
     int64_t v[NUMBERS];
 
+    if ((s = behind(r, "ENCODING")) != NULL) {
+        if (!numbers(r, s, 1, -1, UTF8_MAX, v))
+            return false;
+        l->encoded = true;
+        l->code = strcmp(r->charset->name, "FONTSPECIFIC") == 0 && named >= 0 ? named : code_of(r->charset, v[0]);
+    } else if ((s = behind(r, "DWIDTH")) != NULL) {
+        return read_advance(r, s, l);
+    } else if ((s = behind(r, "BBX")) != NULL) {
+        if (!numbers(r, s, 4, -32768, 32767, v))
+            return false;
+        if (v[0] < 0 || v[1] < 0)
+            return refuse(r, "a character of %dx%d px; expected at most %d each way", (int)v[0], (int)v[1], FACE_SIDE);
+        l->boxed = true;
+        l->w = (int)v[0], l->h = (int)v[1], l->x = (int)v[2], l->y = (int)v[3];
+    } else if (behind(r, "BITMAP") != NULL) {
+        l->drawn = true;
+        return read_bitmap(r, l);
+    }
+    return true;
+}
+
+/* From STARTCHAR to ENDCHAR. */
+static bool read_letter(struct reader *r)
+{
+    const int64_t named = code_of_name(behind(r, "STARTCHAR"));
+    struct letter l = { .code = -1, .has_advance = r->has_advance, .advance = r->advance };
+
     while (next(r)) {
         if (behind(r, "ENDCHAR") != NULL)
-            return true;
-        if ((s = behind(r, "ENCODING")) != NULL) {
-            if (!numbers(r, s, 1, -1, UTF8_MAX, v))
-                return false;
-            l.encoded = true;
-            l.code = v[0];
-        } else if ((s = behind(r, "DWIDTH")) != NULL) {
-            if (!numbers(r, s, 1, -32768, 32767, v))
-                return false;
-            l.advance = (int)v[0];
-        } else if ((s = behind(r, "BBX")) != NULL) {
-            if (!numbers(r, s, 4, -32768, 32767, v))
-                return false;
-            if (v[0] < 0 || v[1] < 0 || v[0] > FACE_SIDE || v[1] > FACE_SIDE)
-                return refuse(r, "a character of %dx%d px; expected at most %d each way", (int)v[0], (int)v[1],
-                              FACE_SIDE);
-            l.boxed = true;
-            l.w = (int)v[0], l.h = (int)v[1], l.x = (int)v[2], l.y = (int)v[3];
-        } else if (behind(r, "BITMAP") != NULL && !read_bitmap(r, &l)) {
+            return l.drawn ? true : refuse(r, "a character without BITMAP");
+        if (!read_letter_line(r, &l, named))
             return false;
-        }
     }
     return refuse(r, "the file ends within a character");
 }
@@ -212,7 +422,7 @@ static bool read_all(struct reader *r)
 {
     bool begun = false;
 
-    if (!next(r) || behind(r, "STARTFONT") == NULL)
+    if (!next(r) || behind(r, "STARTFONT") == NULL) /* 2.1, 2.2, and 2.3 with greys */
         return refuse(r, "expected STARTFONT, so it is no BDF");
     while (next(r)) {
         if (behind(r, "ENDFONT") != NULL)
@@ -231,7 +441,9 @@ static bool read_all(struct reader *r)
 
 bool bdf_read(struct faces *f, const char *text, size_t n, const struct faces_set *wanted, char *err, size_t err_size)
 {
-    struct reader r = { .f = f, .wanted = wanted, .p = text, .end = text + n, .err = err, .err_size = err_size };
+    struct reader r = {
+        .f = f, .wanted = wanted, .p = text, .end = text + n, .bits = 1, .err = err, .err_size = err_size
+    };
     uint32_t code;
 
     *f = (struct faces){ 0 };
