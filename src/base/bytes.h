@@ -40,4 +40,16 @@ static inline void bytes_put64(uint8_t *p, uint64_t v)
     bytes_put32(p + 4, (uint32_t)(v >> 32));
 }
 
+/* The value of a digit of base64 (RFC 4648), 0 to 63; -1: it is none. */
+static inline int bytes_digit64(uint8_t c)
+{
+    if (c >= 'A' && c <= 'Z')
+        return c - 'A';
+    if (c >= 'a' && c <= 'z')
+        return c - 'a' + 26;
+    if (c >= '0' && c <= '9')
+        return c - '0' + 52;
+    return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
 #endif

@@ -1,6 +1,7 @@
 /*
  * fuzz_map.c - libFuzzer: any bytes as a map. The first byte chooses the reader: a .tmx, one with a layer's name, or
- * CSV whose tiles count from 0 or 1. What is read is made into a lump with a small sheet.
+ * CSV whose tiles count from 0 or 1. External tilesets are what stands behind the first 0 of a .tmx, or itself. What is
+ * read is made into a lump with a small sheet.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,8 @@ static void check_cells(const struct map_cells *c)
 {
     uint32_t sum = 0;
 
-    if (c->cols < 1 || c->rows < 1 || (int64_t)c->cols * c->rows > CART_MAP_CELLS || c->cell == NULL)
+    if (c->sheets < 1 || c->sheets > MAP_SHEETS || c->cols < 1 || c->rows < 1 ||
+        (int64_t)c->cols * c->rows > CART_MAP_CELLS || c->cell == NULL)
         abort();
     for (int i = 0; i < c->cols * c->rows; i++)
         sum += c->cell[i] & MAP_NUMBER;
@@ -22,17 +24,43 @@ static void make(const struct map_cells *c)
 {
     static uint8_t rgba[64 * 64 * 4], rgb[CART_PALETTE];
     const struct art_picture sheet = { .rgba = rgba, .w = 64, .h = 64 };
+    struct map_picture picture[MAP_SHEETS];
     char err[256] = "";
     uint8_t *lump = NULL;
     size_t size = 0;
 
     for (int i = 0; i < (int)sizeof rgba; i++)
         rgba[i] = (uint8_t)(i % 4 == 3 ? i * 7 : 0);
-    bool good = map_make(c, c->side ? c->side : 8, &sheet, 3, rgb, true, &lump, &size, NULL, err, sizeof err);
+    for (int i = 0; i < c->sheets; i++) {
+        picture[i] = (struct map_picture){ &sheet, "t.png" };
+        if (!map_fits(c, i, &picture[i], err, sizeof err) && err[0] == '\0')
+            abort();
+    }
+    bool good = map_make(c, "m.tmx", c->side ? c->side : 8, picture, 3, rgb, true, &lump, &size, err, sizeof err);
     if (good ? size < CART_MAP_HEADER : err[0] == '\0')
         abort();
     if (good)
         free(lump);
+}
+
+/* Each tileset that is not in the map: what stands behind its first 0. */
+struct rest {
+    const char *text;
+    size_t n;
+};
+
+static bool load(void *context, const char *file, uint8_t **text, size_t *n, char *err, size_t err_size)
+{
+    const struct rest *rest = context;
+
+    (void)err, (void)err_size, (void)file;
+    *n = rest->n;
+    *text = malloc(rest->n + 1);
+    if (*text == NULL)
+        abort();
+    memcpy(*text, rest->text, rest->n);
+    (*text)[rest->n] = 0;
+    return true;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -48,7 +76,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     if (n > 0)
         memcpy(text, data + 1, n);
-    bool good = how < 2 ? map_read_tmx(text, n, "m.tmx", how ? "a" : "", &c, err, sizeof err)
+    const char *zero = memchr(text, 0, n);
+    const size_t first = zero != NULL ? (size_t)(zero - text) : n;
+    struct rest rest = { zero != NULL ? zero + 1 : text, zero != NULL ? n - first - 1 : n };
+    const struct map_files files = { load, &rest };
+    bool good = how < 2 ? map_read_tmx(text, first, "maps/m.tmx", how ? "a" : "", &files, &c, err, sizeof err)
                         : map_read_csv(text, n, "m.csv", how - 2, &c, err, sizeof err);
     free(text);
     if (good) {

@@ -18,10 +18,42 @@ static bool csv(const char *text, int first, struct map_cells *c)
     return map_read_csv(text, strlen(text), "m.csv", first, c, err, sizeof err);
 }
 
+/* The game's other files. */
+static const char *const files[][2] = {
+    { "maps/plain.tsx", "<?xml version=\"1.0\"?>\n<tileset name=\"p\" tilewidth=\"16\" tileheight=\"16\" spacing=\"1\" "
+                        "margin=\"2\" tilecount=\"8\" columns=\"4\"><image source=\"../art/p.png\" width=\"71\" "
+                        "height=\"37\"/></tileset>" },
+    { "t.tsx", "<tileset><image source=\"up/../t.png\"/></tileset>" },
+    { "shifted.tsx", "<tileset>\n<tileoffset x=\"0\" y=\"-6\"/></tileset>" },
+    { "other.tsx", "{ \"json\": 1 }" },
+    { "map.tsx", "<map/>" },
+};
+
+static bool load(void *context, const char *file, uint8_t **text, size_t *n, char *why, size_t why_size)
+{
+    (void)context;
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (strcmp(files[i][0], file) == 0) {
+            *n = strlen(files[i][1]);
+            *text = malloc(*n + 1);
+            memcpy(*text, files[i][1], *n + 1);
+            return true;
+        }
+    snprintf(why, why_size, "there is no %s", file);
+    return false;
+}
+
+static bool tmx_at(const char *file, const char *text, const char *layer, struct map_cells *c)
+{
+    const struct map_files all = { load, NULL };
+
+    err[0] = '\0';
+    return map_read_tmx(text, strlen(text), file, layer, &all, c, err, sizeof err);
+}
+
 static bool tmx(const char *text, const char *layer, struct map_cells *c)
 {
-    err[0] = '\0';
-    return map_read_tmx(text, strlen(text), "m.tmx", layer, c, err, sizeof err);
+    return tmx_at("m.tmx", text, layer, c);
 }
 
 static void cells_are(const struct map_cells *c, int cols, int rows, const uint32_t *cell)
@@ -46,6 +78,24 @@ static void test_csv(void **state)
     cells_are(&c, 3, 2, cells);
     assert_true(csv("0,-1,2\n39,4,5", 0, &c));
     cells_are(&c, 3, 2, cells);
+}
+
+/* Tiled's export has the flags of turned tiles in the number, which may be written as a negative one. */
+static void test_csv_turns(void **state)
+{
+    static const uint32_t cells[] = { 1 | MAP_FLIP_X, 2 | MAP_FLIP_Y, 3 | MAP_DIAGONAL,
+                                      4 | MAP_FLIP_X | MAP_FLIP_Y | MAP_DIAGONAL };
+    struct map_cells c;
+
+    (void)state;
+    assert_true(csv("2147483648,1073741825,536870914,3758096387\n", 0, &c));
+    cells_are(&c, 4, 1, cells);
+    assert_true(csv("-2147483648,1073741825,536870914,-536870909\n", 0, &c));
+    cells_are(&c, 4, 1, cells);
+    assert_true(csv("2147483649,1073741826,536870915,3758096388\n", 1, &c));
+    cells_are(&c, 4, 1, cells);
+    assert_false(csv("2147483648\n", 1, &c)); /* a turned nothing */
+    assert_false(csv("268435456\n", 0, &c));  /* the flag of hexagonal maps */
 }
 
 static void test_csv_bad(void **state)
@@ -82,7 +132,7 @@ static void test_csv_bad(void **state)
 
 #define HEAD                                                                                                           \
     "<?xml version=\"1.0\"?>\n<map orientation=\"orthogonal\" width=\"3\" height=\"2\" tilewidth=\"16\" "              \
-    "tileheight=\"16\" infinite=\"0\">\n<tileset firstgid=\"1\" source='a.tsx'/>\n"
+    "tileheight=\"16\" infinite=\"0\">\n<tileset firstgid=\"1\" source='t.tsx'/>\n"
 #define LAYER(name, data) "<layer name=\"" name "\" width=\"3\" height=\"2\">" data "</layer>\n"
 #define CSV(text)         "<data encoding=\"csv\">" text "</data>"
 
@@ -110,53 +160,295 @@ static void test_tmx(void **state)
     cells_are(&c, 1, 1, (const uint32_t[]){ 2 });
 }
 
+#define PACKED(kind, text) "<data encoding=\"base64\"" kind ">\n" text "\n</data>"
+
+/* The same cells, packed in each way. */
+static void test_tmx_packed(void **state)
+{
+    static const char *const maps[] = {
+        HEAD LAYER("a", PACKED("", "AQAAAAAAAAADAAAABwAAgAgAAEAJAADg")) "</map>",
+        HEAD LAYER("a", PACKED(" compression=\"\"", "AQAAAAAAAAADAAAABwAAgAgAAEAJAADg")) "</map>",
+        HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcOBkYHgAAAe4Ab0=")) "</map>",
+        HEAD LAYER(
+            "a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYgZmdgaOBgYHDgZGB4AAA7HPVPGAAAAA==")) "</map>",
+    };
+    static const uint32_t cells[] = {
+        1, 0, 3, 7 | MAP_FLIP_X, 8 | MAP_FLIP_Y, 9 | MAP_DIAGONAL | MAP_FLIP_X | MAP_FLIP_Y
+    };
+    struct map_cells c;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
+        const bool read = tmx(maps[i], "", &c);
+        assert_string_equal(err, "");
+        assert_true(read);
+        cells_are(&c, 3, 2, cells);
+    }
+}
+
+#define ENDLESS                                                                                                        \
+    "<map width=\"30\" height=\"20\" tilewidth=\"8\" tileheight=\"8\" infinite=\"1\"><tileset firstgid=\"1\"/>"
+#define CHUNK(x, y, data) "<chunk x=\"" x "\" y=\"" y "\" width=\"2\" height=\"2\">" data "</chunk>"
+
+/* An infinite map is as large as its tiles need. */
+static void test_tmx_infinite(void **state)
+{
+    struct map_cells c;
+
+    (void)state;
+    assert_true(tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("-2", "-4", "0,0,0,1")
+                                           CHUNK("0", "-4", "0,0,0,0") CHUNK("0", "-2", "0,2,3,0") "</data>") "</map>",
+                    "", &c));
+    assert_int_equal(c.cols, 3);
+    assert_int_equal(c.rows, 3);
+    assert_int_equal(c.cell[0], 1);
+    assert_int_equal(c.cell[5], 2);
+    assert_int_equal(c.cell[7], 3);
+    free(c.cell);
+    assert_true(tmx(ENDLESS LAYER("a", "<data>" CHUNK("5", "7", "<tile gid=\"1\"/><tile/><tile/><tile/>")
+                                           CHUNK("7", "7", "<tile/><tile/><tile/><tile/>") CHUNK(
+                                               "7", "8", "<tile/><tile gid=\"2\"/><tile/><tile/>") "</data>") "</map>",
+                    "", &c));
+    cells_are(&c, 4, 2, (const uint32_t[]){ 1, 0, 0, 0, 0, 0, 0, 2 });
+    assert_false(
+        tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("0", "0", "0,0,0,0") "</data>") "</map>", "", &c));
+    assert_string_equal(err, "m.tmx:1: the layer has no tiles");
+    assert_false(tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("0", "0", "1,0,0,0")
+                                            CHUNK("9000", "0", "1,0,0,0") "</data>") "</map>",
+                     "", &c));
+    assert_string_equal(err, "m.tmx:1: the layer's tiles cover 9001x1, expected at most 2048 each way");
+}
+
+/* What stands in a .tsx counts as if it were in the map. */
+static void test_tmx_external(void **state)
+{
+    static const char map[] =
+        "<map width=\"2\" height=\"1\" tilewidth=\"16\" tileheight=\"16\">"
+        "<tileset firstgid=\"1\" source=\"plain.tsx\"/>\n<tileset firstgid=\"9\" source=\"../t.tsx\"/>"
+        "\n<layer width=\"2\" height=\"1\"><data encoding=\"csv\">%s</data></layer></map>";
+    struct map_cells c;
+    char text[1024];
+
+    (void)state;
+    snprintf(text, sizeof text, map, "3,0");
+    assert_true(tmx_at("maps/m.tmx", text, "", &c));
+    assert_true(c.sheets == 1 && c.named && c.sheet[0].spacing == 1 && c.sheet[0].margin == 2);
+    assert_true(c.sheet[0].columns == 4 && c.sheet[0].width == 71);
+    assert_string_equal(c.sheet[0].picture, "art/p.png");
+    assert_string_equal(c.sheet[0].place, "maps/plain.tsx:2");
+    cells_are(&c, 2, 1, (const uint32_t[]){ 3, 0 });
+    snprintf(text, sizeof text, map, "3,11");
+    assert_true(tmx_at("maps/m.tmx", text, "", &c));
+    assert_true(c.sheets == 2 && c.sheet[0].base == 0 && c.sheet[1].base == 3 && c.sheet[1].spacing == 0);
+    assert_string_equal(c.sheet[1].picture, "t.png");
+    cells_are(&c, 2, 1, (const uint32_t[]){ 3, 6 });
+    snprintf(text, sizeof text, map, "0,10");
+    assert_true(tmx_at("maps/m.tmx", text, "", &c));
+    assert_true(c.sheets == 1 && c.sheet[0].base == 0);
+    assert_string_equal(c.sheet[0].picture, "t.png");
+    cells_are(&c, 2, 1, (const uint32_t[]){ 0, 2 });
+}
+
+/* What is written in other words, and what is wrong where it does not show. */
+static void test_tmx_harmless(void **state)
+{
+    static const uint32_t cells[] = { 1, 2, 3, 4, 5, 6 };
+    static const char *const maps[] = {
+        "<!DOCTYPE map SYSTEM \"http://mapeditor.org/dtd/1.0/map.dtd\">" HEAD LAYER("a", CSV("1,2,3,4,5,6")) "</map>",
+        HEAD
+        "<layer name=\"&lt;&#x61;&#226;&amp;&gt;\" width=\"3\" height=\"2\" opacity=\"1.0\" offsetx=\"0\" "
+        "tintcolor=\"#ffffff\" mode=\"normal\" locked=\"1\" class='c' id='4'><properties><property name='n'>any text"
+        "</property></properties>" CSV("1,2,3,4,5,6") "</layer></map>",
+        HEAD
+        "<editorsettings><export target='x'/></editorsettings><properties/>"
+        "<objectgroup name='o'><properties/><object id='1' x='3' y='4'><point/></object><object gid='2' visible='0'/>"
+        "</objectgroup><imagelayer visible='0'><image source='x.png'/></imagelayer>" LAYER("a",
+                                                                                           CSV("1,2,3,4,5,6")) "</map>",
+        HEAD
+        "<tileset firstgid=\"100\" tilewidth=\"32\" tileheight=\"9\" columns=\"0\"><tileoffset x=\"3\" y=\"0\"/>"
+        "<tile id=\"0\"><image source=\"0.png\"/></tile><future/></tileset>" LAYER("a", CSV("1,2,3,4,5,6")) "</map>",
+        "<map width=\"3\" height=\"2\" tilewidth=\"8\" tileheight=\"8\" backgroundcolor=\"#00ff8000\"><tileset "
+        "firstgid=\"1\"><wangsets/><tile id=\"6\" type=\"t\"><animation><frame/></animation></tile><tile id='2'>"
+        "<objectgroup/></tile></tileset><group name='g'><group opacity='1'>" LAYER("a",
+                                                                                   CSV("1,2,3,4,5,6")) "</group>"
+                                                                                                       "</group></map>",
+    };
+    struct map_cells c;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
+        const bool read = tmx(maps[i], i == 1 ? "<a\xc3\xa2&>" : "", &c);
+        assert_string_equal(err, "");
+        assert_true(read);
+        cells_are(&c, 3, 2, cells);
+    }
+    assert_true(tmx(HEAD LAYER("a", CSV("1,2,3,4,5,6")) "<imagelayer/><objectgroup><object gid='2'/></objectgroup>"
+                                                        "<layer name='b' opacity='0.5'/></map>",
+                    "a", &c));
+    cells_are(&c, 3, 2, cells);
+}
+
+#define TILESET(attributes, inside)                                                                                    \
+    "<map width=\"3\" height=\"2\" tilewidth=\"16\" tileheight=\"16\"><tileset firstgid=\"1\"" attributes ">" inside   \
+    "</tileset>" LAYER("a", CSV("0,0,1,0,0,0")) "</map>"
+
 static void test_tmx_bad(void **state)
 {
     static const struct {
         const char *text, *layer, *said;
     } bad[] = {
         { "", "", "m.tmx: there is no <map>: not a map of Tiled's" },
-        { "words", "", "m.tmx: there is no <map>: not a map of Tiled's" },
+        { "words", "", "m.tmx:1: expected <, got text" },
+        { "<tileset/>", "", "m.tmx: there is no <map>: not a map of Tiled's" },
         { HEAD "</map>", "", "m.tmx: there is no layer of tiles" },
         { HEAD LAYER("b", CSV("0,0,0,0,0,0")) "</map>", "a", "m.tmx: there is no layer of tiles \"a\" (there is b)" },
         { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("b", "") "</map>", "",
           "m.tmx:5: a second layer of tiles: say in rom.lua which, layer = \"NAME\"" },
-        { "<map orientation=\"isometric\">", "", "m.tmx:1: the map is isometric; only orthogonal maps are read" },
-        { "<map infinite=\"1\">", "", "m.tmx:1: the map is infinite (Tiled: Map Properties, Infinite off)" },
+        { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("a", "") "</map>", "a", "m.tmx:5: a second layer of that name" },
+        { "<map orientation=\"isometric\">", "",
+          "m.tmx:1: <map> orientation=\"isometric\" is not read, expected \"orthogonal\"" },
+        { "<map infinite=\"2\">", "", "m.tmx:1: <map> infinite: expected a whole number from 0 to 1, got 2" },
+        { "<map backgroundcolor=\"#ff8000\">", "",
+          "m.tmx:1: <map> backgroundcolor=\"#ff8000\" is not read; clear it in Tiled's Map Properties" },
+        { "<map skewx=\"4\">", "", "m.tmx:1: <map> skewx=\"4\" is not read, expected \"0\"" },
+        { "<map future=\"1\">", "", "m.tmx:1: <map> future=\"1\" is not read" },
         { "\n<map width=\"0\">", "", "m.tmx:2: <map> width: expected a whole number from 1 to 2048, got 0" },
         { "<map width=\"3\" height=\"x\">", "",
           "m.tmx:1: <map> height: expected a whole number from 1 to 2048, got x" },
+        { "<map width=\"3\">", "", "m.tmx:1: <map> height: expected a whole number from 1 to 2048, got nothing" },
         { "<map width=\"3\" height=\"3\" tilewidth=\"16\" tileheight=\"8\">", "",
           "m.tmx:1: tiles of 16x8 px, expected 8x8, 16x16 or 32x32" },
-        { HEAD "<tileset firstgid=\"9\"/>", "", "m.tmx:4: a second tileset: all tiles of a map stand on one sheet" },
-        { "<map width=\"3\" height=\"3\" tilewidth=\"8\" tileheight=\"8\"><tileset firstgid=\"1\" margin=\"1\">", "",
-          "m.tmx:1: a tileset with margin is not read: tiles stand side by side" },
-        { HEAD "<group>", "", "m.tmx:4: layers in groups are not read" },
-        { HEAD LAYER("a", "<data encoding=\"base64\" compression=\"zlib\">eJw=</data>"), "",
-          "m.tmx:4: data in base64 is not read (Tiled: Map Properties, Tile Layer Format: CSV)" },
-        { HEAD "<layer width=\"3\" height=\"2\" offsetx=\"4\">", "", "m.tmx:4: offsetx of a layer is not read" },
+        { HEAD "<future/>", "", "m.tmx:4: <future> is not read" },
+        { HEAD "<imagelayer/>", "",
+          "m.tmx:4: a layer that is an image is not read; hide it, or say in rom.lua which layer to read, layer = "
+          "\"NAME\"" },
+        { HEAD "<objectgroup>\n<object gid=\"3\"/>", "",
+          "m.tmx:5: an object that is a tile is not read; put the tile on the layer" },
+        { HEAD "<objectgroup><object template=\"a.tx\"/>", "",
+          "m.tmx:4: an object of a template is not read; detach it in Tiled" },
+        { HEAD "<objectgroup><object><text>hi</text>", "", "m.tmx:4: an object that is text is not read" },
+        { HEAD "<group offsety=\"-3\">", "", "m.tmx:4: <group> offsety=\"-3\" is not read, expected \"0\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" offsetx=\"4\">", "",
+          "m.tmx:4: <layer> offsetx=\"4\" is not read, expected \"0\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" opacity=\"0.5\">", "",
+          "m.tmx:4: <layer> opacity=\"0.5\" is not read, expected \"1\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" visible=\"0\">", "",
+          "m.tmx:4: <layer> visible=\"0\" is not read, expected \"1\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" parallaxx=\"0.5\">", "",
+          "m.tmx:4: <layer> parallaxx=\"0.5\" is not read, expected \"1\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" parallaxy=\"2\">", "",
+          "m.tmx:4: <layer> parallaxy=\"2\" is not read, expected \"1\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" mode=\"multiply\">", "",
+          "m.tmx:4: <layer> mode=\"multiply\" is not read, expected \"normal\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" tintcolor=\"#ff0000\">", "",
+          "m.tmx:4: <layer> tintcolor=\"#ff0000\" is not read, expected \"#ffffff\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" x=\"1\">", "", "m.tmx:4: <layer> x=\"1\" is not read, expected \"0\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" future=\"1\">", "", "m.tmx:4: <layer> future=\"1\" is not read" },
         { HEAD "<layer width=\"2\" height=\"2\">", "",
           "m.tmx:4: <layer> width: expected a whole number from 3 to 3, got 2" },
-        { HEAD "<layer width=\"3\" height=\"2\">", "", "m.tmx:4: a layer without <data>" },
+        { HEAD LAYER("a", "<future/>"), "", "m.tmx:4: <future> of a layer is not read" },
+        { HEAD "<layer width=\"3\" height=\"2\"/>", "", "m.tmx:4: a layer without <data>" },
+        { HEAD LAYER("a", CSV("0,0,0,0,0,0") "<data/>"), "", "m.tmx:4: a second <data>" },
+        /* tilesets, once the layer has a tile of them */
+        { TILESET(" tilewidth=\"32\" tileheight=\"32\"", ""), "",
+          "m.tmx:1: tiles of 32x32 px, expected those of the map, 16x16" },
+        { TILESET(" future=\"1\"", ""), "", "m.tmx:1: <tileset> future=\"1\" is not read" },
+        { TILESET("", "\n<tileoffset x=\"4\" y=\"0\"/>"), "",
+          "m.tmx:2: <tileoffset> x=\"4\" is not read, expected \"0\"" },
+        { TILESET("", "<future/>"), "", "m.tmx:1: <future> of a tileset is not read" },
+        { TILESET("", "<image source=\"t.png\" trans=\"ff00ff\"/>"), "",
+          "m.tmx:1: <image> trans=\"ff00ff\" is not read" },
+        { TILESET("", "<image format=\"png\"><data/></image>"), "",
+          "m.tmx:1: <image> without a source: a picture in the file is not read" },
+        { TILESET("", "<tile id=\"0\">\n<animation/></tile>"), "",
+          "m.tmx:2: an animated tile is not read; remove its animation" },
+        { TILESET("", "<tile id=\"0\"><image source=\"0.png\"/></tile>"), "",
+          "m.tmx:1: a collection of images is not read; put the tiles on one picture" },
+        { TILESET("", "<tile id=\"0\" width=\"8\"/>"), "", "m.tmx:1: <tile> width=\"8\" is not read" },
+        { TILESET(" tilecount=\"0\" spacing=\"x\"", ""), "",
+          "m.tmx:1: <tileset> spacing: expected a whole number from 0 to 1024, got x" },
+        { HEAD "<tileset firstgid=\"4\" tilecount=\"2\"/>" LAYER("a", CSV("1,4,5,6,0,0")), "",
+          "m.tmx:4: tile 6 is of no tileset: that at m.tmx:4 has 2 tiles" },
+        { HEAD "<tileset source=\"t.tsx\"/>", "",
+          "m.tmx:4: <tileset> firstgid: expected a whole number from 1 to 268435456, got nothing" },
+        { HEAD "<tileset firstgid=\"4\" source=\"no.tsx\"/>", "", "m.tmx:4: there is no no.tsx" },
+        { HEAD "<tileset firstgid=\"4\" source=\"other.tsx\"/>", "", "other.tsx:1: expected <, got text" },
+        { HEAD "<tileset firstgid=\"4\" source=\"map.tsx\"/>", "",
+          "map.tsx:1: expected <tileset>; save the tileset in Tiled as .tsx" },
+        { HEAD "<tileset firstgid=\"4\" source=\"../t.tsx\"/>", "",
+          "m.tmx:4: tileset \"../t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+        { HEAD "<tileset firstgid=\"4\" source=\"a/../../t.tsx\"/>", "",
+          "m.tmx:4: tileset \"a/../../t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+        { HEAD "<tileset firstgid=\"4\" source=\"/t.tsx\"/>", "",
+          "m.tmx:4: tileset \"/t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+        { HEAD "<tileset firstgid=\"4\" source=\"C:\\t.tsx\"/>", "",
+          "m.tmx:4: tileset \"C:\\t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+        { HEAD "<tileset firstgid=\"4\" source=\"shifted.tsx\"/>" LAYER("a", CSV("0,4,0,0,0,0")), "",
+          "shifted.tsx:2: <tileoffset> y=\"-6\" is not read, expected \"0\"" },
+        { "<map width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"><layer width=\"1\" height=\"1\"><data "
+          "encoding=\"csv\">1"
+          "</data>",
+          "", "m.tmx:1: tile 1 is of no tileset" },
+        /* data */
+        { HEAD LAYER("a", "<data encoding=\"base64\" compression=\"zstd\">KLUv</data>"), "",
+          "m.tmx:4: data compressed by zstd is not read; in Tiled's Map Properties, set Tile Layer Format to CSV" },
+        { HEAD LAYER("a", "<data encoding=\"csv\" compression=\"zlib\">"), "",
+          "m.tmx:4: data is compressed, but not in base64" },
+        { HEAD LAYER("a", "<data encoding=\"hex\">"), "",
+          "m.tmx:4: <data> encoding=\"hex\" is not read, expected \"csv\"" },
+        { HEAD LAYER("a", PACKED("", "AQ=A")), "", "m.tmx:4: this is not base64" },
+        { HEAD LAYER("a", PACKED("", "AQ*A")), "", "m.tmx:4: this is not base64" },
+        { HEAD LAYER("a", PACKED("", "AQAAAA==")), "", "m.tmx:4: 4 bytes of tiles, expected 24" },
+        { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcAAAA2QA1A==")), "",
+          "m.tmx:4: the data does not decompress to 6 tiles" },
+        { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcOBkYHjAiEMcADkQA3k=")), "",
+          "m.tmx:4: the data does not decompress to 6 tiles" },
+        { HEAD LAYER(
+              "a",
+              PACKED(" compression=\"zlib\"",
+                     "eJztwTEBAAAAwqD1T20ND6AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
+                     "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAACAVwOGrwAB")),
+          "", "m.tmx:4: the data does not decompress to 6 tiles" },
+        { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "AAAA")), "",
+          "m.tmx:4: the data does not decompress to 6 tiles" },
+        { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYgZmdgaOBgYHDgZGB4AAA6HPVPGAAAAA==")),
+          "", "m.tmx:4: the data does not decompress to 6 tiles" },
+        { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sI")), "",
+          "m.tmx:4: the data does not decompress to 6 tiles" },
+        { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYg")), "",
+          "m.tmx:4: the data does not decompress to 6 tiles" },
         { HEAD LAYER("a", CSV("1,2")), "", "m.tmx:4: 2 tiles, expected 6 (3x2)" },
-        { HEAD LAYER("a", CSV("1,2,3,4,5,6,7")), "", "m.tmx:4: more tiles than 3x2" },
+        { HEAD LAYER("a", CSV("1,2,3,4,5,6,7")), "", "m.tmx:4: more tiles than 6" },
         { HEAD LAYER("a", CSV("1,2\n,,3")), "", "m.tmx:5: expected a tile's number" },
         { HEAD LAYER("a", CSV("1 2")), "", "m.tmx:4: expected a comma between tiles" },
         { HEAD LAYER("a", CSV("4294967296")), "", "m.tmx:4: expected a tile's number, got 4294967296" },
         { HEAD LAYER("a", CSV("268435457")), "", "m.tmx:4: expected a tile's number, got 268435457" },
-        { HEAD LAYER("a", "<data><chunk/></data>"), "", "m.tmx:4: chunks of an infinite map are not read" },
-        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: expected <tile gid=\"...\"/>" },
-        { HEAD "<layer width=\"3\" height=\"2\"><data>", "", "m.tmx:4: <data> has no end" },
+        { HEAD LAYER("a", CSV("1,2,3,4,5,6<tile/>")), "", "m.tmx:4: <tile> among the tiles is not read" },
+        { HEAD LAYER("a", "<data><chunk/></data>"), "", "m.tmx:4: expected <tile gid=\"...\"/>, got <chunk>" },
+        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: </layer> closes nothing, expected </data" },
+        { HEAD "<layer width=\"3\" height=\"2\"><data>", "", "m.tmx:4: the file ends within <data>" },
+        { ENDLESS LAYER("a", "<data encoding=\"csv\">0</data>"), "", "m.tmx:1: expected <, got text" },
+        /* XML */
         { "<map", "", "m.tmx:1: a tag without its >" },
-        { "<map width>", "", "m.tmx:1: expected an attribute, name=\"value\"" },
-        { "<map width=3>", "", "m.tmx:1: expected a value in quotes" },
-        { "<map\nwidth=\"3>", "", "m.tmx:2: a value in quotes has no end" },
-        { "<!-- ", "", "m.tmx:1: a comment has no end" },
-        { "<!DOCTYPE x>", "", "m.tmx:1: a <!...> is not read: this does not look like a map of Tiled's" },
-        { "< >", "", "m.tmx:1: expected a tag's name behind <" },
-        { "<layer>", "", "m.tmx:1: a layer outside of <map>" },
-        { "<map width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"><layer width=\"1\" height=\"1\"><data>", "",
-          "m.tmx:1: a layer without a tileset before it" },
+        { "<map width>", "", "m.tmx:1: <map>: expected an attribute, name=\"value\"" },
+        { "<map width=3>", "", "m.tmx:1: <map>: expected a value in quotes" },
+        { "<map\nwidth=\"3>", "", "m.tmx:2: a value has no end, expected \"" },
+        { "<map a=\"1\" a=\"2\">", "", "m.tmx:1: <map> has a twice" },
+        { "<map a=\"<\">", "", "m.tmx:1: <map> a: a value with \"<\"; is its closing quote missing?" },
+        { "<map a=\"a&b\">", "", "m.tmx:1: \"&b\" is not a character reference; write a plain & as &amp;" },
+        { "<map a=\"&#xd800;\">", "", "m.tmx:1: \"&#xd800;\" is not a character reference; write a plain & as &amp;" },
+        { "<map a=\"&nbsp;\">", "", "m.tmx:1: \"&nbsp;\" is not a character reference; write a plain & as &amp;" },
+        { "<!-- ", "", "m.tmx:1: a comment has no end, expected -->" },
+        { "<!DOCTYPE x [<!ENTITY a \"b\">]>", "",
+          "m.tmx:1: a <!DOCTYPE> with declarations is not read; delete the line" },
+        { "<![CDATA[ ]]>", "", "m.tmx:1: \"<![CDATA[\" is not read here" },
+        { "< >", "", "m.tmx:1: expected a name behind <" },
+        { HEAD "</map><map>", "", "m.tmx:4: a second element behind the first" },
+        { HEAD "</layer>", "", "m.tmx:4: </layer> closes nothing, expected </map" },
+        { "<?xml version=\"1.0\" encoding=\"ISO-8859-2\"?><map/>", "",
+          "m.tmx:1: encoding \"ISO-8859-2\" is not read; save the file as UTF-8" },
+        { "<map\n name=\"\xe4\"/>", "", "m.tmx:2: byte 0xe4 is not text in UTF-8; save the file as UTF-8" },
+        { "<layer>", "", "m.tmx: there is no <map>: not a map of Tiled's" },
     };
     struct map_cells c;
 
@@ -198,16 +490,17 @@ static int turned(uint32_t flips, int x, int y)
 static void test_lump(void **state)
 {
     uint32_t cell[] = { 1, 1, 0, 2, 2 | MAP_FLIP_X, 0, 0, 0, 0, 0 };
-    struct map_cells c = { 5, 2, 0, cell };
+    struct map_cells c = { .cols = 5, .rows = 2, .cell = cell, .sheets = 1 };
     uint8_t rgb[CART_PALETTE], *lump;
     size_t size;
 
     (void)state;
     art_default_palette(rgb);
     struct art_picture sheet = sheet_of(rgb);
+    const struct map_picture picture[MAP_SHEETS] = { { &sheet, "t.png" } };
     for (uint32_t k = 1; k < 5; k++)
         cell[5 + k] = 1 | (k & 1 ? MAP_FLIP_X : 0) | (k & 2 ? MAP_FLIP_Y : 0) | (k & 4 ? MAP_DIAGONAL : 0);
-    assert_true(map_make(&c, 8, &sheet, 5, rgb, false, &lump, &size, NULL, err, sizeof err));
+    assert_true(map_make(&c, "m.tmx", 8, picture, 5, rgb, false, &lump, &size, err, sizeof err));
     assert_int_equal(bytes_get16(lump), 5);
     assert_int_equal(bytes_get16(lump + 2), 2);
     assert_int_equal(bytes_get16(lump + 4), 8);
@@ -232,19 +525,73 @@ static void test_lump(void **state)
     }
     free(lump);
     cell[3] = 3;
-    assert_false(map_make(&c, 8, &sheet, 5, rgb, false, &lump, &size, NULL, err, sizeof err));
-    assert_string_equal(err, "column 4 of row 1: tile 3, the sheet has 2 of 8x8 px");
+    assert_false(map_make(&c, "m.tmx", 8, picture, 5, rgb, false, &lump, &size, err, sizeof err));
+    assert_string_equal(err, "m.tmx: column 4 of row 1: tile 3, the sheet has 2 of 8x8 px");
     cell[3] = 1;
-    assert_false(map_make(&c, 8, &sheet, 6, rgb, false, &lump, &size, NULL, err, sizeof err));
+    assert_false(map_make(&c, "m.tmx", 8, picture, 6, rgb, false, &lump, &size, err, sizeof err));
     assert_non_null(strstr(err, "is not in bank 6"));
+    assert_memory_equal(err, "t.png: pixel ", 13);
     free(sheet.rgba);
+}
+
+/* Two pictures of tiles: in the first they are 3 px apart and 2 px from its border; tile k is all of shade k + 1. */
+static void test_lump_sheets(void **state)
+{
+    uint32_t cell[] = { 1, 4, 5, 6 };
+    struct map_cells c = { .cols = 4, .rows = 1, .side = 8, .cell = cell, .sheets = 2 };
+    struct art_picture a = { .rgba = calloc(25 * 24, 4), .w = 25, .h = 24 },
+                       b = { .rgba = calloc(16 * 8, 4), .w = 16, .h = 8 };
+    const struct map_picture picture[MAP_SHEETS] = { { &a, "a.png" }, { &b, "b.png" } };
+    uint8_t rgb[CART_PALETTE], *lump;
+    size_t size;
+
+    (void)state;
+    art_default_palette(rgb);
+    c.sheet[0].spacing = 3;
+    c.sheet[0].margin = 2;
+    c.sheet[1].base = 4;
+    for (int k = 0; k < 6; k++)
+        for (int i = 0; i < 64; i++) {
+            const struct art_picture *p = k < 4 ? &a : &b;
+            const int x = k < 4 ? 2 + k % 2 * 11 : (k - 4) * 8, y = k < 4 ? 2 + k / 2 * 11 : 0;
+            uint8_t *at = p->rgba + 4 * ((y + i / 8) * p->w + x + i % 8);
+            memcpy(at, rgb + 3 * (k + 1), 3);
+            at[3] = 255;
+        }
+    assert_true(map_make(&c, "m.tmx", 8, picture, 0, rgb, false, &lump, &size, err, sizeof err));
+    const uint8_t *cells = lump + CART_MAP_HEADER, *pix = cells + 8 + 5;
+    assert_int_equal(bytes_get16(lump + 6), 5);
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 64; k++)
+            assert_int_equal(pix[64 * bytes_get16(cells + 2 * i) + k], cell[i]);
+    free(lump);
+    cell[3] = 7;
+    assert_false(map_make(&c, "m.tmx", 8, picture, 0, rgb, false, &lump, &size, err, sizeof err));
+    assert_string_equal(err, "m.tmx: column 4 of row 1: tile 3, the sheet has 2 of 8x8 px");
+    snprintf(c.sheet[0].place, sizeof c.sheet[0].place, "t.tsx:2");
+    c.sheet[0].columns = 2;
+    c.sheet[0].width = 24; /* a px less at the right is no column less */
+    assert_true(map_fits(&c, 0, &picture[0], err, sizeof err));
+    assert_true(map_fits(&c, 1, &picture[1], err, sizeof err));
+    c.sheet[0].width = 20;
+    assert_false(map_fits(&c, 0, &picture[0], err, sizeof err));
+    assert_string_equal(err, "t.tsx:2: the tileset's picture is 20 px wide, but a.png is 25 px; open the map in Tiled "
+                             "with that picture and save it");
+    c.sheet[0].columns = 3;
+    assert_false(map_fits(&c, 0, &picture[0], err, sizeof err));
+    assert_string_equal(err, "t.tsx:2: the tileset has 3 columns, but a.png has 2; open the map in Tiled with that "
+                             "picture and save it");
+    free(a.rgba);
+    free(b.rgba);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_csv),     cmocka_unit_test(test_csv_bad), cmocka_unit_test(test_tmx),
-        cmocka_unit_test(test_tmx_bad), cmocka_unit_test(test_lump),
+        cmocka_unit_test(test_csv),          cmocka_unit_test(test_csv_turns),    cmocka_unit_test(test_csv_bad),
+        cmocka_unit_test(test_tmx),          cmocka_unit_test(test_tmx_packed),   cmocka_unit_test(test_tmx_infinite),
+        cmocka_unit_test(test_tmx_external), cmocka_unit_test(test_tmx_harmless), cmocka_unit_test(test_tmx_bad),
+        cmocka_unit_test(test_lump),         cmocka_unit_test(test_lump_sheets),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -711,6 +711,77 @@ static void test_foreign_colour(void **state)
 }
 
 /* Pixel (x, y) of picture i, counted from the anchor. */
+/* The shade of the first pixel of cell i of a map with 8 px tiles. */
+static int map_shade(const struct rom *rom, const char *name, int i)
+{
+    const uint8_t *p = find(rom, name).data, *cells = p + CART_MAP_HEADER;
+    const int n = bytes_get16(p) * bytes_get16(p + 2), tiles = bytes_get16(p + 6);
+
+    return cells[2 * n + tiles + 64 * bytes_get16(cells + 2 * i)] % 16;
+}
+
+#define MAP_OF(tilesets, cells)                                                                                        \
+    "\xef\xbb\xbf<map width='2' height='1' tilewidth='8' tileheight='8'>\n" tilesets                                   \
+    "<layer width='2' height='1'><data encoding='csv'>" cells "</data></layer></map>"
+
+/* A map's tilesets are in files of their own, and its tiles on several pictures. */
+static void test_maps(void **state)
+{
+    static const char *const one[] = { "ccccccccccccccccccc", "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac",
+                                       "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac",
+                                       "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac",
+                                       "ccccccccccccccccccc" },
+                             *const two[] = { "eeeeeeee", "eeeeeeee", "eeeeeeee", "eeeeeeee",
+                                              "eeeeeeee", "eeeeeeee", "eeeeeeee", "eeeeee#e" };
+    struct rom_image image;
+
+    (void)state;
+    put_palette("p.png");
+    put_sheet("art/one.png", one, 19, 10);
+    put_sheet("art/two.png", two, 8, 8);
+    put_text("sets/one.tsx", "\xef\xbb\xbf<tileset tilewidth='8' tileheight='8' spacing='1' margin='1' columns='2'>"
+                             "<image source='../art/one.png' width='19' height='10'/></tileset>");
+    put_text("sets/two.tsx", "<tileset><image source='../art/two.png'/></tileset>");
+    put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/one.tsx'/>", "1,2"));
+    put_game("return { palette = 'p.png', maps = { m = { tiles = 'art/one.png', bank = 3, file = 'maps/m.tmx' } } }");
+    image = packed(false);
+    assert_int_equal(map_shade(&image.rom, "map/m", 0), 4);
+    assert_int_equal(map_shade(&image.rom, "map/m", 1), 1);
+    rom_image_free(&image);
+
+    put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/two.tsx'/>"
+                                  "<tileset firstgid='11' source='../sets/one.tsx'/>",
+                                  "11,12"));
+    image = packed(false); /* the unused tileset does not matter */
+    assert_int_equal(map_shade(&image.rom, "map/m", 1), 1);
+    rom_image_free(&image);
+    put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/two.tsx'/>"
+                                  "<tileset firstgid='11' source='../sets/one.tsx'/>",
+                                  "1,12"));
+    refused("sets/two.tsx:1: the map has tiles of art/two.png; add it to `tiles` of map \"m\" in rom.lua");
+    put_game("return { palette = 'p.png', maps = { m = { tiles = { 'art/one.png', 'art/two.png' }, bank = 3,"
+             "  file = 'maps/m.tmx' } } }");
+    refused(
+        "art/two.png: pixel 6,7: colour #ff00aa is not in bank 3 (--nearest takes the nearest; match = \"index\" in "
+        "rom.lua goes by the places in the palette of an indexed picture)");
+    put_sheet("art/two.png", two, 8, 7);
+    refused("maps/m.tmx: map \"m\": column 1 of row 1: tile 1, the sheet has 0 of 8x8 px");
+    put_sheet("art/two.png", (const char *const[]){ two[0], two[0], two[0], two[0], two[0], two[0], two[0], two[0] }, 8,
+              8);
+    image = packed(false);
+    assert_int_equal(map_shade(&image.rom, "map/m", 0), 5);
+    assert_int_equal(map_shade(&image.rom, "map/m", 1), 1);
+    rom_image_free(&image);
+
+    put_text("sets/one.tsx", "<tileset columns='3'><image source='../art/one.png'/></tileset>");
+    refused("sets/one.tsx:1: the tileset has 3 columns, but art/one.png has 2; open the map in Tiled with that picture "
+            "and save it");
+    put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/three.tsx'/>", "1,0"));
+    refused("maps/m.tmx:2: there is no sets/three.tsx");
+    put_game("return { maps = { m = { tiles = { 'a.png', 'b.png' }, rows = { { 1 } } } } }");
+    refused("rom.lua: maps.m: tiles: only a .tmx has tiles of several pictures");
+}
+
 static uint8_t at(const struct sprite *s, int i, int x, int y)
 {
     x += s->ox;
@@ -1145,6 +1216,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(test_smallest),
         TEST(test_what_goes_in),
+        TEST(test_maps),
         TEST(test_same_bytes),
         TEST(test_std),
         TEST(test_palette),

@@ -83,7 +83,8 @@ enum {
     ART_MML = 2048,        /* bytes of a sound's MML in rom.lua, with its NUL */
     ART_CHARS = 8192,      /* bytes of a list of characters, with its NUL */
     ART_NAME = 32,
-    ART_FILE = 96
+    ART_FILE = 96,
+    ART_TILES = 4 /* pictures of a map's tiles */
 };
 
 struct art_palette {
@@ -126,9 +127,10 @@ struct art_sprite {
 
 /* A map of tiles: its cells stand in a file, or in art.cells from `cells` on. */
 struct art_map {
-    char name[ART_NAME], tiles[ART_FILE], file[ART_FILE], layer[ART_NAME]; /* file "": rows; layer: of a .tmx */
-    char palette[ART_NAME];                                                /* as a sheet's */
-    int32_t size, bank, first; /* size: px of a tile, 0 if the file says it */
+    char name[ART_NAME], file[ART_FILE], layer[ART_NAME]; /* file "": rows; layer: of a .tmx */
+    char tiles[ART_TILES][ART_FILE];                      /* pictures, as many as n_tiles; several: of a .tmx */
+    char palette[ART_NAME];                               /* as a sheet's */
+    int32_t n_tiles, size, bank, first;                   /* size: px of a tile, 0 if the file says it */
     bool by_index;
     int32_t cells, cols, rows;
 };

@@ -160,16 +160,22 @@ static bool get_text(const struct at *a, const char *key, const char *what, char
     return true;
 }
 
-/* The path of a file in the game's folder. */
+/* The value on top as the path of a file in the game's folder; popped. */
+static void to_file(lua_State *lua, const char *path, char out[ART_FILE])
+{
+    to_text(lua, path, "a file", out, ART_FILE);
+    if (!manifest_path_ok(out))
+        bad(lua, path, "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"", out);
+}
+
 static bool get_file(const struct at *a, const char *key, char out[ART_FILE])
 {
     char path[MAX_PATH];
 
-    if (!get_text(a, key, "a file", out, ART_FILE))
-        return false;
     path_of(a, key, path);
-    if (!manifest_path_ok(out))
-        bad(a->lua, path, "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"", out);
+    if (!get(a, key))
+        return false;
+    to_file(a->lua, path, out);
     return true;
 }
 
@@ -858,6 +864,32 @@ static bool ends(const char *s, const char *tail)
     return n > m && strcmp(s + n - m, tail) == 0;
 }
 
+/* A picture, or a list of them. */
+static void read_tiles(const struct at *a, struct art_map *map)
+{
+    char path[MAX_PATH];
+    struct at pictures;
+
+    if (!get(a, "tiles"))
+        bad(a->lua, a->path, "expected tiles=\"art/NAME.png\"");
+    const bool several = lua_istable(a->lua, -1);
+    lua_pop(a->lua, 1);
+    if (!several) {
+        get_file(a, "tiles", map->tiles[0]);
+        map->n_tiles = 1;
+        return;
+    }
+    get_table(a, "tiles", &pictures);
+    map->n_tiles = list(&pictures, ART_TILES);
+    for (int i = 0; i < map->n_tiles; i++) {
+        item(&pictures, i + 1, path);
+        to_file(a->lua, path, map->tiles[i]);
+    }
+    if (map->n_tiles == 0)
+        bad(a->lua, pictures.path, "expected at least one picture");
+    lua_pop(a->lua, 1);
+}
+
 static void read_map(const struct at *a, struct art *art, struct art_map *map)
 {
     static const char *const names[] = { "tiles", "file",  "rows",  "layer",   "size",
@@ -867,8 +899,7 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     only(a, names);
     path_of(a, "size", path);
     map->first = 1;
-    if (!get_file(a, "tiles", map->tiles))
-        bad(a->lua, a->path, "expected tiles=\"art/NAME.png\"");
+    read_tiles(a, map);
     get_whole(a, "bank", 0, 15, &map->bank);
     get_palette(a, art, map->palette);
     map->by_index = get_match(a, art->by_index);
@@ -878,6 +909,8 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     const bool file = get_file(a, "file", map->file), tmx = ends(map->file, ".tmx");
     if (file && !tmx && !ends(map->file, ".csv"))
         bad(a->lua, a->path, "file: expected a .csv or a .tmx, got \"%s\"", map->file);
+    if (map->n_tiles > 1 && !tmx)
+        bad(a->lua, a->path, "tiles: only a .tmx has tiles of several pictures");
     if (map->layer[0] != '\0' && !tmx)
         bad(a->lua, a->path, "layer: only a .tmx has layers");
     if (map->size == 0 && !tmx)

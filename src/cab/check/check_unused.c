@@ -278,7 +278,8 @@ static bool picture_used(const struct check *c, const char *path)
     for (int i = 0; i < c->art.n_sheets; i++)
         used = used || strcmp(path, c->art.sheets[i].file) == 0;
     for (int i = 0; i < c->art.n_maps; i++)
-        used = used || strcmp(path, c->art.maps[i].tiles) == 0;
+        for (int k = 0; k < c->art.maps[i].n_tiles; k++)
+            used = used || strcmp(path, c->art.maps[i].tiles[k]) == 0;
     return used;
 }
 

@@ -4,6 +4,7 @@
 #include "demo_text.h"
 
 #include <string.h>
+#include "../../base/bytes.h"
 
 static const char digits[65] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -78,14 +79,6 @@ static size_t find_start(const uint8_t *data, size_t size)
     return 0;
 }
 
-/* 0 to 63; -1: no digit. */
-static int digit(uint8_t c)
-{
-    const char *at = c ? strchr(digits, c) : NULL;
-
-    return at ? (int)(at - digits) : -1;
-}
-
 bool demo_text_decode(uint8_t *data, size_t *size)
 {
     size_t i = find_start(data, *size), n = 0;
@@ -97,9 +90,9 @@ bool demo_text_decode(uint8_t *data, size_t *size)
     for (; i < *size; i++) {
         if (data[i] == '\n' || data[i] == '\r' || data[i] == ' ' || data[i] == '\t')
             continue;
-        if (digit(data[i]) < 0)
+        if (bytes_digit64(data[i]) < 0)
             break;
-        v = (v << 6 | (uint32_t)digit(data[i])) & 0xffffff;
+        v = (v << 6 | (uint32_t)bytes_digit64(data[i])) & 0xffffff;
         bits += 6;
         if (bits >= 8) {
             bits -= 8;

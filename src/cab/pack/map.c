@@ -15,13 +15,17 @@
 
 /* What map_make works on. */
 struct making {
-    bool pixel; /* the colour of one is wrong */
     const struct map_cells *cells;
-    const struct art_picture *sheet;
-    int side, bank, across, count; /* tiles in a row of the sheet, and in all */
+    const char *where;
+    const struct map_picture *picture;
+    struct {
+        int across, count; /* tiles in a row, and in all */
+        size_t first;      /* of its tiles among those of all sheets */
+    } sheet[MAP_SHEETS];
+    int side, bank;
     const uint8_t *rgb;
     bool nearest;
-    uint16_t *number; /* of each tile of the sheet and turn, in the lump; 0: not yet */
+    uint16_t *number; /* of each tile of the sheets and turn, in the lump; 0: not yet */
     uint8_t *pix;     /* the lump's tiles */
     int tiles, room;
     char *err;
@@ -42,19 +46,37 @@ static void source_of(uint32_t cell, int side, int x, int y, int *from_x, int *f
     *from_y = cell & MAP_DIAGONAL ? x : y;
 }
 
+/* The sheet of a cell that is not empty. */
+static int sheet_of(const struct map_cells *c, uint32_t cell)
+{
+    int i = c->sheets - 1;
+
+    while (i > 0 && (cell & MAP_NUMBER) <= c->sheet[i].base)
+        i--;
+    return i;
+}
+
+/* Its number on that sheet, from 0 on. */
+static int tile_of(const struct map_cells *c, uint32_t cell)
+{
+    return (int)((cell & MAP_NUMBER) - c->sheet[sheet_of(c, cell)].base) - 1;
+}
+
 static bool cut_tile(struct making *m, uint32_t cell, uint8_t *to)
 {
-    const int tile = (int)(cell & MAP_NUMBER) - 1;
+    const int i = sheet_of(m->cells, cell), tile = tile_of(m->cells, cell);
+    const struct map_sheet *s = &m->cells->sheet[i];
+    const int left = s->margin + tile % m->sheet[i].across * (m->side + s->spacing),
+              top = s->margin + tile / m->sheet[i].across * (m->side + s->spacing);
+    char why[256];
     int sx, sy;
 
     for (int y = 0; y < m->side; y++)
         for (int x = 0; x < m->side; x++) {
             source_of(cell, m->side, x, y, &sx, &sy);
-            int shade = art_shade(m->sheet, tile % m->across * m->side + sx, tile / m->across * m->side + sy, m->bank,
-                                  m->rgb, m->nearest, m->err, m->err_size);
-            m->pixel = shade < 0;
-            if (m->pixel)
-                return false;
+            int shade = art_shade(m->picture[i].art, left + sx, top + sy, m->bank, m->rgb, m->nearest, why, sizeof why);
+            if (shade < 0)
+                return err_set(m->err, m->err_size, "%s: %s", m->picture[i].file, why);
             to[y * m->side + x] = shade == 0 ? 0 : (uint8_t)(m->bank * 16 + shade);
         }
     return true;
@@ -82,12 +104,12 @@ static bool is_empty(const uint8_t *pix, size_t n)
 /* The lump's number of a cell that is not empty; -1 with a sentence. */
 static int number_of(struct making *m, uint32_t cell)
 {
-    const size_t key = (size_t)(cell & MAP_NUMBER) * 8 + (cell >> 27);
+    const size_t key = (m->sheet[sheet_of(m->cells, cell)].first + (size_t)tile_of(m->cells, cell)) * 8 + (cell >> 27);
 
     if (m->number[key])
         return m->number[key] - 1;
     if (m->tiles == UINT16_MAX - 1)
-        return err_set(m->err, m->err_size, "more than %d different tiles", UINT16_MAX - 2), -1;
+        return err_set(m->err, m->err_size, "%s: more than %d different tiles", m->where, UINT16_MAX - 2), -1;
     if (m->tiles == m->room && !more_room(m))
         return -1;
     uint8_t *pix = m->pix + (size_t)m->tiles * tile_bytes(m);
@@ -104,11 +126,14 @@ static bool number_cells(struct making *m, uint8_t *cells)
 
     for (int i = 0; i < c->cols * c->rows; i++) {
         int number = 0;
-        if ((int)(c->cell[i] & MAP_NUMBER) > m->count)
-            return err_set(m->err, m->err_size, "column %d of row %d: tile %" PRIu32 ", the sheet has %d of %dx%d px",
-                           i % c->cols + 1, i / c->cols + 1, c->cell[i] & MAP_NUMBER, m->count, m->side, m->side);
-        if (c->cell[i] & MAP_NUMBER && (number = number_of(m, c->cell[i])) < 0)
-            return false;
+        if (c->cell[i] & MAP_NUMBER) {
+            const int count = m->sheet[sheet_of(c, c->cell[i])].count, tile = tile_of(c, c->cell[i]);
+            if (tile >= count)
+                return err_set(m->err, m->err_size, "%s: column %d of row %d: tile %d, the sheet has %d of %dx%d px",
+                               m->where, i % c->cols + 1, i / c->cols + 1, tile + 1, count, m->side, m->side);
+            if ((number = number_of(m, c->cell[i])) < 0)
+                return false;
+        }
         bytes_put16(cells + 2 * i, (uint16_t)number);
     }
     return true;
@@ -140,34 +165,73 @@ static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, si
     return true;
 }
 
-bool map_make(const struct map_cells *cells, int side, const struct art_picture *sheet, int bank,
-              const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
+/* Tiles of side px in a length of that many px. */
+static int tiles_in(const struct map_sheet *s, int side, int px)
+{
+    const int n = (px - s->margin + s->spacing) / (side + s->spacing);
+
+    return px < s->margin + side ? 0 : n;
+}
+
+bool map_fits(const struct map_cells *cells, int i, const struct map_picture *picture, char *err, size_t err_size)
+{
+    const struct map_sheet *s = &cells->sheet[i];
+    if (s->columns == 0 && s->width == 0)
+        return true;
+    const int across = tiles_in(s, cells->side, picture->art->w);
+    if (s->columns > 0 && s->columns != across)
+        return err_set(err, err_size,
+                       "%s: the tileset has %d columns, but %s has %d; open the map in Tiled with that "
+                       "picture and save it",
+                       s->place, s->columns, picture->file, across);
+    if (s->width > 0 && tiles_in(s, cells->side, s->width) != across)
+        return err_set(err, err_size,
+                       "%s: the tileset's picture is %d px wide, but %s is %d px; open the map in Tiled "
+                       "with that picture and save it",
+                       s->place, s->width, picture->file, picture->art->w);
+    return true;
+}
+
+/* How the pictures are cut; the tiles of all. */
+static size_t lay_sheets(struct making *m)
+{
+    size_t n = 0;
+
+    for (int i = 0; i < m->cells->sheets; i++) {
+        const struct map_sheet *s = &m->cells->sheet[i];
+        m->sheet[i].across = tiles_in(s, m->side, m->picture[i].art->w);
+        m->sheet[i].count = m->sheet[i].across * tiles_in(s, m->side, m->picture[i].art->h);
+        m->sheet[i].first = n;
+        n += (size_t)m->sheet[i].count;
+    }
+    return n;
+}
+
+bool map_make(const struct map_cells *cells, const char *where, int side, const struct map_picture picture[MAP_SHEETS],
+              int bank, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
               size_t err_size)
 {
     struct making m = { .cells = cells,
-                        .sheet = sheet,
+                        .where = where,
+                        .picture = picture,
                         .side = side,
                         .bank = bank,
                         .rgb = rgb,
                         .nearest = nearest,
+                        .tiles = 1,
+                        .room = 16,
                         .err = err,
                         .err_size = err_size };
 
-    m.across = sheet->w / side;
-    m.count = m.across * (sheet->h / side);
-    m.tiles = 1;
-    m.room = 16;
     if (cells->cols > CART_MAP_SIDE / side || cells->rows > CART_MAP_SIDE / side)
-        return err_set(err, err_size, "%dx%d tiles of %d px, expected at most %d px each way", cells->cols, cells->rows,
-                       side, CART_MAP_SIDE);
-    m.number = calloc((size_t)m.count * 8 + 8, sizeof *m.number);
+        return err_set(err, err_size, "%s: %dx%d tiles of %d px, expected at most %d px each way", where, cells->cols,
+                       cells->rows, side, CART_MAP_SIDE);
+    m.number = calloc(lay_sheets(&m) * 8 + 8, sizeof *m.number);
     m.pix = calloc((size_t)m.room, tile_bytes(&m));
     uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
     bool good =
         m.number != NULL && m.pix != NULL && numbers != NULL ? true : result_host(err, err_size, "out of memory");
     good = good && number_cells(&m, numbers) && join(&m, numbers, out, size);
-    if (pixel)
-        *pixel = m.pixel;
     free(numbers);
     free(m.number);
     free(m.pix);
@@ -220,17 +284,19 @@ static bool csv_number(struct csv *c)
     c->at += minus;
     for (; c->at < c->end && *c->at >= '0' && *c->at <= '9' && digits < 10; c->at++, digits++)
         v = 10 * v + (*c->at - '0');
-    v = minus ? -v : v;
     if (!digits && c->at < c->end)
         return err_set(c->err, c->err_size, "%s:%d: expected a whole number, got the byte %d", c->file, c->line,
                        (unsigned char)*c->at);
     if (!digits)
         return err_set(c->err, c->err_size, "%s:%d: expected a whole number, got the file's end", c->file, c->line);
-    if (v < c->first - 1 || v - c->first + 1 > MAP_NUMBER)
+    v = minus ? -v : v;
+    const uint32_t turns = v != c->first - 1 && v >= INT32_MIN && v <= UINT32_MAX ? map_turns((uint32_t)v) : 0;
+    const int64_t tile = turns ? (int64_t)((uint32_t)v & ~MAP_GID_TURNS) : v;
+    if (tile < c->first - !turns || tile - c->first + 1 > MAP_NUMBER)
         return err_set(c->err, c->err_size, "%s:%d: expected %d for empty or a tile from %d on, got %" PRId64 "%s",
                        c->file, c->line, c->first - 1, c->first, v,
                        v == -1 ? " (Tiled's CSV counts from 0: write first = 0)" : "");
-    return csv_add(c, (uint32_t)(v - c->first + 1));
+    return csv_add(c, (uint32_t)(tile - c->first + 1) | turns);
 }
 
 /* A line's numbers, up to its end. */
@@ -283,7 +349,7 @@ bool map_read_csv(const char *text, size_t n, const char *file, int first, struc
 {
     struct csv c = { text, text + n, file, 1, first, out, 0, 0, err, err_size };
 
-    *out = (struct map_cells){ 0 };
+    *out = (struct map_cells){ .sheets = 1 };
     if (csv_lines(&c))
         return true;
     free(out->cell);

@@ -1,467 +1,912 @@
 /*
- * map_tmx.c - reads Tiled's maps (https://doc.mapeditor.org/en/stable/reference/tmx-map-format/): the tags that matter
- * of an XML file, one after the other. What a map can have that is not read is refused by name, where it would be seen.
+ * map_tmx.c - reads Tiled's maps (https://doc.mapeditor.org/en/stable/reference/tmx-map-format/). Tables list the
+ * elements and attributes that are understood, and those that change no picture; all others are refused. What is wrong
+ * with a tileset is a flaw, which counts once the layer uses the tileset, or the tile.
  */
 #include "map.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../base/hash.h"
 #include "../host/result.h"
+#include "png.h"
+#include "../xml/xml.h"
 
-enum { NAME = 32, ATTRIBUTES = 32 };
+enum { TILESETS = 64, FLAWS = 256, SENTENCE = 256, WHOLE = -1 /* a flaw of all tiles */ };
 
-/* A piece of the text. */
-struct piece {
-    const char *at;
-    size_t n;
+struct tileset {
+    int64_t first, count; /* number of its first tile in the map; tiles, 0: not stated */
+    uint32_t used;        /* by the layer: the number behind its last tile, from 1 on; 0: none */
+    int w, h;             /* px of a tile, 0: not stated */
+    struct map_sheet sheet;
 };
 
-/* A tag: <name key="value" ...>. closing: </name>; alone: <name .../>. */
-struct tag {
-    struct piece name;
-    struct {
-        struct piece key, value;
-    } attribute[ATTRIBUTES];
-    int n, line;
-    bool closing, alone;
+struct flaw {
+    int set;
+    int64_t tile; /* of the tileset, or WHOLE */
+    char why[SENTENCE];
+};
+
+/* A rectangle of cells. */
+struct chunk {
+    int64_t x, y, w, h;
+    size_t at; /* its first cell in gid */
 };
 
 struct tmx {
-    const char *at, *end, *file;
-    int line;
-    int cols, rows, side;
-    int64_t firstgid; /* 0: no tileset yet */
+    struct xml map;
+    const struct map_files *files;
     const char *wanted;
-    bool mapped, found;
+    bool infinite, found;
+    int64_t cols, rows, side;
     int layers, layer_line;
     char names[96]; /* of the layers passed over, with commas */
+    struct tileset set[TILESETS];
+    int sets;
+    struct flaw flaw[FLAWS];
+    int flaws;
+    int at_set; /* tileset that is being read, and its tile */
+    int64_t at_tile;
+    struct chunk *chunk;
+    int chunks, chunk_room;
+    uint32_t *gid; /* cells of all chunks */
+    size_t gids;
     struct map_cells *out;
     char *err;
     size_t err_size;
 };
 
-/* Numbers of cells as Tiled writes them. */
-static const uint32_t gid_x = 1u << 31, gid_y = 1u << 30, gid_diagonal = 1u << 29, gid_hex = 1u << 28;
+/* Refuses what is read now. Within a tileset that is a flaw, and true is returned: reading continues. */
+static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
-static bool wrong(struct tmx *t, int line, const char *what)
+static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, ...)
 {
-    return err_set(t->err, t->err_size, "%s:%d: %s", t->file, line, what);
-}
+    char why[SENTENCE];
+    va_list args;
 
-static bool is(const struct piece *p, const char *word)
-{
-    return p->n == strlen(word) && memcmp(p->at, word, p->n) == 0;
-}
-
-static bool space(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
-/* ---- XML ---- */
-
-static void step(struct tmx *t)
-{
-    t->line += *t->at++ == '\n';
-}
-
-static void skip_space(struct tmx *t)
-{
-    while (t->at < t->end && space(*t->at))
-        step(t);
-}
-
-static bool starts(const struct tmx *t, const char *head)
-{
-    size_t n = strlen(head);
-
-    return (size_t)(t->end - t->at) >= n && memcmp(t->at, head, n) == 0;
-}
-
-/* Goes on to behind `tail`. */
-static bool pass(struct tmx *t, const char *tail, const char *what)
-{
-    const int line = t->line;
-
-    while (t->at < t->end && !starts(t, tail))
-        step(t);
-    if (t->at == t->end)
-        return err_set(t->err, t->err_size, "%s:%d: %s has no end", t->file, line, what);
-    t->at += strlen(tail);
+    va_start(args, format);
+    vsnprintf(why, sizeof why, format, args);
+    va_end(args);
+    if (t->at_set < 0 || t->flaws == FLAWS)
+        return xml_refuse(x, line, "%s", why);
+    struct flaw *f = &t->flaw[t->flaws++];
+    f->set = t->at_set;
+    f->tile = t->at_tile;
+    snprintf(f->why, sizeof f->why, "%.80s:%d: %.160s", x->file, line, why);
     return true;
 }
 
-static struct piece word(struct tmx *t)
-{
-    struct piece p = { t->at, 0 };
+/* ---- attributes ---- */
 
-    while (t->at < t->end && !space(*t->at) && *t->at != '=' && *t->at != '>' && *t->at != '/' && *t->at != '<')
-        t->at++;
-    p.n = (size_t)(t->at - p.at);
-    return p;
-}
-
-/* key="value" or key='value'. */
-static bool read_attribute(struct tmx *t, struct tag *tag)
+/* Is it the same text, or the same number with zeros behind its point? */
+static bool same_value(const char *value, const char *plain)
 {
-    if (tag->n == ATTRIBUTES)
-        return wrong(t, t->line, "a tag with too many attributes");
-    struct piece *key = &tag->attribute[tag->n].key, *value = &tag->attribute[tag->n].value;
-    *key = word(t);
-    skip_space(t);
-    if (!key->n || t->at == t->end || *t->at != '=')
-        return wrong(t, t->line, "expected an attribute, name=\"value\"");
-    t->at++;
-    skip_space(t);
-    if (t->at == t->end || (*t->at != '"' && *t->at != '\''))
-        return wrong(t, t->line, "expected a value in quotes");
-    const char quote[2] = { *t->at++, 0 };
-    value->at = t->at;
-    if (!pass(t, quote, "a value in quotes"))
+    const size_t n = strlen(plain);
+
+    if (strncmp(value, plain, n) != 0)
         return false;
-    value->n = (size_t)(t->at - value->at) - 1;
-    tag->n++;
+    return value[n] == '\0' || (n > 0 && value[n] == '.' && value[n + 1 + strspn(value + n + 1, "0")] == '\0');
+}
+
+/* Rules are "key" for any value, or "key=value" for that one alone; a key may have several. */
+static bool check_attribute(struct tmx *t, struct xml *x, const struct xml_attribute *a, const char *const *rules)
+{
+    const size_t n = strlen(a->key);
+    const char *plain = NULL;
+
+    for (; *rules != NULL; rules++) {
+        const bool same = strncmp(*rules, a->key, n) == 0;
+        if (same && ((*rules)[n] == '\0' || ((*rules)[n] == '=' && same_value(a->value, *rules + n + 1))))
+            return true;
+        plain = same && (*rules)[n] == '=' && plain == NULL ? *rules + n + 1 : plain;
+    }
+    if (plain == NULL)
+        return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not read", x->name, a->key, a->value);
+    return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not read, expected \"%s\"", x->name, a->key, a->value,
+                  plain);
+}
+
+static bool check_attributes(struct tmx *t, struct xml *x, const char *const *rules)
+{
+    for (int i = 0; i < x->n; i++)
+        if (!check_attribute(t, x, &x->attribute[i], rules))
+            return false;
     return true;
 }
 
-/* The rest of a tag, behind its <. */
-static bool read_tag(struct tmx *t, struct tag *tag)
+static bool is_one_of(const char *name, const char *const *list)
 {
-    tag->n = 0;
-    tag->line = t->line;
-    tag->closing = t->at < t->end && *t->at == '/';
-    t->at += tag->closing;
-    tag->name = word(t);
-    if (!tag->name.n)
-        return wrong(t, t->line, "expected a tag's name behind <");
-    for (;;) {
-        skip_space(t);
-        tag->alone = t->at < t->end && *t->at == '/';
-        t->at += tag->alone;
-        if (t->at < t->end && *t->at == '>')
-            return t->at++, true;
-        if (tag->alone || t->at == t->end)
-            return wrong(t, tag->line, "a tag without its >");
-        if (!read_attribute(t, tag))
-            return false;
-    }
+    while (*list != NULL && strcmp(name, *list) != 0)
+        list++;
+    return *list != NULL;
 }
 
-/* The next tag; what stands before it is passed over. False, and tag->name is empty: there is none; or with a sentence:
- * err is not empty then. */
-static bool next_tag(struct tmx *t, struct tag *tag)
+/* A whole number that is all of the value. */
+static bool number(const char *s, int64_t lo, int64_t hi, int64_t *out)
 {
-    tag->name = (struct piece){ NULL, 0 };
-    for (;;) {
-        while (t->at < t->end && *t->at != '<')
-            step(t);
-        if (t->at == t->end)
-            return false;
-        if (starts(t, "<!--")) {
-            if (!pass(t, "-->", "a comment"))
-                return false;
-        } else if (starts(t, "<?")) {
-            if (!pass(t, "?>", "a <?"))
-                return false;
-        } else if (starts(t, "<!"))
-            return wrong(t, t->line, "a <!...> is not read: this does not look like a map of Tiled's");
-        else
-            return t->at++, read_tag(t, tag);
-    }
-}
+    const bool minus = *s == '-';
+    const size_t n = strspn(s + minus, "0123456789");
 
-/* ---- values ---- */
-
-static const struct piece *value_of(const struct tag *tag, const char *key)
-{
-    for (int i = 0; i < tag->n; i++)
-        if (is(&tag->attribute[i].key, key))
-            return &tag->attribute[i].value;
-    return NULL;
-}
-
-static bool has(const struct tag *tag, const char *key, const char *value)
-{
-    const struct piece *p = value_of(tag, key);
-
-    return p != NULL && is(p, value);
-}
-
-/* A whole number that is all of the piece. */
-static bool number(struct piece p, int64_t *out)
-{
-    *out = 0;
-    if (!p.n || p.n > 10)
+    if (n == 0 || n > 10 || s[minus + (int)n] != '\0')
         return false;
-    for (size_t i = 0; i < p.n; i++) {
-        if (p.at[i] < '0' || p.at[i] > '9')
-            return false;
-        *out = *out * 10 + (p.at[i] - '0');
-    }
-    return true;
+    *out = strtoll(s, NULL, 10);
+    return *out >= lo && *out <= hi;
 }
 
-static bool need(struct tmx *t, const struct tag *tag, const char *key, int64_t lo, int64_t hi, int64_t *out)
+/* The number of an attribute; of one that is not there, `missing`, unless that is below lo. */
+static bool get(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t missing, int64_t *out)
 {
-    const struct piece *p = value_of(tag, key);
+    const char *value = xml_value(x, key);
 
-    if (p != NULL && number(*p, out) && *out >= lo && *out <= hi)
+    *out = missing;
+    if (value == NULL ? missing >= lo : number(value, lo, hi, out))
         return true;
-    return err_set(t->err, t->err_size,
-                   "%s:%d: <%.*s> %s: expected a whole number from %" PRId64 " to %" PRId64 ", got %.*s", t->file,
-                   tag->line, (int)(tag->name.n < NAME ? tag->name.n : NAME), tag->name.at, key, lo, hi,
-                   p != NULL ? (int)(p->n < NAME ? p->n : NAME) : 7, p != NULL ? p->at : "nothing");
+    return xml_refuse(x, x->name_line, "<%.40s> %s: expected a whole number from %" PRId64 " to %" PRId64 ", got %.40s",
+                      x->name, key, lo, hi, value != NULL ? value : "nothing");
 }
 
-/* ---- tags ---- */
-
-static bool map_tag(struct tmx *t, const struct tag *tag)
+static bool need(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t *out)
 {
-    const struct piece *kind = value_of(tag, "orientation");
-    int64_t cols, rows, w, h;
+    return get(x, key, lo, hi, lo - 1, out);
+}
 
-    if (kind != NULL && !is(kind, "orthogonal"))
-        return err_set(t->err, t->err_size, "%s:%d: the map is %.*s; only orthogonal maps are read", t->file, tag->line,
-                       (int)(kind->n < NAME ? kind->n : NAME), kind->at);
-    if (has(tag, "infinite", "1"))
-        return wrong(t, tag->line, "the map is infinite (Tiled: Map Properties, Infinite off)");
-    if (!need(t, tag, "width", 1, CART_MAP_SIDE / 8, &cols) || !need(t, tag, "height", 1, CART_MAP_SIDE / 8, &rows) ||
-        !need(t, tag, "tilewidth", 1, 1024, &w) || !need(t, tag, "tileheight", 1, 1024, &h))
+/* ---- paths ---- */
+
+/* The path, from the game's folder on, of what `file` calls `relative`. False: it is outside of the folder. */
+static bool resolve(const char *file, const char *relative, char out[TREE_PATH])
+{
+    const char *slash = strrchr(file, '/');
+    size_t n = slash != NULL ? (size_t)(slash - file) : 0;
+
+    if (relative[0] == '\0' || relative[0] == '/' || strpbrk(relative, "\\:") != NULL || n >= TREE_PATH)
         return false;
-    if (w != h || (w != 8 && w != 16 && w != 32))
-        return err_set(t->err, t->err_size, "%s:%d: tiles of %dx%d px, expected 8x8, 16x16 or 32x32", t->file,
-                       tag->line, (int)w, (int)h);
-    if (cols * rows > CART_MAP_CELLS)
-        return err_set(t->err, t->err_size, "%s:%d: more than %d tiles", t->file, tag->line, CART_MAP_CELLS);
-    t->cols = (int)cols;
-    t->rows = (int)rows;
-    t->side = (int)w;
-    t->mapped = true;
-    return true;
-}
-
-static bool tileset_tag(struct tmx *t, const struct tag *tag)
-{
-    static const char *const gaps[] = { "spacing", "margin" };
-
-    if (t->firstgid)
-        return wrong(t, tag->line, "a second tileset: all tiles of a map stand on one sheet");
-    for (int i = 0; i < 2; i++)
-        if (value_of(tag, gaps[i]) != NULL && !has(tag, gaps[i], "0"))
-            return err_set(t->err, t->err_size, "%s:%d: a tileset with %s is not read: tiles stand side by side",
-                           t->file, tag->line, gaps[i]);
-    return need(t, tag, "firstgid", 1, 1 << 20, &t->firstgid);
-}
-
-/* What the picture would show otherwise. */
-static bool layer_plain(struct tmx *t, const struct tag *tag)
-{
-    static const struct {
-        const char *key, *plain;
-    } kept[] = { { "offsetx", "0" }, { "offsety", "0" }, { "opacity", "1" }, { "tintcolor", "" } };
-
-    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
-        if (value_of(tag, kept[i].key) != NULL && !has(tag, kept[i].key, kept[i].plain))
-            return err_set(t->err, t->err_size, "%s:%d: %s of a layer is not read", t->file, tag->line, kept[i].key);
-    return true;
-}
-
-static bool set_cell(struct tmx *t, int line, int i, int64_t gid)
-{
-    const uint32_t bits = (uint32_t)gid, id = bits & (gid_hex - 1);
-
-    if (i >= t->cols * t->rows)
-        return err_set(t->err, t->err_size, "%s:%d: more tiles than %dx%d", t->file, line, t->cols, t->rows);
-    if (gid > UINT32_MAX || bits & gid_hex)
-        return err_set(t->err, t->err_size, "%s:%d: expected a tile's number, got %" PRId64, t->file, line, gid);
-    if (id && id < (uint64_t)t->firstgid)
-        return err_set(t->err, t->err_size, "%s:%d: tile %" PRIu32 " is of no tileset", t->file, line, id);
-    if (id && id - (uint64_t)t->firstgid + 1 > MAP_NUMBER)
-        return err_set(t->err, t->err_size, "%s:%d: tile %" PRIu32 " is not on the sheet", t->file, line, id);
-    t->out->cell[i] = !id ? 0
-                          : (uint32_t)(id - (uint64_t)t->firstgid + 1) | (bits & gid_x ? MAP_FLIP_X : 0) |
-                                (bits & gid_y ? MAP_FLIP_Y : 0) | (bits & gid_diagonal ? MAP_DIAGONAL : 0);
-    return true;
-}
-
-/* The numbers up to the next tag; how many, or -1. */
-static int csv_cells(struct tmx *t)
-{
-    int n = 0;
-
-    for (;;) {
-        struct piece p;
-        int64_t gid;
-        skip_space(t);
-        p.at = t->at;
-        while (t->at < t->end && *t->at >= '0' && *t->at <= '9')
-            t->at++;
-        p.n = (size_t)(t->at - p.at);
-        if (!p.n && t->at < t->end && *t->at == '<')
-            return n;
-        if (!number(p, &gid))
-            return wrong(t, t->line, "expected a tile's number"), -1;
-        if (!set_cell(t, t->line, n, gid))
-            return -1;
-        n++;
-        skip_space(t);
-        if (t->at < t->end && *t->at == ',')
-            t->at++;
-        else if (t->at == t->end || *t->at != '<')
-            return wrong(t, t->line, "expected a comma between tiles"), -1;
+    memcpy(out, file, n);
+    for (const char *part = relative; *part != '\0';) {
+        const size_t length = strcspn(part, "/");
+        const bool up = length == 2 && memcmp(part, "..", 2) == 0;
+        if (up && n == 0)
+            return false;
+        while (up && n > 0 && out[--n] != '/')
+            ;
+        if (!up && length > 0 && !(length == 1 && *part == '.')) {
+            if (n + length + 2 > TREE_PATH)
+                return false;
+            if (n > 0)
+                out[n++] = '/';
+            memcpy(out + n, part, length);
+            n += length;
+        }
+        part += length + (part[length] == '/');
     }
+    out[n] = '\0';
+    return n > 0;
 }
 
-/* <tile gid="n"/> up to </data>; how many, or -1. */
-static int xml_cells(struct tmx *t)
-{
-    struct tag tag;
-    int n = 0;
+/* ---- tilesets ---- */
 
-    while (next_tag(t, &tag)) {
+static bool read_image(struct tmx *t, struct xml *x, struct tileset *s)
+{
+    static const char *const rules[] = { "source", "width", "height", "id", NULL };
+    const char *source = xml_value(x, "source");
+    int64_t w;
+
+    if (source == NULL && !refuse(t, x, x->name_line, "<image> without a source: a picture in the file is not read"))
+        return false;
+    if (!check_attributes(t, x, rules) || !get(x, "width", 0, 1 << 20, 0, &w))
+        return false;
+    s->sheet.width = (int)w;
+    if (source != NULL && !resolve(x->file, source, s->sheet.picture))
+        s->sheet.picture[0] = '\0';
+    return xml_skip(x);
+}
+
+/* A tile's own properties, shapes and names are for editors and games. */
+static bool read_tile(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "id", "type", "class", "terrain", "probability", NULL };
+    static const char *const harmless[] = { "properties", "objectgroup", NULL };
+    enum xml_event event;
+
+    if (!need(x, "id", 0, INT32_MAX, &t->at_tile) || !check_attributes(t, x, rules))
+        return false;
+    while ((event = xml_next(x)) == XML_OPEN) {
+        const char *what = strcmp(x->name, "animation") == 0 ? "an animated tile is not read; remove its animation"
+                           : strcmp(x->name, "image") == 0
+                               ? "a collection of images is not read; put the tiles on one picture"
+                               : NULL;
+        if (!is_one_of(x->name, harmless) &&
+            !(what != NULL ? refuse(t, x, x->name_line, "%s", what)
+                           : refuse(t, x, x->name_line, "<%.40s> of a tile is not read", x->name)))
+            return false;
+        if (!xml_skip(x))
+            return false;
+    }
+    t->at_tile = WHOLE;
+    return event == XML_CLOSE;
+}
+
+static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
+{
+    static const char *const harmless[] = { "properties",     "grid", "terraintypes", "wangsets", "transformations",
+                                            "editorsettings", NULL };
+    static const char *const offset[] = { "x=0", "y=0", NULL };
+
+    if (strcmp(x->name, "image") == 0)
+        return read_image(t, x, s);
+    if (strcmp(x->name, "tile") == 0)
+        return read_tile(t, x);
+    if (strcmp(x->name, "tileoffset") == 0)
+        return check_attributes(t, x, offset) && xml_skip(x);
+    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> of a tileset is not read", x->name))
+        return false;
+    return xml_skip(x);
+}
+
+/* From <tileset> to </tileset>, of the map or of a file of its own. */
+static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
+{
+    static const char *const rules[] = {
+        "firstgid",     "name",    "class",           "tilewidth",      "tileheight", "spacing",         "margin",
+        "tilecount",    "columns", "objectalignment", "tilerendersize", "fillmode",   "backgroundcolor", "version",
+        "tiledversion", NULL
+    };
+    int64_t w, h, spacing, margin, columns;
+    enum xml_event event;
+
+    if (!check_attributes(t, x, rules) || !get(x, "tilewidth", 0, 1 << 20, 0, &w) ||
+        !get(x, "tileheight", 0, 1 << 20, 0, &h) || !get(x, "spacing", 0, 1024, 0, &spacing) ||
+        !get(x, "margin", 0, 1024, 0, &margin) || !get(x, "columns", 0, 1 << 20, 0, &columns) ||
+        !get(x, "tilecount", 0, 1 << 27, 0, &s->count))
+        return false;
+    snprintf(s->sheet.place, sizeof s->sheet.place, "%s:%d", x->file, x->name_line);
+    s->sheet.spacing = (int)spacing;
+    s->sheet.margin = (int)margin;
+    s->sheet.columns = (int)columns;
+    if (((w && w != t->side) || (h && h != t->side)) &&
+        !refuse(t, x, x->name_line, "tiles of %dx%d px, expected those of the map, %dx%d", (int)w, (int)h, (int)t->side,
+                (int)t->side))
+        return false;
+    while ((event = xml_next(x)) == XML_OPEN)
+        if (!read_tileset_child(t, x, s))
+            return false;
+    return event == XML_CLOSE;
+}
+
+/* A .tsx file. */
+static bool read_tsx(struct tmx *t, const char *source, struct tileset *s)
+{
+    char file[TREE_PATH];
+    struct xml x;
+    uint8_t *text;
+    size_t n;
+
+    if (!resolve(t->map.file, source, file))
+        return xml_refuse(&t->map, t->map.name_line,
+                          "tileset \"%.80s\" is outside of the game's folder; put it there, or embed it in the map",
+                          source);
+    if (!t->files->load(t->files->context, file, &text, &n, t->err, t->err_size)) {
+        char why[SENTENCE];
+        snprintf(why, sizeof why, "%.*s", (int)sizeof why - 1, t->err);
+        return xml_refuse(&t->map, t->map.name_line, "%s", why);
+    }
+    bool good = xml_start(&x, (char *)text, n, file, t->err, t->err_size);
+    const enum xml_event event = good ? xml_next(&x) : XML_BAD;
+    if (event == XML_END || (event == XML_OPEN && strcmp(x.name, "tileset") != 0))
+        good = xml_refuse(&x, x.line, "expected <tileset>; save the tileset in Tiled as .tsx");
+    else
+        good = event == XML_OPEN && read_tileset_body(t, &x, s) && xml_next(&x) == XML_END;
+    free(text);
+    return good;
+}
+
+static bool read_tileset(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "firstgid", "source", "name", NULL };
+    struct tileset *s = &t->set[t->sets];
+    const char *source = xml_value(x, "source");
+
+    if (t->sets == TILESETS)
+        return xml_refuse(x, x->name_line, "more than %d tilesets", (int)TILESETS);
+    if (!need(x, "firstgid", 1, 1 << 28, &s->first))
+        return false;
+    t->at_set = t->sets++;
+    t->at_tile = WHOLE;
+    const bool good = source == NULL ? read_tileset_body(t, x, s)
+                                     : check_attributes(t, x, rules) && read_tsx(t, source, s) && xml_skip(x);
+    t->at_set = -1;
+    return good;
+}
+
+/* The tileset of a tile, or NULL. */
+static struct tileset *set_of(struct tmx *t, uint32_t id)
+{
+    struct tileset *best = NULL;
+
+    for (int i = 0; i < t->sets; i++)
+        if (t->set[i].first <= id && (best == NULL || t->set[i].first > best->first))
+            best = &t->set[i];
+    return best;
+}
+
+/* ---- cells ---- */
+
+static bool set_gid(struct tmx *t, struct xml *x, int line, uint32_t *to, int64_t gid)
+{
+    const uint32_t id = (uint32_t)gid & ~MAP_GID_TURNS;
+
+    if (gid > UINT32_MAX || id >> 28)
+        return xml_refuse(x, line, "expected a tile's number, got %" PRId64, gid);
+    if (id) {
+        struct tileset *s = set_of(t, id);
+        if (s == NULL)
+            return xml_refuse(x, line, "tile %" PRIu32 " is of no tileset", id);
+        const uint32_t behind = (uint32_t)(id - s->first + 1);
+        s->used = behind > s->used ? behind : s->used;
+    }
+    *to = id ? (uint32_t)gid : 0;
+    return true;
+}
+
+/* Numbers with commas between. */
+static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
+{
+    int line = x->line;
+    const char *s, *end;
+    const size_t size = xml_text(x, &s);
+
+    for (end = s + size;;) {
         int64_t gid = 0;
-        if (is(&tag.name, "data") && tag.closing)
-            return n;
-        if (is(&tag.name, "tile") && tag.closing)
-            continue;
-        if (!is(&tag.name, "tile"))
-            return wrong(t, tag.line,
-                         is(&tag.name, "chunk") ? "chunks of an infinite map are not read"
-                                                : "expected <tile gid=\"...\"/>"),
-                   -1;
-        if (value_of(&tag, "gid") != NULL && !need(t, &tag, "gid", 0, UINT32_MAX, &gid))
-            return -1;
-        if (!set_cell(t, tag.line, n, gid))
-            return -1;
-        n++;
+        int digits = 0;
+        while (s < end && strchr(" \t\r\n", *s) != NULL)
+            line += *s++ == '\n';
+        if (s == end)
+            return true;
+        for (; s < end && *s >= '0' && *s <= '9' && digits < 10; digits++)
+            gid = gid * 10 + (*s++ - '0');
+        if (digits == 0)
+            return xml_refuse(x, line, "expected a tile's number");
+        if (*got == n)
+            return xml_refuse(x, line, "more tiles than %" PRId64, n);
+        if (!set_gid(t, x, line, &to[(*got)++], gid))
+            return false;
+        while (s < end && strchr(" \t\r\n", *s) != NULL)
+            line += *s++ == '\n';
+        if (s < end && *s++ != ',')
+            return xml_refuse(x, line, "expected a comma between tiles");
     }
-    if (!t->err[0])
-        wrong(t, t->line, "<data> has no end");
-    return -1;
 }
 
-static bool data_tag(struct tmx *t, const struct tag *tag)
+/* <tile gid="n"/> up to the end of the element around them. */
+static bool read_xml(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
 {
-    const struct piece *encoding = value_of(tag, "encoding");
-    const bool csv = encoding != NULL && is(encoding, "csv");
+    static const char *const rules[] = { "gid", NULL };
+    enum xml_event event;
+    int64_t gid;
 
-    if ((encoding != NULL && !csv) || value_of(tag, "compression") != NULL)
-        return err_set(t->err, t->err_size,
-                       "%s:%d: data in %.*s is not read (Tiled: Map Properties, Tile Layer Format: CSV)", t->file,
-                       tag->line, encoding != NULL ? (int)(encoding->n < NAME ? encoding->n : NAME) : 10,
-                       encoding != NULL ? encoding->at : "compressed");
-    if (!t->firstgid)
-        return wrong(t, tag->line, "a layer without a tileset before it");
-    t->out->cell = calloc((size_t)t->cols * (size_t)t->rows, sizeof *t->out->cell);
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (strcmp(x->name, "tile") != 0)
+            return xml_refuse(x, x->name_line, "expected <tile gid=\"...\"/>, got <%.40s>", x->name);
+        if (*got == n)
+            return xml_refuse(x, x->name_line, "more tiles than %" PRId64, n);
+        if (!check_attributes(t, x, rules) || !get(x, "gid", 0, UINT32_MAX, 0, &gid) ||
+            !set_gid(t, x, x->name_line, &to[(*got)++], gid) || !xml_skip(x))
+            return false;
+    }
+    return event == XML_CLOSE;
+}
+
+/* Decodes base64 into `out`, which is as large; the bytes, or -1. */
+static int64_t decode64(const char *s, size_t n, uint8_t *out)
+{
+    uint32_t bits = 0;
+    int64_t size = 0;
+    int count = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        if (strchr(" \t\r\n", s[i]) != NULL)
+            continue;
+        if (s[i] == '=') {
+            for (; i < n; i++)
+                if (strchr("= \t\r\n", s[i]) == NULL)
+                    return -1;
+            break;
+        }
+        if (bytes_digit64((uint8_t)s[i]) < 0)
+            return -1;
+        bits = bits << 6 | (uint32_t)bytes_digit64((uint8_t)s[i]);
+        if (++count % 4 != 1)
+            out[size++] = (uint8_t)(bits >> (6 - 2 * ((count - 1) % 4)));
+    }
+    return count % 4 == 1 ? -1 : size;
+}
+
+/* The first byte of the deflated data of a gzip file (RFC 1952), or 0. */
+static size_t gzip_data(const uint8_t *p, size_t n)
+{
+    enum { CHECK = 2, EXTRA = 4, NAME = 8, COMMENT = 16 };
+    size_t at = 10;
+
+    if (n < 18 || p[0] != 0x1f || p[1] != 0x8b || p[2] != 8)
+        return 0;
+    if (p[3] & EXTRA)
+        at += 2 + (size_t)bytes_get16(p + at);
+    for (int flag = NAME; flag <= COMMENT; flag *= 2)
+        if (p[3] & flag) {
+            while (at < n && p[at] != 0)
+                at++;
+            at++;
+        }
+    at += p[3] & CHECK ? 2 : 0;
+    return at + 8 <= n ? at : 0;
+}
+
+/* Inflates packed bytes to just `size`; out has room for one more. */
+static bool inflate(uint8_t *packed, size_t n, bool gzip, uint8_t *out, size_t size)
+{
+    const size_t at = gzip ? gzip_data(packed, n) : 0;
+
+    if (!gzip)
+        return png_inflate(packed, n, out, size);
+    if (at == 0)
+        return false;
+    packed[at - 2] = 0x78; /* zlib's header; the checksums behind the data are passed over */
+    packed[at - 1] = 0x9c;
+    return png_inflate(packed + at - 2, n - (at - 2), out, size) &&
+           hash_crc32(out, size) == bytes_get32(packed + n - 8);
+}
+
+/* Four bytes a cell, maybe compressed, in base64. */
+static bool read_base64(struct tmx *t, struct xml *x, const char *compression, uint32_t *to, int64_t n, int64_t *got)
+{
+    const int line = x->line;
+    const char *s;
+    const size_t length = xml_text(x, &s), size = (size_t)n * 4;
+    uint8_t *packed = malloc(length + 1), *bytes = malloc(size + 1);
+    bool good = packed != NULL && bytes != NULL ? true : result_host(t->err, t->err_size, "out of memory");
+    const int64_t packed_size = good ? decode64(s, length, packed) : 0;
+
+    if (good && packed_size < 0)
+        good = xml_refuse(x, line, "this is not base64");
+    else if (good && compression[0] == '\0' && (size_t)packed_size != size)
+        good = xml_refuse(x, line, "%" PRId64 " bytes of tiles, expected %zu", packed_size, size);
+    else if (good && compression[0] == '\0')
+        memcpy(bytes, packed, size);
+    else if (good && !inflate(packed, (size_t)packed_size, compression[0] == 'g', bytes, size))
+        good = xml_refuse(x, line, "the data does not decompress to %" PRId64 " tiles", n);
+    for (; good && *got < n; ++*got)
+        good = set_gid(t, x, line, &to[*got], bytes_get32(bytes + 4 * *got));
+    free(packed);
+    free(bytes);
+    return good;
+}
+
+/* Room for the cells of one more chunk. */
+static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
+{
+    const size_t n = (size_t)c.w * (size_t)c.h;
+
+    if (t->gids + n > CART_MAP_CELLS)
+        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAP_CELLS);
+    uint32_t *gid = realloc(t->gid, (t->gids + n) * sizeof *gid);
+    t->gid = gid != NULL ? gid : t->gid;
+    if (t->chunks == t->chunk_room) {
+        const int room = t->chunk_room ? 2 * t->chunk_room : 16;
+        struct chunk *more = realloc(t->chunk, (size_t)room * sizeof *more);
+        t->chunk_room = more != NULL ? room : t->chunk_room;
+        t->chunk = more != NULL ? more : t->chunk;
+    }
+    if (gid == NULL || t->chunks == t->chunk_room)
+        return result_host(t->err, t->err_size, "out of memory");
+    c.at = t->gids;
+    t->chunk[t->chunks++] = c;
+    t->gids += n;
+    return true;
+}
+
+/* The cells of <data> or <chunk>, up to its end. */
+static bool read_chunk(struct tmx *t, struct xml *x, const char *encoding, const char *compression, struct chunk c)
+{
+    const int line = x->name_line;
+    const int64_t n = c.w * c.h;
+    int64_t got = 0;
+
+    if (!add_chunk(t, x, c))
+        return false;
+    uint32_t *to = t->gid + (t->gids - (size_t)n);
+    if (encoding[0] == '\0'
+            ? !read_xml(t, x, to, n, &got)
+            : !(encoding[0] == 'c' ? read_csv(t, x, to, n, &got) : read_base64(t, x, compression, to, n, &got)))
+        return false;
+    if (got != n)
+        return xml_refuse(x, line, "%" PRId64 " tiles, expected %" PRId64 " (%" PRId64 "x%" PRId64 ")", got, n, c.w,
+                          c.h);
+    if (encoding[0] == '\0')
+        return true;
+    const enum xml_event event = xml_next(x);
+    return event == XML_OPEN ? xml_refuse(x, x->name_line, "<%.40s> among the tiles is not read", x->name)
+                             : event == XML_CLOSE;
+}
+
+static bool read_chunks(struct tmx *t, struct xml *x, const char *encoding, const char *compression)
+{
+    static const char *const rules[] = { "x", "y", "width", "height", NULL };
+    enum xml_event event;
+    struct chunk c = { 0 };
+
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (strcmp(x->name, "chunk") != 0)
+            return xml_refuse(x, x->name_line, "expected <chunk>, got <%.40s>", x->name);
+        if (!check_attributes(t, x, rules) || !need(x, "x", INT32_MIN, INT32_MAX, &c.x) ||
+            !need(x, "y", INT32_MIN, INT32_MAX, &c.y) || !need(x, "width", 1, CART_MAP_SIDE, &c.w) ||
+            !need(x, "height", 1, CART_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
+            return false;
+    }
+    return event == XML_CLOSE;
+}
+
+static bool read_data(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "encoding=csv",     "encoding=base64", "encoding=", "compression=zlib",
+                                         "compression=gzip", "compression=",    NULL };
+    char encoding[8], compression[8];
+
+    for (int i = 0; i < x->n; i++)
+        if (strcmp(x->attribute[i].key, "compression") == 0 && strcmp(x->attribute[i].value, "zstd") == 0)
+            return xml_refuse(
+                x, x->name_line,
+                "data compressed by zstd is not read; in Tiled's Map Properties, set Tile Layer Format to CSV");
+    if (!check_attributes(t, x, rules))
+        return false;
+    const char *e = xml_value(x, "encoding"), *c = xml_value(x, "compression");
+    snprintf(encoding, sizeof encoding, "%s", e != NULL ? e : "");
+    snprintf(compression, sizeof compression, "%s", c != NULL ? c : "");
+    if (compression[0] != '\0' && encoding[0] != 'b')
+        return xml_refuse(x, x->name_line, "data is compressed, but not in base64");
+    if (t->infinite)
+        return read_chunks(t, x, encoding, compression);
+    return read_chunk(t, x, encoding, compression, (struct chunk){ 0, 0, t->cols, t->rows, 0 });
+}
+
+/* ---- the cells of a layer, in the order of the sheets ---- */
+
+/* The sheets of the tilesets that are used. */
+static bool collect_sheets(struct tmx *t, struct xml *x, int line)
+{
+    struct map_cells *out = t->out;
+    int64_t base = 0;
+
+    out->named = t->sets > 1;
+    for (int i = 0; i < t->sets; i++) {
+        struct tileset *s = &t->set[i];
+        if (s->used == 0)
+            continue;
+        if (out->sheets == MAP_SHEETS)
+            return xml_refuse(x, line, "the layer has tiles of more than %d tilesets", (int)MAP_SHEETS);
+        const int64_t count = s->count > 0 ? s->count : MAP_NUMBER - base;
+        if (s->used > count)
+            return xml_refuse(x, line, "tile %" PRId64 " is of no tileset: that at %s has %" PRId64 " tiles",
+                              s->first + s->used - 1, s->sheet.place, count);
+        s->sheet.base = (uint32_t)base;
+        out->sheet[out->sheets++] = s->sheet;
+        base += s->used;
+    }
+    out->sheets += out->sheets == 0; /* an empty layer */
+    return true;
+}
+
+static bool check_flaws(struct tmx *t)
+{
+    for (int i = 0; i < t->flaws; i++) {
+        const struct flaw *f = &t->flaw[i];
+        const struct tileset *s = &t->set[f->set];
+        bool met = f->tile == WHOLE && s->used > 0;
+        for (size_t k = 0; !met && f->tile < s->used && k < t->gids; k++)
+            met = (t->gid[k] & ~MAP_GID_TURNS) == (uint64_t)(s->first + f->tile) && t->gid[k] != 0;
+        if (met)
+            return err_set(t->err, t->err_size, "%s", f->why);
+    }
+    return true;
+}
+
+/* The smallest rectangle that holds all tiles of an infinite map. */
+static bool bound(const struct tmx *t, struct chunk *box)
+{
+    int64_t right = INT64_MIN, bottom = INT64_MIN;
+
+    box->x = box->y = INT64_MAX;
+    for (int i = 0; i < t->chunks; i++) {
+        const struct chunk *c = &t->chunk[i];
+        for (int64_t k = 0; k < c->w * c->h; k++) {
+            const int64_t x = c->x + k % c->w, y = c->y + k / c->w;
+            if (t->gid[c->at + (size_t)k] == 0)
+                continue;
+            box->x = x < box->x ? x : box->x;
+            box->y = y < box->y ? y : box->y;
+            right = x > right ? x : right;
+            bottom = y > bottom ? y : bottom;
+        }
+    }
+    if (right == INT64_MIN)
+        return false;
+    box->w = right - box->x + 1;
+    box->h = bottom - box->y + 1;
+    return true;
+}
+
+static bool place_cells(struct tmx *t, struct chunk box)
+{
+    t->out->cell = calloc((size_t)box.w * (size_t)box.h, sizeof *t->out->cell);
     if (t->out->cell == NULL)
         return result_host(t->err, t->err_size, "out of memory");
-    const int n = tag->alone ? 0 : csv ? csv_cells(t) : xml_cells(t);
-    if (n >= 0 && n != t->cols * t->rows)
-        return err_set(t->err, t->err_size, "%s:%d: %d tiles, expected %d (%dx%d)", t->file, tag->line, n,
-                       t->cols * t->rows, t->cols, t->rows);
-    if (n < 0)
-        return false;
-    t->out->cols = t->cols;
-    t->out->rows = t->rows;
-    t->out->side = t->side;
+    for (int i = 0; i < t->chunks; i++) {
+        const struct chunk *c = &t->chunk[i];
+        for (int64_t k = 0; k < c->w * c->h; k++) {
+            const uint32_t gid = t->gid[c->at + (size_t)k], id = gid & ~MAP_GID_TURNS;
+            if (gid == 0)
+                continue;
+            const struct tileset *s = set_of(t, id);
+            t->out->cell[(c->y + k / c->w - box.y) * box.w + c->x + k % c->w - box.x] =
+                (uint32_t)(id - s->first + 1 + s->sheet.base) | map_turns(gid);
+        }
+    }
+    t->out->cols = (int)box.w;
+    t->out->rows = (int)box.h;
+    t->out->side = (int)t->side;
     return t->found = true;
 }
 
-/* The data of a layer that is wanted. */
-static bool layer_data(struct tmx *t, const struct tag *layer)
+static bool finish_layer(struct tmx *t, struct xml *x, int line)
 {
-    struct tag tag;
-    int64_t cols, rows;
+    struct chunk box = { 0, 0, t->cols, t->rows, 0 };
 
-    if (!layer_plain(t, layer) || !need(t, layer, "width", t->cols, t->cols, &cols) ||
-        !need(t, layer, "height", t->rows, t->rows, &rows))
-        return false;
-    while (next_tag(t, &tag)) {
-        if (is(&tag.name, "data") && !tag.closing)
-            return data_tag(t, &tag);
-        if (is(&tag.name, "layer") && tag.closing)
-            break;
-    }
-    return t->err[0] ? false : wrong(t, layer->line, "a layer without <data>");
+    if (t->infinite && !bound(t, &box))
+        return xml_refuse(x, line, "the layer has no tiles");
+    if (box.w > CART_MAP_SIDE / 8 || box.h > CART_MAP_SIDE / 8 || box.w * box.h > CART_MAP_CELLS)
+        return xml_refuse(x, line, "the layer's tiles cover %" PRId64 "x%" PRId64 ", expected at most %d each way",
+                          box.w, box.h, CART_MAP_SIDE / 8);
+    return check_flaws(t) && collect_sheets(t, x, line) && place_cells(t, box);
 }
 
-/* Keeps the name for a sentence; one for which there is no room is left out. */
-static void pass_over(struct tmx *t, const struct piece *name)
+/* ---- layers ---- */
+
+/* A layer, or a group of layers, that changes nothing of what is drawn. */
+static const char *const layer_rules[] = { "id",
+                                           "name",
+                                           "class",
+                                           "locked",
+                                           "width",
+                                           "height",
+                                           "x=0",
+                                           "y=0",
+                                           "visible=1",
+                                           "opacity=1",
+                                           "offsetx=0",
+                                           "offsety=0",
+                                           "parallaxx=1",
+                                           "parallaxy=1",
+                                           "mode=normal",
+                                           "tintcolor=#ffffff",
+                                           "tintcolor=#ffffffff",
+                                           "tintcolor=",
+                                           NULL };
+
+static bool read_layer(struct tmx *t, struct xml *x)
+{
+    const int line = x->name_line;
+    enum xml_event event;
+    int64_t cols, rows;
+    bool data = false;
+
+    if (!check_attributes(t, x, layer_rules))
+        return false;
+    if (!t->infinite && (!need(x, "width", t->cols, t->cols, &cols) || !need(x, "height", t->rows, t->rows, &rows)))
+        return false;
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (strcmp(x->name, "data") == 0) {
+            if (data)
+                return xml_refuse(x, x->name_line, "a second <data>");
+            data = true;
+            if (!read_data(t, x))
+                return false;
+        } else if (strcmp(x->name, "properties") != 0) {
+            return xml_refuse(x, x->name_line, "<%.40s> of a layer is not read", x->name);
+        } else if (!xml_skip(x)) {
+            return false;
+        }
+    }
+    if (event != XML_CLOSE)
+        return false;
+    return data ? finish_layer(t, x, line) : xml_refuse(x, line, "a layer without <data>");
+}
+
+/* Adds the name to those for a sentence; one that does not fit is left out. */
+static void pass_over(struct tmx *t, const char *name)
 {
     size_t at = strlen(t->names), room = sizeof t->names - at;
 
-    if (name != NULL && name->n > 0 && name->n + 3 <= room)
-        snprintf(t->names + at, room, "%s%.*s", at > 0 ? ", " : "", (int)name->n, name->at);
+    if (name != NULL && name[0] != '\0' && strlen(name) + 3 <= room)
+        snprintf(t->names + at, room, "%s%s", at > 0 ? ", " : "", name);
 }
 
-static bool layer_tag(struct tmx *t, const struct tag *tag)
+static bool tile_layer(struct tmx *t, struct xml *x)
 {
-    const struct piece *name = value_of(tag, "name");
+    const char *name = xml_value(x, "name");
 
     t->layers++;
-    if (!t->mapped)
-        return wrong(t, tag->line, "a layer outside of <map>");
-    if (t->wanted[0] != '\0' ? name == NULL || !is(name, t->wanted) : t->layers > 1) {
-        t->layer_line = tag->line;
+    if (t->wanted[0] != '\0' ? name == NULL || strcmp(name, t->wanted) != 0 : t->layers > 1) {
+        t->layer_line = x->name_line;
         pass_over(t, name);
-        return true;
+        return xml_skip(x);
     }
     if (t->found)
-        return wrong(t, tag->line, "a second layer of that name");
-    return layer_data(t, tag);
+        return xml_refuse(x, x->name_line, "a second layer of that name");
+    return read_layer(t, x);
 }
 
-static bool top_tag(struct tmx *t, const struct tag *tag)
+/* Objects are seen where they are tiles or text. */
+static bool read_object(struct xml *x)
 {
-    if (tag->closing)
-        return true;
-    if (is(&tag->name, "map"))
-        return t->mapped ? wrong(t, tag->line, "a second <map>") : map_tag(t, tag);
-    if (is(&tag->name, "tileset"))
-        return tileset_tag(t, tag);
-    if (is(&tag->name, "group"))
-        return wrong(t, tag->line, "layers in groups are not read");
-    return is(&tag->name, "layer") ? layer_tag(t, tag) : true;
-}
+    const char *visible = xml_value(x, "visible");
+    const bool hidden = visible != NULL && strcmp(visible, "0") == 0;
+    enum xml_event event;
 
-static bool read_tags(struct tmx *t)
-{
-    struct tag tag;
-
-    while (next_tag(t, &tag))
-        if (!top_tag(t, &tag))
+    if (!hidden && xml_value(x, "gid") != NULL)
+        return xml_refuse(x, x->name_line, "an object that is a tile is not read; put the tile on the layer");
+    if (!hidden && xml_value(x, "template") != NULL)
+        return xml_refuse(x, x->name_line, "an object of a template is not read; detach it in Tiled");
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (!hidden && strcmp(x->name, "text") == 0)
+            return xml_refuse(x, x->name_line, "an object that is text is not read");
+        if (!xml_skip(x))
             return false;
-    if (t->err[0])
-        return false;
-    if (!t->mapped)
-        return err_set(t->err, t->err_size, "%s: there is no <map>: not a map of Tiled's", t->file);
-    if (t->wanted[0] == '\0' && t->layers > 1)
-        return err_set(t->err, t->err_size, "%s:%d: a second layer of tiles: say in rom.lua which, layer = \"NAME\"",
-                       t->file, t->layer_line);
-    if (!t->found && t->wanted[0] != '\0')
-        return err_set(t->err, t->err_size, "%s: there is no layer of tiles \"%s\"%s%s%s", t->file, t->wanted,
-                       t->names[0] != '\0' ? " (there is " : "", t->names, t->names[0] != '\0' ? ")" : "");
-    return t->found ? true : err_set(t->err, t->err_size, "%s: there is no layer of tiles", t->file);
+    }
+    return event == XML_CLOSE;
 }
 
-bool map_read_tmx(const char *text, size_t n, const char *file, const char *layer, struct map_cells *out, char *err,
-                  size_t err_size)
+static bool read_objects(struct xml *x)
 {
-    struct tmx t = { .at = text,
-                     .end = text + n,
-                     .file = file,
-                     .line = 1,
-                     .wanted = layer,
-                     .out = out,
-                     .err = err,
-                     .err_size = err_size };
+    enum xml_event event;
+
+    while ((event = xml_next(x)) == XML_OPEN)
+        if (strcmp(x->name, "object") == 0 ? !read_object(x) : !xml_skip(x))
+            return false;
+    return event == XML_CLOSE;
+}
+
+static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x));
+
+/* Layers of all kinds, in the map or in a group. Where a layer is named, the others do not matter. */
+static bool any_layer(struct tmx *t, struct xml *x)
+{
+    const char *visible = xml_value(x, "visible");
+    const bool unseen = t->wanted[0] != '\0' || (visible != NULL && strcmp(visible, "0") == 0);
+
+    if (strcmp(x->name, "layer") == 0)
+        return tile_layer(t, x);
+    if (strcmp(x->name, "group") == 0)
+        return check_attributes(t, x, layer_rules) && read_children(t, x, any_layer);
+    if (strcmp(x->name, "properties") == 0)
+        return xml_skip(x);
+    if (strcmp(x->name, "objectgroup") == 0)
+        return unseen ? xml_skip(x) : read_objects(x);
+    if (strcmp(x->name, "imagelayer") != 0)
+        return xml_refuse(x, x->name_line, "<%.40s> is not read", x->name);
+    return unseen ? xml_skip(x)
+                  : xml_refuse(x, x->name_line,
+                               "a layer that is an image is not read; hide it, or say in rom.lua which "
+                               "layer to read, layer = \"NAME\"");
+}
+
+static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x))
+{
+    enum xml_event event;
+
+    while ((event = xml_next(x)) == XML_OPEN)
+        if (!other(t, x))
+            return false;
+    return event == XML_CLOSE;
+}
+
+/* ---- the map ---- */
+
+static bool map_child(struct tmx *t, struct xml *x)
+{
+    if (strcmp(x->name, "editorsettings") == 0)
+        return xml_skip(x);
+    return strcmp(x->name, "tileset") == 0 ? read_tileset(t, x) : any_layer(t, x);
+}
+
+/* An alpha of 0 in front: "#00rrggbb". */
+static bool is_clear(const char *color)
+{
+    return color == NULL || (strlen(color) == 9 && strncmp(color, "#00", 3) == 0);
+}
+
+static bool read_map(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "version",         "tiledversion",
+                                         "class",           "orientation=orthogonal",
+                                         "renderorder",     "width",
+                                         "height",          "tilewidth",
+                                         "tileheight",      "infinite",
+                                         "nextlayerid",     "nextobjectid",
+                                         "backgroundcolor", "parallaxoriginx",
+                                         "parallaxoriginy", "compressionlevel",
+                                         "hexsidelength",   "staggeraxis",
+                                         "staggerindex",    "skewx=0",
+                                         "skewy=0",         NULL };
+    const char *color = xml_value(x, "backgroundcolor");
+    int64_t h, infinite;
+
+    if (!check_attributes(t, x, rules) || !get(x, "infinite", 0, 1, 0, &infinite))
+        return false;
+    if (!is_clear(color))
+        return xml_refuse(x, x->name_line,
+                          "<map> backgroundcolor=\"%.40s\" is not read; clear it in Tiled's Map "
+                          "Properties",
+                          color);
+    t->infinite = infinite;
+    if (!t->infinite &&
+        (!need(x, "width", 1, CART_MAP_SIDE / 8, &t->cols) || !need(x, "height", 1, CART_MAP_SIDE / 8, &t->rows)))
+        return false;
+    if (!need(x, "tilewidth", 1, 1024, &t->side) || !need(x, "tileheight", 1, 1024, &h))
+        return false;
+    if (t->side != h || (h != 8 && h != 16 && h != 32))
+        return xml_refuse(x, x->name_line, "tiles of %dx%d px, expected 8x8, 16x16 or 32x32", (int)t->side, (int)h);
+    if (t->cols * t->rows > CART_MAP_CELLS)
+        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAP_CELLS);
+    return read_children(t, x, map_child);
+}
+
+static bool read_file(struct tmx *t)
+{
+    struct xml *x = &t->map;
+    const enum xml_event event = xml_next(x);
+
+    if (event == XML_BAD)
+        return false;
+    if (event == XML_END || strcmp(x->name, "map") != 0)
+        return err_set(t->err, t->err_size, "%s: there is no <map>: not a map of Tiled's", x->file);
+    if (!read_map(t, x) || xml_next(x) != XML_END)
+        return false;
+    if (t->wanted[0] == '\0' && t->layers > 1)
+        return xml_refuse(x, t->layer_line, "a second layer of tiles: say in rom.lua which, layer = \"NAME\"");
+    if (!t->found && t->wanted[0] != '\0')
+        return err_set(t->err, t->err_size, "%s: there is no layer of tiles \"%s\"%s%s%s", x->file, t->wanted,
+                       t->names[0] != '\0' ? " (there is " : "", t->names, t->names[0] != '\0' ? ")" : "");
+    return t->found ? true : err_set(t->err, t->err_size, "%s: there is no layer of tiles", x->file);
+}
+
+bool map_read_tmx(const char *text, size_t n, const char *file, const char *layer, const struct map_files *files,
+                  struct map_cells *out, char *err, size_t err_size)
+{
+    struct tmx *t = calloc(1, sizeof *t);
+    char *copy = malloc(n + 1); /* XML is decoded in place */
+    bool good = t != NULL && copy != NULL ? true : result_host(err, err_size, "out of memory");
 
     *out = (struct map_cells){ 0 };
-    err[0] = '\0';
-    if (read_tags(&t))
+    if (good) {
+        memcpy(copy, text, n);
+        copy[n] = '\0';
+        t->files = files;
+        t->wanted = layer;
+        t->at_set = -1;
+        t->out = out;
+        t->err = err;
+        t->err_size = err_size;
+        good = xml_start(&t->map, copy, n, file, err, err_size) && read_file(t);
+        free(t->chunk);
+        free(t->gid);
+    }
+    free(copy);
+    free(t);
+    if (good)
         return true;
     free(out->cell);
     *out = (struct map_cells){ 0 };

@@ -489,19 +489,30 @@ static bool add_sheet(struct packer *p, int i)
     return good;
 }
 
-/* The cells of a map whose rows stand in rom.lua. */
+/* The cells of a map whose rows are in rom.lua. */
 static bool rows_of(struct packer *p, const struct art_map *m, struct map_cells *out)
 {
     const size_t n = (size_t)m->cols * (size_t)m->rows;
 
-    *out = (struct map_cells){ m->cols, m->rows, 0, malloc(n * sizeof *out->cell) };
+    *out = (struct map_cells){ .cols = m->cols, .rows = m->rows, .cell = malloc(n * sizeof *out->cell), .sheets = 1 };
     for (size_t i = 0; out->cell != NULL && i < n; i++)
         out->cell[i] = p->art.cells[(size_t)m->cells + i];
     return out->cell != NULL ? true : result_host(p->err, p->err_size, "out of memory");
 }
 
+/* A tileset that a map names. */
+static bool load_tileset(void *context, const char *file, uint8_t **text, size_t *n, char *err, size_t err_size)
+{
+    struct packer *p = context;
+
+    if (!tree_has(&p->files, file))
+        return err_set(err, err_size, "there is no %s", file);
+    return load_text(p, file, TREE_FILE, text, n);
+}
+
 static bool load_cells(struct packer *p, const struct art_map *m, struct map_cells *out)
 {
+    const struct map_files files = { load_tileset, p };
     uint8_t *text;
     size_t n;
 
@@ -515,7 +526,7 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
         return false;
     bool good = ends_with(m->file, ".csv")
                     ? map_read_csv((const char *)text, n, m->file, m->first, out, p->err, p->err_size)
-                    : map_read_tmx((const char *)text, n, m->file, m->layer, out, p->err, p->err_size);
+                    : map_read_tmx((const char *)text, n, m->file, m->layer, &files, out, p->err, p->err_size);
     free(text);
     if (!good || !out->side || !m->size || out->side == m->size)
         return good;
@@ -524,30 +535,65 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
                    (int)m->size, m->file, out->side);
 }
 
-static bool add_map(struct packer *p, const struct art_map *m)
+/* Which picture of rom.lua sheet i is cut from; -1 with a sentence. */
+static int picture_of(struct packer *p, const struct art_map *m, const struct map_cells *cells, int i)
 {
-    struct art_picture sheet;
-    struct map_cells cells;
-    char why[256];
+    const struct map_sheet *s = &cells->sheet[i];
+
+    if (!cells->named && m->n_tiles == 1)
+        return 0;
+    for (int k = 0; k < m->n_tiles; k++)
+        if (strcmp(m->tiles[k], s->picture) == 0)
+            return k;
+    if (s->picture[0] == '\0')
+        err_set(p->err, p->err_size, "%s: the tileset's picture is outside of the game's folder", s->place);
+    else
+        err_set(p->err, p->err_size, "%s: the map has tiles of %s; add it to `tiles` of map \"%s\" in rom.lua",
+                s->place, s->picture, m->name);
+    return -1;
+}
+
+/* Makes the lump of a map whose pictures were read. */
+static bool make_map(struct packer *p, const struct art_map *m, const struct map_cells *cells,
+                     const struct art_picture *art)
+{
+    struct map_picture picture[MAP_SHEETS];
+    char where[ART_FILE + ART_NAME + 16];
     uint8_t *data;
     size_t size;
 
+    snprintf(where, sizeof where, "%s: map \"%s\"", m->file[0] ? m->file : "rom.lua", m->name);
+    for (int i = 0; i < cells->sheets; i++) {
+        const int k = picture_of(p, m, cells, i);
+        if (k < 0)
+            return false;
+        picture[i] = (struct map_picture){ &art[k], m->tiles[k] };
+        if (!map_fits(cells, i, &picture[i], p->err, p->err_size))
+            return false;
+    }
+    return map_make(cells, where, cells->side ? cells->side : m->size, picture, m->bank, palette_of(p, m->palette),
+                    p->nearest, &data, &size, p->err, p->err_size) &&
+           add(p, "map/", m->name, data, size);
+}
+
+static bool add_map(struct packer *p, const struct art_map *m)
+{
+    struct art_picture pictures[ART_TILES] = { 0 };
+    struct map_cells cells;
+
     if (!load_cells(p, m, &cells))
         return false;
-    if (!load_picture(p, m->tiles, m->by_index, &sheet)) {
-        free(cells.cell);
-        return false;
+    bool good = true;
+    for (int i = 0; good && i < m->n_tiles; i++) {
+        good = load_picture(p, m->tiles[i], m->by_index, &pictures[i]);
+        if (good)
+            tell_faint(p, m->tiles[i], &pictures[i], NULL);
     }
-    bool pixel = false;
-    bool good = map_make(&cells, cells.side ? cells.side : m->size, &sheet, m->bank, palette_of(p, m->palette),
-                         p->nearest, &data, &size, &pixel, why, sizeof why);
-    tell_faint(p, m->tiles, &sheet, NULL);
-    art_picture_free(&sheet);
+    good = good && make_map(p, m, &cells, pictures);
+    for (int i = 0; i < m->n_tiles; i++)
+        art_picture_free(&pictures[i]);
     free(cells.cell);
-    if (good)
-        return add(p, "map/", m->name, data, size);
-    return pixel ? err_set(p->err, p->err_size, "%s: %s", m->tiles, why)
-                 : err_set(p->err, p->err_size, "%s: map \"%s\": %s", m->file[0] ? m->file : "rom.lua", m->name, why);
+    return good;
 }
 
 /* Adds what a recording becomes: a tune, and of music its samples. */

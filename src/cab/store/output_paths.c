@@ -65,7 +65,7 @@ void game_files_open(struct game_files *g, const char *game)
     add_sources(g, game);
     if (tree_join(tests, game, "tests"))
         add_sources(g, tests);
-    if (files_read(rom, rom, TREE_SCRIPT, &text, &size, err, sizeof err)) {
+    if (files_read_text(rom, rom, TREE_SCRIPT, &text, &size, err, sizeof err)) {
         add_named(g, game, (char *)text);
         free(text);
     }
