@@ -4,6 +4,8 @@
  */
 #include "utf8.h"
 
+#include <string.h>
+
 /* The bytes of the sequence that begins with b, and what of it is the first's share; 0: none begins so. */
 static int sequence(uint8_t b, uint32_t *code)
 {
@@ -16,25 +18,66 @@ static int sequence(uint8_t b, uint32_t *code)
     return 0;
 }
 
-uint32_t utf8_next(const char **s, const char *end)
+bool utf8_read(const char **s, const char *end, uint32_t *code)
 {
     static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
     const uint8_t *p = (const uint8_t *)*s;
-    uint32_t code = 0;
-    int n = sequence(*p, &code);
+    uint32_t all = 0;
+    int n = sequence(*p, &all);
 
     (*s)++;
+    *code = *p;
     if (n == 0 || end - *s < n - 1)
-        return *p;
+        return *p < 0x80;
     for (int i = 1; i < n; i++) {
         if ((p[i] & 0xc0) != 0x80)
-            return *p;
-        code = code << 6 | (p[i] & 0x3f);
+            return false;
+        all = all << 6 | (p[i] & 0x3f);
     }
-    if (code < least[n] || code > UTF8_MAX || (code >= 0xd800 && code <= 0xdfff))
-        return *p;
+    if (all < least[n] || all > UTF8_MAX || (all >= 0xd800 && all <= 0xdfff))
+        return false;
     *s += n - 1;
+    *code = all;
+    return true;
+}
+
+uint32_t utf8_next(const char **s, const char *end)
+{
+    uint32_t code;
+
+    utf8_read(s, end, &code);
     return code;
+}
+
+bool utf8_may_show(uint32_t code)
+{
+    static const struct {
+        uint32_t first, last;
+    } hidden[] = {
+        { 0, 0x1f },          { 0x7f, 0x9f },     { 0x61c, 0x61c },                       /* Arabic letter mark */
+        { 0x200e, 0x200f },   { 0x2028, 0x202e }, { 0x2060, 0x206f }, { 0xd800, 0xdfff }, /* marks, separators */
+        { 0xfdd0, 0xfdef },   { 0xfeff, 0xfeff }, { 0xfff9, 0xfffb },                     /* no characters, a BOM */
+        { 0xe0000, 0xe007f },
+    };
+
+    for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
+        if (code >= hidden[i].first && code <= hidden[i].last)
+            return false;
+    return code <= UTF8_MAX && (code & 0xfffe) != 0xfffe;
+}
+
+void utf8_blank(char *text, bool newlines)
+{
+    const char *s = text, *end = text + strlen(text);
+
+    while (s < end) {
+        char *at = text + (s - text);
+        uint32_t code;
+        if (!utf8_read(&s, end, &code))
+            *at = '?';
+        else if (!utf8_may_show(code) && code != '\t' && !(newlines && code == '\n'))
+            memset(at, ' ', (size_t)(s - at));
+    }
 }
 
 size_t utf8_count(const char *s, size_t n, size_t most, size_t *bytes)

@@ -5,6 +5,7 @@
 #ifndef FB_UTF8_H
 #define FB_UTF8_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -13,8 +14,20 @@ enum {
     UTF8_BYTES = 4,      /* of one, at most */
 };
 
-/* The code point at *s, which moves behind it; *s < end. A byte that is no part of UTF-8 stands for the code of that
- * number, as in Latin-1: 128 to 255. */
+/* The code point at *s, which moves behind it; *s < end. False: the byte there is no part of UTF-8; *s moves behind it,
+ * and its value is the code. */
+bool utf8_read(const char **s, const char *end, uint32_t *code);
+
+/* May text of others contain it where it is shown? False for all that controls instead of being seen: control characters
+ * (C0, DEL, C1), line and paragraph separators, what turns the direction of text, annotations and tags, halves of pairs
+ * and what is no character. Every place where text is shown, from the terminal to a page, asks this function. */
+bool utf8_may_show(uint32_t code);
+
+/* Blanks in place what may not be shown, but tabs, and newlines where they are kept; a byte that is no part of UTF-8
+ * becomes '?'. */
+void utf8_blank(char *text, bool newlines);
+
+/* utf8_read; a byte that is no part of UTF-8 stands for the code of that number, as in Latin-1: 128 to 255. */
 uint32_t utf8_next(const char **s, const char *end);
 
 /* How many code points the n bytes have, but at most `most`; *bytes (may be NULL): so many bytes those take. */

@@ -163,11 +163,11 @@ static void version_of_libraries(void)
 enum result command_version(void)
 {
     if (own_game()->rom)
-        printf("%s %d (%s)\n", own_game()->m.title, (int)own_game()->m.version, own_game()->m.id);
-    printf("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
-    printf("compiler %s\n", COMPILER);
-    printf("flags %s\n", CURTAIN_CFLAGS);
-    printf("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
+        report_print("%s %d (%s)\n", own_game()->m.title, (int)own_game()->m.version, own_game()->m.id);
+    report_print("curtain %s (core %d, Lua %s)\n", CURTAIN_VERSION, CORE_VERSION, board_lua_release());
+    report_print("compiler %s\n", COMPILER);
+    report_print("flags %s\n", CURTAIN_CFLAGS);
+    report_print("machine %d-bit %s-endian\n", (int)sizeof(void *) * 8, byte_order());
     version_of_libraries();
     return report_stdout(RESULT_DONE);
 }

@@ -103,12 +103,12 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         if (!(w->parts >> i & 1))
             continue;
         if (w->missing >> i & 1)
-            printf("  %s: this build has no such part\n", v->demo.part[i]);
+            report_print("  %s: this build has no such part\n", v->demo.part[i]);
         else if (row)
-            printf("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
+            report_print("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
         else if (demo_print(&v->demo, w->frame, i, &print))
-            printf("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)print,
-                   (unsigned)(here & 0xffff));
+            report_print("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)print,
+                         (unsigned)(here & 0xffff));
     }
 }
 
@@ -148,16 +148,16 @@ static void say_place(const struct demo *d, uint32_t frame)
     for (int k = 0; k < MARKER_DEATH; k++) {
         if (!in[k])
             continue;
-        printf("%s %s %s", last ? "," : "  in", kinds[k], in[k]->marker.name);
+        report_print("%s %s %s", last ? "," : "  in", kinds[k], in[k]->marker.name);
         last = !last || in[k]->frame > last->frame ? in[k] : last;
     }
     if (last)
-        printf(", %.1f s after it began", (frame - last->frame) / 60.0);
+        report_print(", %.1f s after it began", (frame - last->frame) / 60.0);
     else
-        printf("  %.1f s after power-on", frame / 60.0);
+        report_print("  %.1f s after power-on", frame / 60.0);
     death = in[MARKER_DEATH];
     if (death)
-        printf("; player %s died %.1f s before", death->marker.name, (frame - death->frame) / 60.0);
+        report_print("; player %s died %.1f s before", death->marker.name, (frame - death->frame) / 60.0);
     putchar('\n');
 }
 
@@ -169,14 +169,14 @@ static void say_pads(const struct demo *d, uint32_t frame)
     if (frame == 0)
         return;
     demo_pads(d, frame - 1, pads);
-    printf("  held:");
+    report_print("  held:");
     for (int p = 0; p < PADS; p++) {
-        printf("%s player %d", p ? ";" : "", p + 1);
+        report_print("%s player %d", p ? ";" : "", p + 1);
         for (int i = 0; i < PAD_BUTTONS; i++)
             if (pads[p] >> i & 1)
-                printf(" %s", names[i]);
+                report_print(" %s", names[i]);
         if (!pads[p])
-            printf(" nothing");
+            report_print(" nothing");
     }
     putchar('\n');
 }
@@ -194,15 +194,15 @@ static void say_trace(const char *text)
 
 static void say_header(const struct demo *d)
 {
-    printf("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format, (unsigned)d->core,
-           d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
-    printf("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
-           d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
+    report_print("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format,
+                 (unsigned)d->core, d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
+    report_print("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
+                 d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
     if (d->start.lang[0])
-        printf(", language %s", d->start.lang);
+        report_print(", language %s", d->start.lang);
     for (int i = 0; demo_flag_name(i); i++)
-        printf("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
-    printf("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
+        report_print("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
+    report_print("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
 }
 
 static void say_more(const struct verify *v, const struct verdict *w)
@@ -399,7 +399,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
     say(v, path, "%s", t.text);
     for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
         markers_text(&c.list[i], text, sizeof text);
-        printf("  %s\n", text);
+        report_print("  %s\n", text);
     }
     free(c.list);
     return t.same ? RESULT_DONE : RESULT_DIFFERS;

@@ -200,8 +200,8 @@ page() { # CORE [ROM-MARK]
 sed -i 's/title = "[^"]*"/title = "Sun \& <Sea> @ROM@"/' lanterns/rom.lua
 page "$version" >"$player"
 says 'a page is made, by a program without a window too' 0 '' "$tool" export lanterns --web
-same 'with its title' '<title>Sun &amp; &lt;Sea> &#64;ROM&#64;</title>
-<h1>Sun &amp; &lt;Sea> &#64;ROM&#64;</h1>' "$(sed -n 2,3p lanterns.html)"
+same 'with its title' '<title>Sun &amp; &lt;Sea&gt; &#64;ROM&#64;</title>
+<h1>Sun &amp; &lt;Sea&gt; &#64;ROM&#64;</h1>' "$(sed -n 2,3p lanterns.html)"
 same 'and all that was there' "@ROM$(page "$version" | head -1)" "$(tail -n 1 lanterns.html)$(head -1 lanterns.html)"
 sed -n 's,^<script>\(.*\)</script>$,\1,p' lanterns.html | base64 -d >in.rom
 "$tool" pack lanterns -o lanterns.rom

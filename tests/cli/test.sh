@@ -509,4 +509,25 @@ done
 sed -i 's/arms = by(2, 4, 10, 10)/arms = by(3, 5, 11, 11)/' glasstide/stages/three/queen.lua
 refuse "planted: an arm more of the queen's" "pixels are not those of tests/golden/queen-wheels.png" \
     "$curtain" test glasstide three
+# ---- names and words of others, in each report ----
+
+mkdir hostile
+cp -r g hostile/g
+rm -rf hostile/g/tests hostile/g/demos
+mkdir hostile/g/tests
+name=$'a\033[31m\nnot ok \xe2\x80\xae # TODO'
+printf 'print("\\27[2J\\u{202E}\\u{FFFF}<&")\ntest.expect(false, "\\27]0;x\\7")\n' >"hostile/g/tests/$name.lua"
+hidden() { # FILE: nothing that controls is in it
+    ! LC_ALL=C grep -qP '[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]|\xef\xbf[\xbe\xbf]' "$1"
+}
+"$curtain" test hostile/g >lines 2>&1
+check "lines for people show nothing that controls" hidden lines
+"$curtain" test hostile/g --tap --junit ci.xml >lines 2>/dev/null
+check "nor does TAP" hidden lines
+same "which has one result" 1 "$(grep -c '^not ok' lines)"
+check "and no directive in its name" grep -qF '\# TODO' lines
+check "nor JUnit" hidden ci.xml
+check "which is XML" python3 -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' ci.xml
+check "nor the page" hidden hostile/g/tests/failed/failed.html
+
 finish

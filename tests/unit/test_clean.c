@@ -39,13 +39,44 @@ static void characters(void **state)
 {
     (void)state;
     becomes("\xc3\xa4\xe3\x82\xab\xf0\x9f\x8e\xb6\xc2\xa0", "\xc3\xa4\xe3\x82\xab\xf0\x9f\x8e\xb6\xc2\xa0");
-    becomes("\xf4\x8f\xbf\xbf", "\xf4\x8f\xbf\xbf");
-    becomes("??", "\xc0\x9b");           /* too long for what it says */
-    becomes("???", "\xe0\x82\x9b");      /* the same */
-    becomes("????", "\xf4\x90\x80\x80"); /* beyond the last */
-    becomes("???", "\xed\xa0\x80");      /* half of a pair */
+    becomes("\xf4\x8f\xbf\xbd", "\xf4\x8f\xbf\xbd"); /* U+10FFFD */
+    becomes("??", "\xc0\x9b");                       /* too long for what it says */
+    becomes("???", "\xe0\x82\x9b");                  /* the same */
+    becomes("????", "\xf4\x90\x80\x80");             /* beyond the last */
+    becomes("???", "\xed\xa0\x80");                  /* half of a pair */
     becomes("?a?", "\xe3"
                    "a\xc3"); /* cut short */
+}
+
+/* What controls text instead of being seen: separators, turns of direction, what is no character. */
+static void hidden(void **state)
+{
+    char as[CLEAN_MARKUP];
+
+    (void)state;
+    becomes("a   b", "a\xe2\x80\xa8"
+                     "b"); /* U+2028 */
+    becomes("a   b", "a\xe2\x80\xae"
+                     "b"); /* U+202E */
+    becomes("a   b", "a\xe2\x81\xa6"
+                     "b"); /* U+2066 */
+    becomes("a  b", "a\xd8\x9c"
+                    "b");                          /* U+061C */
+    becomes("      ", "\xef\xbf\xbe\xef\xbf\xbf"); /* U+FFFE, U+FFFF */
+    becomes("    ", "\xf3\xa0\x80\x81");           /* U+E0001 */
+    becomes("\xe2\x80\x8d", "\xe2\x80\x8d");       /* a joiner, as of emoji, stays */
+    assert_int_equal(clean_markup("\033[", as), 1);
+    assert_string_equal(as, " ");
+    assert_int_equal(clean_markup("\n", as), 1);
+    assert_string_equal(as, " ");
+    assert_int_equal(clean_markup("<", as), 1);
+    assert_string_equal(as, "&lt;");
+    assert_int_equal(clean_markup("\xe2\x80\xae!", as), 3);
+    assert_string_equal(as, " ");
+    assert_int_equal(clean_markup("\xc3\xa4!", as), 2);
+    assert_string_equal(as, "\xc3\xa4");
+    assert_int_equal(clean_markup("\xff", as), 1);
+    assert_string_equal(as, "?");
 }
 
 /* Whatever comes: no byte more or less, and what is clean stays so. */
@@ -79,6 +110,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(control_characters),
         cmocka_unit_test(characters),
+        cmocka_unit_test(hidden),
         cmocka_unit_test(any_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

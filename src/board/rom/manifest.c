@@ -8,6 +8,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include "../../../fb/utf8.h"
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../chips/enemies.h"
@@ -135,15 +136,15 @@ static bool all_zero(const void *p, size_t n)
     return n == 0;
 }
 
-/* Ended inside its array, nothing but zeros after the end, no control characters. */
+/* Ended inside its array, nothing but zeros after the end, no character that may not be shown. */
 static bool text_ok(const char *s, size_t n)
 {
-    size_t i = 0;
+    const char *p = s, *end = memchr(s, '\0', n);
 
-    for (; i < n && s[i] != '\0'; i++)
-        if ((unsigned char)s[i] < 32 || s[i] == 127)
+    while (end != NULL && p < end)
+        if (!utf8_may_show(utf8_next(&p, end)))
             return false;
-    return i < n && all_zero(s + i, n - i);
+    return end != NULL && all_zero(end, n - (size_t)(end - s));
 }
 
 static bool id_ok(const char *s)

@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../../fb/utf8.h"
 #include "../../base/heap.h"
 #include "../../base/host.h"
 
@@ -1237,9 +1238,7 @@ static void explain(lua_State *lua, int status, int line, const char *file, char
         snprintf(err, err_size, "%s", message);
     else
         snprintf(err, err_size, "%s: %s", file, message);
-    for (; *err != '\0'; err++) /* a sentence stays one line, whatever the text quotes */
-        if ((unsigned char)*err < 32 || *err == 127)
-            *err = ' ';
+    utf8_blank(err, false); /* a sentence stays one line, whatever the text quotes */
 }
 
 /* A folder's name as an id: lower case, _ for what an id may not hold. */

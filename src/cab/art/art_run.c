@@ -99,7 +99,7 @@ static void print_shapes(const struct art_game *g, const char *sprite)
         if (strcmp(g->shapes.list[i].sprite, sprite) != 0)
             continue;
         atlas_shape_words(&g->shapes.list[i], words, sizeof words);
-        printf("; %s", words);
+        report_print("; %s", words);
     }
 }
 
@@ -108,13 +108,13 @@ static void print_sprites(const struct art_game *g)
     for (int i = 0; i < g->cart.sprites; i++) {
         struct sprite s;
         cart_sprite(&g->cart, i, &s);
-        printf("%s: %dx%d, bank %d, origin %d,%d", cart_sprite_name(&g->cart, i), s.w, s.h, s.bank, s.ox, s.oy);
+        report_print("%s: %dx%d, bank %d, origin %d,%d", cart_sprite_name(&g->cart, i), s.w, s.h, s.bank, s.ox, s.oy);
         if (s.frames > 1)
-            printf(", %d frames, every %d", s.frames, s.every);
+            report_print(", %d frames, every %d", s.frames, s.every);
         if (s.rotations > 1)
-            printf(", turned %d", s.rotations);
+            report_print(", turned %d", s.rotations);
         print_shapes(g, cart_sprite_name(&g->cart, i));
-        printf("\n");
+        report_print("\n");
     }
 }
 

@@ -88,8 +88,8 @@ static enum result import(const char *from, int bank, const char *out)
     const enum result result = save_palette(out, rgb);
     if (result != RESULT_DONE)
         return result;
-    printf(last > bank ? "%s: %d colour%s in banks %d to %d\n" : "%s: %d colour%s in bank %d\n", out, s.n,
-           s.n == 1 ? "" : "s", bank, last);
+    report_print(last > bank ? "%s: %d colour%s in banks %d to %d\n" : "%s: %d colour%s in bank %d\n", out, s.n,
+                 s.n == 1 ? "" : "s", bank, last);
     return report_stdout(RESULT_DONE);
 }
 

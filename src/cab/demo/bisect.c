@@ -15,6 +15,7 @@
 #include "../host/clean.h"
 #include "../host/files.h"
 #include "demo.h"
+#include "../host/report.h"
 
 enum {
     LINE = 1 << 16,
@@ -194,15 +195,15 @@ static bool next_both(struct bisect *s)
 static bool found(struct bisect *s, uint32_t frame)
 {
     if (s->found == 0)
-        printf("frame %u is the first that differs\n", (unsigned)frame);
+        report_print("frame %u is the first that differs\n", (unsigned)frame);
     return s->found++ < MOST;
 }
 
 static void name_slot(const struct side *f)
 {
-    printf("  %s", f->part);
+    report_print("  %s", f->part);
     if (f->slot >= 0)
-        printf(" %lld", (long long)f->slot);
+        report_print(" %lld", (long long)f->slot);
 }
 
 /* One value of a column, of several the i-th; an empty one is zero. */
@@ -212,11 +213,11 @@ static void differ(struct bisect *s, const struct side *f, const char *column, i
     if (!found(s, f->frame))
         return;
     name_slot(f);
-    printf(" %.*s", column_n, column);
+    report_print(" %.*s", column_n, column);
     if (several)
-        printf("[%d]", i);
-    printf(": %.*s in %s, %.*s in %s\n", a_n ? a_n : 1, a_n ? a : "0", s->a.path, b_n ? b_n : 1, b_n ? b : "0",
-           s->b.path);
+        report_print("[%d]", i);
+    report_print(": %.*s in %s, %.*s in %s\n", a_n ? a_n : 1, a_n ? a : "0", s->a.path, b_n ? b_n : 1, b_n ? b : "0",
+                 s->b.path);
 }
 
 /* Compares the values of a column, separated by commas; one that is missing (of an empty entry of a list) is zero. */
@@ -280,7 +281,7 @@ static void compare_alone(struct bisect *s, const struct side *f)
     if (!found(s, f->frame))
         return;
     name_slot(f);
-    printf(" is alive in %s only (generation %s)\n", f->path, f->gen);
+    report_print(" is alive in %s only (generation %s)\n", f->path, f->gen);
 }
 
 /* ---- traces ---- */
@@ -376,8 +377,8 @@ static void compare_parts(struct bisect *s, const struct side *mine, const struc
         if (!same && !(against && only_missing)) {
             add_name(names, NAMES, p, name);
             s->found++;
-            printf("  %.*s: %.*s in %s, %.*s in %s\n", (int)name, p, (int)(word - name - 1), hash, mine->path,
-                   against ? (int)n : 7, against ? against : "missing", theirs->path);
+            report_print("  %.*s: %.*s in %s, %.*s in %s\n", (int)name, p, (int)(word - name - 1), hash, mine->path,
+                         against ? (int)n : 7, against ? against : "missing", theirs->path);
         }
         p += word;
     }
@@ -387,16 +388,16 @@ static void compare_rows(struct bisect *s)
 {
     char names[NAMES] = "";
 
-    printf("frame %u is the first that differs\n", (unsigned)s->frame);
+    report_print("frame %u is the first that differs\n", (unsigned)s->frame);
     compare_parts(s, &s->a, &s->b, false, names);
     compare_parts(s, &s->b, &s->a, true, names);
     if (s->found == 0) {
         s->found = 1;
-        printf("  %.*s in %s, %.*s in %s; for the parts: hash --parts\n", HASH_DIGITS, s->a.values, s->a.path,
-               HASH_DIGITS, s->b.values, s->b.path);
+        report_print("  %.*s in %s, %.*s in %s; for the parts: hash --parts\n", HASH_DIGITS, s->a.values, s->a.path,
+                     HASH_DIGITS, s->b.values, s->b.path);
         return;
     }
-    printf(
+    report_print(
         "for columns and slots, compare what each build prints with: hash ROM --demo DEMO --trace %s --frames %u:%u\n",
         names, (unsigned)(s->frame ? s->frame - 1 : 0), (unsigned)s->frame);
 }
@@ -432,12 +433,12 @@ static bool compare(struct bisect *s)
 static enum result print_report(const struct bisect *s)
 {
     if (s->found > MOST)
-        printf("  and %lu more\n", s->found - MOST);
+        report_print("  and %lu more\n", s->found - MOST);
     if (s->found && s->a.end != s->b.end)
-        printf("  (%s ends in this frame: it may be cut short)\n", (s->a.end ? &s->a : &s->b)->path);
+        report_print("  (%s ends in this frame: it may be cut short)\n", (s->a.end ? &s->a : &s->b)->path);
     if (s->found == 0)
-        printf("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
-               (unsigned)s->first, (unsigned)s->frame);
+        report_print("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
+                     (unsigned)s->first, (unsigned)s->frame);
     return s->found ? RESULT_DIFFERS : RESULT_DONE;
 }
 

@@ -1,5 +1,6 @@
 /*
- * clean.h - text of others (names of files, what a game prints or raises, lines of a file) made fit for a terminal.
+ * clean.h - text of others (names of files, what a game prints or raises, lines of a file) made fit to be shown.
+ * What may be shown at all utf8.h says.
  * floor: cab
  */
 #ifndef CAB_CLEAN_H
@@ -11,11 +12,17 @@
  * one byte. */
 int clean_character(const char *s, uint32_t *c);
 
-/* Blanks in place what a terminal would obey, and what would end the line: control characters but tabs, those of UTF-8
- * (U+0080 to U+009F) too. A byte that belongs to no UTF-8 character becomes '?'. */
+/* Blanks in place what may not be shown, and what would end the line. A byte that belongs to no UTF-8 character becomes
+ * '?'. */
 void clean_line(char *s);
 
 /* The same of lines: newlines stay. */
 void clean_lines(char *s);
+
+enum { CLEAN_MARKUP = 8 };
+
+/* The character at s, which is not its end, as XML and HTML have it, in text and in quotes; returns how many bytes of s
+ * that was. */
+int clean_markup(const char *s, char out[CLEAN_MARKUP]);
 
 #endif

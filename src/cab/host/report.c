@@ -10,7 +10,7 @@
 #include "clean.h"
 #include "progress.h"
 
-enum { LINE = 2048, LOG_LINE = 512 };
+enum { LINE = 2048, LOG_LINE = 512, PRINT = 8192 };
 
 static void log_clean(char *s)
 {
@@ -31,6 +31,18 @@ enum result report_line(enum result result, const char *format, ...)
     va_end(args);
     log_clean(line);
     return result;
+}
+
+void report_print(const char *format, ...)
+{
+    char text[PRINT];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    clean_lines(text);
+    fputs(text, stdout);
 }
 
 static bool host_failed;

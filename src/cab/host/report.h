@@ -20,6 +20,9 @@ enum result report_cause(void);
 /* The same, and the sentence on plat_log. */
 enum result report_error(const char *err);
 
+/* Text on standard output, as printf has it; what may not be shown is blanked. */
+void report_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* A fault: "FILE:LINE: what", and the traceback if asked. Returns RESULT_REFUSED. */
 enum result report_fault(const struct board_fault *fault, bool trace);
 

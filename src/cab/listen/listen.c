@@ -53,10 +53,10 @@ static bool print_measured(struct board *b, const struct board_tune *t)
         lr = samples_of(&tape);
     }
     if (lr) {
-        printf("%.2f s", time.loop > 0 ? time.all : tape.frames / 48000.0);
+        report_print("%.2f s", time.loop > 0 ? time.all : tape.frames / 48000.0);
         if (time.loop > 0)
-            printf(", loop %.2f s", time.loop);
-        printf(", peak %.1f dB, %.1f LUFS", loudness_peak(lr, tape.frames), loudness(lr, tape.frames));
+            report_print(", loop %.2f s", time.loop);
+        report_print(", peak %.1f dB, %.1f LUFS", loudness_peak(lr, tape.frames), loudness(lr, tape.frames));
     }
     free(lr);
     tape_close(&tape);
@@ -70,11 +70,11 @@ static enum result list(void *block, const struct rom *rom)
     struct board *b = board_box_open(block, rom, err, sizeof err);
 
     for (int i = 0; b && board_box_tune(b, i, &t); i++) {
-        printf("%s %s: ", t.music ? "music" : "sound", t.name);
+        report_print("%s %s: ", t.music ? "music" : "sound", t.name);
         if (!print_measured(b, &t))
             return report_line(RESULT_HOST, "out of memory");
-        printf(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.recording ? "recording" : "MML", t.tracks,
-               t.music ? "markers" : "limit", t.music ? t.marks : t.limit, t.title[0] ? ", " : "", t.title);
+        report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.recording ? "recording" : "MML", t.tracks,
+                     t.music ? "markers" : "limit", t.music ? t.marks : t.limit, t.title[0] ? ", " : "", t.title);
         b = board_box_open(block, rom, err, sizeof err);
     }
     return RESULT_DONE;
@@ -85,8 +85,8 @@ static bool print_level(const char *name, const struct tape *t)
     int16_t *lr = samples_of(t);
 
     if (lr)
-        printf("%s: %.2f s, peak %.1f dB, mean %.1f dB, %.1f LUFS\n", name, t->frames / 48000.0,
-               loudness_peak(lr, t->frames), loudness_mean(lr, t->frames), loudness(lr, t->frames));
+        report_print("%s: %.2f s, peak %.1f dB, mean %.1f dB, %.1f LUFS\n", name, t->frames / 48000.0,
+                     loudness_peak(lr, t->frames), loudness_mean(lr, t->frames), loudness(lr, t->frames));
     free(lr);
     return lr != NULL;
 }

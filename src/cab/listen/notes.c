@@ -3,6 +3,7 @@
  * ends, and where it stood on the first pass, the loop begins.
  */
 #include "notes.h"
+#include "../host/report.h"
 
 #include <stdio.h>
 
@@ -20,7 +21,7 @@ static void print_inst(const struct walk *w, int i)
 {
     const struct inst inst = inst_of(tune_inst(w->t, i));
 
-    printf("inst %d %s\n", i, inst.kind < INST_KINDS ? kinds[inst.kind] : "other");
+    report_print("inst %d %s\n", i, inst.kind < INST_KINDS ? kinds[inst.kind] : "other");
 }
 
 static void print_event(void *context, const struct tune_played *e, int sample)
@@ -30,38 +31,38 @@ static void print_event(void *context, const struct tune_played *e, int sample)
     (void)sample;
     if (w->quiet)
         return;
-    printf("%c %u ", w->track, (unsigned)w->tick);
+    report_print("%c %u ", w->track, (unsigned)w->tick);
     switch (e->event) {
     case TUNE_END:
-        printf("end\n");
+        report_print("end\n");
         break;
     case TUNE_NOTE:
     case TUNE_SLUR:
-        printf("%s %.2f\n", e->event == TUNE_NOTE ? "note" : "slur", e->value / 256.0);
+        report_print("%s %.2f\n", e->event == TUNE_NOTE ? "note" : "slur", e->value / 256.0);
         break;
     case TUNE_OFF:
-        printf("off\n");
+        report_print("off\n");
         break;
     case TUNE_GLIDE:
-        printf("glide %.2f %d\n", e->value / 256.0, (int)e->more);
+        report_print("glide %.2f %d\n", e->value / 256.0, (int)e->more);
         break;
     case TUNE_INST:
         print_inst(w, e->value);
         break;
     case TUNE_VOLUME:
-        printf("volume %d\n", (int)e->value);
+        report_print("volume %d\n", (int)e->value);
         break;
     case TUNE_PLACE:
-        printf("place %d\n", (int)e->value);
+        report_print("place %d\n", (int)e->value);
         break;
     case TUNE_TEMPO:
-        printf("tempo %.2f\n", e->value / 100.0);
+        report_print("tempo %.2f\n", e->value / 100.0);
         break;
     case TUNE_MARK:
-        printf("mark %s\n", tune_mark(w->t, e->value));
+        report_print("mark %s\n", tune_mark(w->t, e->value));
         break;
     default: /* what shapes a note and is none */
-        printf("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->more);
+        report_print("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->more);
     }
 }
 
@@ -83,7 +84,7 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
 
 void notes_print(const char *name, const struct tune *t)
 {
-    printf("tune %s %d %d\n", name, (int)TUNE_QUARTER, t->bar);
+    report_print("tune %s %d %d\n", name, (int)TUNE_QUARTER, t->bar);
     for (int i = -1; i < t->tracks; i++) {
         struct walk w = { t, i < 0 ? '-' : (char)('A' + i), 0, false };
         const uint32_t at = walk(&w, i, 0);
@@ -92,6 +93,6 @@ void notes_print(const char *name, const struct tune *t)
         const uint32_t end = w.tick;
         w.quiet = true;
         walk(&w, i, at);
-        printf("%c %u loop %u\n", w.track, (unsigned)end, (unsigned)w.tick);
+        report_print("%c %u loop %u\n", w.track, (unsigned)end, (unsigned)w.tick);
     }
 }

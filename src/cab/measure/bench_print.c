@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../host/clean.h"
 #include "rooms.h"
+#include "../host/report.h"
 
 enum {
     NAME_LEAST = 10, /* columns of a section's name */
@@ -62,9 +63,10 @@ static void print_head(const struct bench *b, int width)
 
     if (b->slower > 1)
         snprintf(share, sizeof share, "%d x slower", b->slower);
-    printf("%*s %-37s %12s\n", width + 15, "", "milliseconds", share);
-    printf("%-*s %7s %6s %6s %6s %6s %6s %6s %6s %5s %6s%s  %s\n", width, "section", "frames", "Lua", "tick", "draw",
-           "sound", "mean", "99 %", "worst", "mean", "worst", b->slower > 1 ? "   late" : "", "the dearest");
+    report_print("%*s %-37s %12s\n", width + 15, "", "milliseconds", share);
+    report_print("%-*s %7s %6s %6s %6s %6s %6s %6s %6s %5s %6s%s  %s\n", width, "section", "frames", "Lua", "tick",
+                 "draw", "sound", "mean", "99 %", "worst", "mean", "worst", b->slower > 1 ? "   late" : "",
+                 "the dearest");
 }
 
 static void print_section(const struct bench *b, const struct measure_section *s, const char *name, int width)
@@ -73,13 +75,13 @@ static void print_section(const struct bench *b, const struct measure_section *s
 
     if (!s->frames)
         return;
-    printf("%-*.*s %7u %6llu %6.3f %6.3f %6.3f %6.3f %6.3f %6.3f %4d%% %5d%%", width, width, name, (unsigned)s->frames,
-           (unsigned long long)(s->lua / s->frames), ms(s->tick, s->frames), ms(s->draw, s->frames),
-           ms(s->sound, s->frames), ms(all, s->frames), ms(measure_most(s, 99), 1), ms(s->worst, 1),
-           percent((double)all / s->frames, b), percent((double)s->worst, b));
+    report_print("%-*.*s %7u %6llu %6.3f %6.3f %6.3f %6.3f %6.3f %6.3f %4d%% %5d%%", width, width, name,
+                 (unsigned)s->frames, (unsigned long long)(s->lua / s->frames), ms(s->tick, s->frames),
+                 ms(s->draw, s->frames), ms(s->sound, s->frames), ms(all, s->frames), ms(measure_most(s, 99), 1),
+                 ms(s->worst, 1), percent((double)all / s->frames, b), percent((double)s->worst, b));
     if (b->slower > 1)
-        printf(" %6u", (unsigned)measure_over(s, (uint64_t)(MEASURE_FRAME / b->slower)));
-    printf("  %u of %s\n", (unsigned)s->at, s->in);
+        report_print(" %6u", (unsigned)measure_over(s, (uint64_t)(MEASURE_FRAME / b->slower)));
+    report_print("  %u of %s\n", (unsigned)s->at, s->in);
 }
 
 static void print_sections(const struct bench *b, const struct measure *m)
@@ -106,10 +108,10 @@ static void print_phases(const struct measure *m)
 
     for (int i = 0; i < PHASES; i++)
         sum += m->all.phase[i];
-    printf("\nA tick:");
+    report_print("\nA tick:");
     for (int i = 0; i < PHASES; i++)
-        printf("%s %s %.0f %%", i ? "," : "", words[i], sum ? 100.0 * (double)m->all.phase[i] / (double)sum : 0);
-    printf(".\n");
+        report_print("%s %s %.0f %%", i ? "," : "", words[i], sum ? 100.0 * (double)m->all.phase[i] / (double)sum : 0);
+    report_print(".\n");
 }
 
 static double times(uint32_t usec)
@@ -123,15 +125,15 @@ static void print_verdict(const struct bench *b, const struct measure *m)
     const uint32_t most = measure_most(&m->all, 99);
     char text[32];
 
-    printf("In time at 60 a second: 99 %% of the frames on a machine %.1f times slower than this one,\n"
-           "all of them on one %.1f times slower.",
-           times(most), times(m->all.worst));
+    report_print("In time at 60 a second: 99 %% of the frames on a machine %.1f times slower than this one,\n"
+                 "all of them on one %.1f times slower.",
+                 times(most), times(m->all.worst));
     if (b->slower > 1 && late)
-        printf(" On one %d times slower %s are late (%.2f %%).", b->slower, grouped(text, late),
-               100.0 * late / m->all.frames);
+        report_print(" On one %d times slower %s are late (%.2f %%).", b->slower, grouped(text, late),
+                     100.0 * late / m->all.frames);
     else if (b->slower > 1)
-        printf(" On one %d times slower none is late.", b->slower);
-    printf("\n");
+        report_print(" On one %d times slower none is late.", b->slower);
+    report_print("\n");
 }
 
 /* ---- lines ---- */
@@ -200,8 +202,9 @@ static void print_line(const struct measure *m, const struct profile_line *line)
     char text[TEXT + 1];
 
     bench_text(m, line->place, text, sizeof text);
-    printf("%6.1f %% %8.1f %5d %% %5d %%   %-24s %s\n", 100.0 * (double)work / (double)all,
-           (double)work / m->all.frames, part_of(line->calls, work), part_of(line->library, work), line->place, text);
+    report_print("%6.1f %% %8.1f %5d %% %5d %%   %-24s %s\n", 100.0 * (double)work / (double)all,
+                 (double)work / m->all.frames, part_of(line->calls, work), part_of(line->library, work), line->place,
+                 text);
 }
 
 static void print_lines(const struct measure *m)
@@ -213,10 +216,10 @@ static void print_lines(const struct measure *m)
 
     if (!n)
         return;
-    printf("\nScripts do work of %s units a frame: an instruction of Lua is one, a function of the API 100\n"
-           "or more. The dearest lines:\n\n",
-           grouped(text, work / m->all.frames));
-    printf("%8s %8s %7s %7s   %s\n", "share", "a frame", "in API", "in @std", "line");
+    report_print("\nScripts do work of %s units a frame: an instruction of Lua is one, a function of the API 100\n"
+                 "or more. The dearest lines:\n\n",
+                 grouped(text, work / m->all.frames));
+    report_print("%8s %8s %7s %7s   %s\n", "share", "a frame", "in API", "in @std", "line");
     for (int i = 0; i < n; i++)
         print_line(m, line[i]);
 }
@@ -225,13 +228,13 @@ static void print_lines(const struct measure *m)
 
 static void print_room(const struct room *r)
 {
-    printf("%-20s %8lld %8lld %6d %%", r->name, (long long)r->asked, (long long)r->most,
-           (int)(100 * r->most / r->asked));
+    report_print("%-20s %8lld %8lld %6d %%", r->name, (long long)r->asked, (long long)r->most,
+                 (int)(100 * r->most / r->asked));
     if (r->saves >= WORTH)
-        printf(" %9lld %7llu KiB", (long long)r->would_do, (unsigned long long)r->saves / 1024);
+        report_print(" %9lld %7llu KiB", (long long)r->would_do, (unsigned long long)r->saves / 1024);
     if (r->refused)
-        printf("   full: %u times there was no room", (unsigned)r->refused);
-    printf("\n");
+        report_print("   full: %u times there was no room", (unsigned)r->refused);
+    report_print("\n");
 }
 
 static void print_rooms(const struct measure *m)
@@ -241,21 +244,21 @@ static void print_rooms(const struct measure *m)
     const uint64_t saved = rooms_saved(m, room, n);
     char ram[32], less[32];
 
-    printf("\n%-20s %8s %8s %8s %9s %11s\n", "room, in rom.lua", "asked", "most", "used", "would do", "saves");
+    report_print("\n%-20s %8s %8s %8s %9s %11s\n", "room, in rom.lua", "asked", "most", "used", "would do", "saves");
     for (int i = 0; i < n; i++)
         print_room(&room[i]);
-    printf("\nThe board takes %s KiB of RAM", grouped(ram, board_room(m->cart) / 1024));
+    report_print("\nThe board takes %s KiB of RAM", grouped(ram, board_room(m->cart) / 1024));
     if (saved >= WORTH)
-        printf("; with all that would do for these runs, %s KiB less", grouped(less, saved / 1024));
-    printf(".\n");
+        report_print("; with all that would do for these runs, %s KiB less", grouped(less, saved / 1024));
+    report_print(".\n");
 }
 
 void bench_print(const struct bench *b, const struct measure *m)
 {
     char frames[32];
 
-    printf("%s: %s frames of %d run%s, each timed %d times; at 60 a second a frame has 16.67 ms\n\n", b->path,
-           grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
+    report_print("%s: %s frames of %d run%s, each timed %d times; at 60 a second a frame has 16.67 ms\n\n", b->path,
+                 grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
     print_sections(b, m);
     print_phases(m);
     print_verdict(b, m);

@@ -35,15 +35,15 @@ static bool refuse(const struct reader *r, const char *format, ...)
     return false;
 }
 
-/* Bytes that are no UTF-8, and control characters but tabs, are refused: they would be seen as boxes. */
+/* Bytes that are no UTF-8, and what may not be shown but tabs, are refused: they would be seen as boxes. */
 static bool check_bytes(const struct reader *r, const char *p, const char *end)
 {
     while (p < end) {
-        const char *at = p;
-        uint32_t code = utf8_next(&p, end);
-        if (p == at + 1 && (uint8_t)*at >= 128)
-            return refuse(r, "expected UTF-8, got the byte %d", (uint8_t)*at);
-        if ((code < 32 && code != '\t') || (code >= 127 && code < 160))
+        const uint8_t byte = (uint8_t)*p;
+        uint32_t code;
+        if (!utf8_read(&p, end, &code))
+            return refuse(r, "expected UTF-8, got the byte %d", byte);
+        if (!utf8_may_show(code) && code != '\t')
             return refuse(r, "the control character U+%04X", (unsigned)code);
     }
     return true;

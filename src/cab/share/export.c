@@ -11,6 +11,8 @@
 #include "../host/result.h"
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
+#include "../../../fb/utf8.h"
+#include "../host/clean.h"
 #include "../host/files.h"
 #include "../host/report.h"
 #include "../pack/compress.h"
@@ -178,8 +180,8 @@ static bool entry_holds(struct export *e)
 
     if (!e->want->desktop || !plat_path(e->out, path, sizeof path))
         return true;
-    for (const char *p = path; *p; p++)
-        if ((unsigned char)*p < ' ' || *p == 127)
+    for (const char *p = path, *end = path + strlen(path); p < end;)
+        if (!utf8_may_show(utf8_next(&p, end)))
             return err_set(e->err, e->err_size, "--desktop: %s: an entry cannot hold the end of a line and its like",
                            e->out);
     return true;
@@ -284,6 +286,7 @@ static bool save_entry(struct export *e)
     if (!plat_path(e->out, path, sizeof path - sizeof ".desktop"))
         return err_set(e->err, e->err_size, "%s: the path is too long", e->out);
     quoted(path, exec, sizeof exec);
+    clean_line(e->cart.m.title);
     escaped(e->cart.m.title, title);
     escaped(path, shown);
     const bool icon = icon_png(&e->cart, ICON_SAVED, &png, &size) && png_sign(&png, &size);

@@ -108,10 +108,10 @@ static int list(struct work all[WORKS])
 static void print_texts(const struct work *all, int n)
 {
     for (int i = 0; i < n; i++) {
-        printf("\n---- %s %s: %s ----\n\n", all[i].name, all[i].version, all[i].licence);
+        report_print("\n---- %s %s: %s ----\n\n", all[i].name, all[i].version, all[i].licence);
         if (all[i].whose[0])
-            printf("%s\n\n", all[i].whose);
-        printf("%s", all[i].text);
+            report_print("%s\n\n", all[i].whose);
+        report_print("%s", all[i].text);
     }
 }
 
@@ -122,11 +122,11 @@ enum result licences_run(bool full)
     const struct own *own = own_game();
 
     if (own->rom)
-        printf("%s is the work of %s; the rest of this program:\n", own->m.title,
-               own->m.author[0] ? own->m.author : "its author");
+        report_print("%s is the work of %s; the rest of this program:\n", own->m.title,
+                     own->m.author[0] ? own->m.author : "its author");
     for (int i = 0; i < n; i++)
-        printf("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
-               all[i].what);
+        report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
+                     all[i].what);
     puts("Packing opens libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) where they are installed, for recordings,");
     puts("and libexpat (MIT) for BulletML; a game that is played needs none of them.");
     if (full)

@@ -11,6 +11,7 @@
 #include "../host/result.h"
 #include "../../board/board.h"
 #include "../../board/rom/manifest.h"
+#include "../host/clean.h"
 
 static const char title_mark[] = "@TITLE@", rom_mark[] = "@ROM@";
 static const char generator[] = "<meta name=\"generator\" content=\"Curtain, core ";
@@ -80,21 +81,16 @@ static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
 
 /* ---- the page ---- */
 
-/* As HTML has it. */
+/* As HTML has it, without the character that marks begin with. */
 static void escape(const char *title, char *out, size_t size)
 {
     size_t n = 0;
 
-    for (; *title && n + 8 < size; title++) {
-        const char *as = *title == '&'   ? "&amp;"
-                         : *title == '<' ? "&lt;"
-                         : *title == '"' ? "&quot;"
-                         : *title == '@' ? "&#64;" /* no mark */
-                                         : NULL;
-        if (as)
-            n += (size_t)snprintf(out + n, size - n, "%s", as);
-        else
-            out[n++] = *title;
+    while (*title && n + CLEAN_MARKUP < size) {
+        title += clean_markup(title, out + n);
+        if (strcmp(out + n, "@") == 0)
+            strcpy(out + n, "&#64;");
+        n += strlen(out + n);
     }
     out[n] = '\0';
 }

@@ -10,6 +10,7 @@
 #include "../editor/annotations.h"
 #include "../host/files.h"
 #include "../host/report.h"
+#include "../host/views.h"
 #include "../pack/tree.h"
 #include "christen.h"
 #include "../host/result.h"
@@ -23,6 +24,8 @@ static const char LUARC[] = "{\n"
                             "  },\n"
                             "  \"workspace.library\": [\".curtain.lua\", \".curtain-test.lua\"]\n"
                             "}\n";
+
+enum { GAMES = 16 /* that are listed */ };
 
 struct start {
     const char *dir, *from;
@@ -47,6 +50,24 @@ static bool known(const char *from)
         if (file_of(from, start_files[i].name))
             return true;
     return false;
+}
+
+/* "bulletml, first ... or shooter": the games there are. */
+static void list_games(char *out, size_t size)
+{
+    char names[GAMES][32];
+    const char *list[GAMES + 1] = { NULL };
+    int n = 0;
+
+    for (int i = 0; i < start_file_count && n < GAMES; i++) {
+        const char *name = start_files[i].name;
+        if (n > 0 && file_of(list[n - 1], name))
+            continue;
+        snprintf(names[n], sizeof names[n], "%.*s", (int)strcspn(name, "/"), name);
+        list[n] = names[n];
+        n++;
+    }
+    views_list(list, out, size);
 }
 
 static void ignore_file(void *user, const struct plat_file *file)
@@ -197,9 +218,9 @@ static void say_next(const struct start *s)
 
     add_word(&text, s->dir);
     if (!text.failed) {
-        printf("%s: a game of %d files; README.md in it says more. Next:\n", s->dir, s->n);
+        report_print("%s: a game of %d files; README.md in it says more. Next:\n", s->dir, s->n);
         for (size_t i = 0; i < sizeof next / sizeof *next; i++)
-            printf("  curtain %-5s %-20s %s\n", next[i].words, text.bytes, next[i].what);
+            report_print("  curtain %-5s %-20s %s\n", next[i].words, text.bytes, next[i].what);
     }
     free(text.bytes);
 }
@@ -207,10 +228,13 @@ static void say_next(const struct start *s)
 enum result start_new(const char *dir, const char *from)
 {
     struct start s = { .dir = dir, .from = from ? from : "shooter" };
+    char games[256];
     char err[FILES_ERR];
 
-    if (!known(s.from))
-        return report_line(RESULT_REFUSED, "--from: expected shooter, first or pattern, got \"%s\"", s.from);
+    if (!known(s.from)) {
+        list_games(games, sizeof games);
+        return report_line(RESULT_REFUSED, "--from: expected %s, got \"%s\"", games, s.from);
+    }
     if (!christen_name(dir, s.name))
         return report_line(RESULT_REFUSED, "new: \"%s\" is no name to call a game by: expected a folder to make", dir);
     christen_id(s.name, s.id);

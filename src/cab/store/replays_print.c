@@ -8,6 +8,7 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "json.h"
+#include "../host/report.h"
 
 const char *replays_end_word(enum card_end end)
 {
@@ -29,7 +30,7 @@ static void print_flags(unsigned flags)
 {
     for (int i = 0; demo_flag_name(i); i++)
         if (flags >> i & 1)
-            printf(", %s", demo_flag_name(i));
+            report_print(", %s", demo_flag_name(i));
 }
 
 static void print_line(const char *path, const struct card *c)
@@ -38,14 +39,14 @@ static void print_line(const char *path, const struct card *c)
     char date[32];
 
     date_text(c->date, date, sizeof date);
-    printf("%s %s %u:%02u %s %s %" PRId64, path, date, seconds / 60, seconds % 60, c->ship[0] ? c->ship : "-",
-           c->difficulty[0] ? c->difficulty : "-", c->points[0]);
+    report_print("%s %s %u:%02u %s %s %" PRId64, path, date, seconds / 60, seconds % 60, c->ship[0] ? c->ship : "-",
+                 c->difficulty[0] ? c->difficulty : "-", c->points[0]);
     if (c->players > 1)
-        printf("+%" PRId64, c->points[1]);
-    printf(" %s", replays_end_word(c->end));
+        report_print("+%" PRId64, c->points[1]);
+    report_print(" %s", replays_end_word(c->end));
     print_flags(c->flags);
     if (c->name[0])
-        printf(" \"%s\"", c->name);
+        report_print(" \"%s\"", c->name);
     putchar('\n');
 }
 

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include "../store/json.h"
+#include "../host/report.h"
 
 const char *tell_verdict(enum seek_verdict v)
 {
@@ -33,71 +34,77 @@ static unsigned tenth(uint32_t frames)
 
 static void tell_survived(const struct seek *s)
 {
-    printf("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
-           tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
-           s->verdict == SEEK_LASTED ? "; it was not over by then (--frames says how far to look)" : "");
+    report_print("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
+                 tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
+                 s->verdict == SEEK_LASTED ? "; it was not over by then (--frames says how far to look)" : "");
 }
 
 static void tell_cannot(const struct seek *s)
 {
-    printf("cannot be survived: frame %u is the first in which no ship is left, whatever it pressed but bombs\n",
-           (unsigned)s->last);
-    printf("  covered: every place that any steering from frame %u on reaches, taken too large; what hits too small\n",
-           (unsigned)s->begin);
-    printf(
+    report_print("cannot be survived: frame %u is the first in which no ship is left, whatever it pressed but bombs\n",
+                 (unsigned)s->last);
+    report_print(
+        "  covered: every place that any steering from frame %u on reaches, taken too large; what hits too small\n",
+        (unsigned)s->begin);
+    report_print(
         "  it holds for these bullets; they flew alike in %u more runs with other buttons, fire held or not. It does "
         "not\n  for a script that looks at the player where none of these was, or for one that is saved by a bomb\n",
         (unsigned)s->probes);
-    printf("  the longest run found lives to frame %u\n", (unsigned)s->frames);
+    report_print("  the longest run found lives to frame %u\n", (unsigned)s->frames);
 }
 
 static void tell_not_found(const struct seek *s)
 {
-    printf("no way found: in %u plans none got past frame %u (begun at %u). That is no proof that there is none:\n",
-           (unsigned)s->plans, (unsigned)s->frames, (unsigned)s->begin);
-    printf("  in a frame a ship has 17 ways, and of each %s cell of the field one place was followed\n",
-           s->reacts ? "two-pixel" : "half-pixel");
+    report_print(
+        "no way found: in %u plans none got past frame %u (begun at %u). That is no proof that there is none:\n",
+        (unsigned)s->plans, (unsigned)s->frames, (unsigned)s->begin);
+    report_print("  in a frame a ship has 17 ways, and of each %s cell of the field one place was followed\n",
+                 s->reacts ? "two-pixel" : "half-pixel");
     if (s->reacts)
-        printf("  bullets depend on what the ship does (from frame %u on at the latest), so nothing can be proved\n",
-               (unsigned)s->reacts_at);
+        report_print(
+            "  bullets depend on what the ship does (from frame %u on at the latest), so nothing can be proved\n",
+            (unsigned)s->reacts_at);
     else
-        printf("  --effort makes more of them\n");
+        report_print("  --effort makes more of them\n");
 }
 
 static void tell_measure(const struct measure *m, bool survived)
 {
     const struct bots *b = &m->bots;
 
-    printf("  bots that live     %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); all last %u.%u s on average\n",
-           bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER], b->n[BOT_WANDER],
-           b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10, tenth(bots_mean(b)) % 10);
+    report_print(
+        "  bots that live     %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); all last %u.%u s on average\n",
+        bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER], b->n[BOT_WANDER],
+        b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10, tenth(bots_mean(b)) % 10);
     if (!survived)
         return;
-    printf("  narrowest gap      at least %d.%d px; the ship is %d.%d px wide\n", m->gap / 10, m->gap % 10,
-           m->ship / 10, m->ship % 10);
-    printf("  bullets            %u.%u a second, %u at once\n", (unsigned)(measure_per_second(m) / 100),
-           (unsigned)(measure_per_second(m) / 10 % 10), (unsigned)m->most);
+    report_print("  narrowest gap      at least %d.%d px; the ship is %d.%d px wide\n", m->gap / 10, m->gap % 10,
+                 m->ship / 10, m->ship % 10);
+    report_print("  bullets            %u.%u a second, %u at once\n", (unsigned)(measure_per_second(m) / 100),
+                 (unsigned)(measure_per_second(m) / 10 % 10), (unsigned)m->most);
     if (m->aimed)
-        printf("  reaction           %d frames: of %d bullets that would hit the ship where it is, a tenth leave no "
-               "more\n",
-               m->reaction, m->aimed);
+        report_print(
+            "  reaction           %d frames: of %d bullets that would hit the ship where it is, a tenth leave no "
+            "more\n",
+            m->reaction, m->aimed);
     else
-        printf("  reaction           no bullet would hit the ship where it is\n");
+        report_print("  reaction           no bullet would hit the ship where it is\n");
 }
 
 static void tell_bots(const struct bots *b)
 {
     const unsigned rate = bots_rate(b), each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
 
-    printf("%u.%u hits a minute: %u of %d bots in %u.%u s each; %d were not hit\n", rate / 10, rate % 10,
-           (unsigned)bots_hits(b), bots_all(b), each / 10, each % 10, bots_lived(b));
+    report_print("%u.%u hits a minute: %u of %d bots in %u.%u s each; %d were not hit\n", rate / 10, rate % 10,
+                 (unsigned)bots_hits(b), bots_all(b), each / 10, each % 10, bots_lived(b));
 }
 
 void tell_section(const struct tell_of *of, const struct section_run *s)
 {
     const struct seek *k = &s->seek;
 
-    printf("%s%s%s: ", of->section[0] ? of->section : "from the title", of->difficulty[0] ? ", " : "", of->difficulty);
+    report_print("%s%s%s: ", of->section[0] ? of->section : "from the title", of->difficulty[0] ? ", " : "",
+                 of->difficulty);
     if (k->verdict == SEEK_BOTS) {
         tell_bots(&s->measure.bots);
         return;
@@ -107,17 +114,17 @@ void tell_section(const struct tell_of *of, const struct section_run *s)
     else if (k->verdict == SEEK_CANNOT)
         tell_cannot(k);
     else if (k->verdict == SEEK_NO_SHIP)
-        printf("no ship could be steered in %u frames\n", (unsigned)k->frames);
+        report_print("no ship could be steered in %u frames\n", (unsigned)k->frames);
     else
         tell_not_found(k);
     if (k->verdict != SEEK_NO_SHIP)
         tell_measure(&s->measure, section_survived(s));
     if (of->demo)
-        printf("  demo               %s\n", of->demo);
+        report_print("  demo               %s\n", of->demo);
     if (of->picture)
-        printf("  picture            %s\n", of->picture);
+        report_print("  picture            %s\n", of->picture);
     if (of->map)
-        printf("  map                %s\n", of->map);
+        report_print("  map                %s\n", of->map);
 }
 
 static const char *word(enum seek_verdict v)
@@ -190,8 +197,8 @@ void tell_json(const struct tell_of *of, const struct section_run *s)
 
 void tell_head(void)
 {
-    printf("%-24s %-10s %-18s %7s %5s %6s %9s %8s %8s\n", "section", "difficulty", "verdict", "seconds", "bots", "last",
-           "gap px", "bullets", "reaction");
+    report_print("%-24s %-10s %-18s %7s %5s %6s %9s %8s %8s\n", "section", "difficulty", "verdict", "seconds", "bots",
+                 "last", "gap px", "bullets", "reaction");
 }
 
 void tell_row(const struct tell_of *of, const struct section_run *s)
@@ -208,14 +215,15 @@ void tell_row(const struct tell_of *of, const struct section_run *s)
         if (m->aimed)
             snprintf(reaction, sizeof reaction, "%d", m->reaction);
     }
-    printf("%-24s %-10s %-18s %5u.%u %5s %4u.%u %9s %8s %8s\n", of->section, of->difficulty,
-           tell_verdict(s->seek.verdict), length / 10, length % 10, bots, last / 10, last % 10, gap, rate, reaction);
+    report_print("%-24s %-10s %-18s %5u.%u %5s %4u.%u %9s %8s %8s\n", of->section, of->difficulty,
+                 tell_verdict(s->seek.verdict), length / 10, length % 10, bots, last / 10, last % 10, gap, rate,
+                 reaction);
 }
 
 void tell_bots_head(void)
 {
-    printf("%-24s %-10s %6s %8s %6s %14s %10s\n", "section", "difficulty", "bots", "seconds", "hits", "hits a minute",
-           "that dodge");
+    report_print("%-24s %-10s %6s %8s %6s %14s %10s\n", "section", "difficulty", "bots", "seconds", "hits",
+                 "hits a minute", "that dodge");
 }
 
 void tell_bots_row(const struct tell_of *of, const struct section_run *s)
@@ -224,6 +232,6 @@ void tell_bots_row(const struct tell_of *of, const struct section_run *s)
     const unsigned rate = bots_rate(b), dodging = bots_rate_of(b, BOT_DODGE);
     const unsigned each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
 
-    printf("%-24s %-10s %6d %6u.%u %6u %12u.%u %8u.%u\n", of->section, of->difficulty, bots_all(b), each / 10,
-           each % 10, (unsigned)bots_hits(b), rate / 10, rate % 10, dodging / 10, dodging % 10);
+    report_print("%-24s %-10s %6d %6u.%u %6u %12u.%u %8u.%u\n", of->section, of->difficulty, bots_all(b), each / 10,
+                 each % 10, (unsigned)bots_hits(b), rate / 10, rate % 10, dodging / 10, dodging % 10);
 }

@@ -64,8 +64,12 @@ static void figure(const struct page *p, const char *name, const char *which)
     if (snprintf(path, sizeof path, "%s/" FAILED "/%s.%s.png", p->dir, name, which) >= (int)sizeof path ||
         plat_size(path) < SIZES || !files_read(path, path, PNG_MAX_BYTES, &data, &n, err, sizeof err))
         return;
-    fprintf(p->out, "<figure><figcaption>%s: %s</figcaption><img alt=\"%s, %s\" width=\"%u\" height=\"%u\" src=\"",
-            name, which, name, which, (unsigned)be32(data + 16) * 2, (unsigned)be32(data + 20) * 2);
+    fputs("<figure><figcaption>", p->out);
+    told_escaped(p->out, name);
+    fprintf(p->out, ": %s</figcaption><img alt=\"", which);
+    told_escaped(p->out, name);
+    fprintf(p->out, ", %s\" width=\"%u\" height=\"%u\" src=\"", which, (unsigned)be32(data + 16) * 2,
+            (unsigned)be32(data + 20) * 2);
     fputs("data:image/png;base64,", p->out);
     base64(p->out, data, n);
     fputs("\"></figure>\n", p->out);

@@ -323,7 +323,7 @@ static void tell_orphans(const struct all *a)
         for (int k = 0; k < a->n && !o.taken; k++)
             outcome_each(&a->tests[k], SAYS_TAKEN, is_orphans, &o);
         if (!o.taken)
-            printf("%s%s: no test takes it\n", a->t->tap ? "# " : "", files.name[i]);
+            report_print("%s%s: no test takes it\n", a->t->tap ? "# " : "", files.name[i]);
     }
     tree_close(&files);
 }
@@ -345,7 +345,7 @@ static enum result reports(struct all *a)
     if (a->t->page)
         good = report_file(a, a->t->page, write_page) && good;
     else if (fails && tree_join(path, a->t->dir, FAILED "/failed.html") && report_file(a, path, write_page))
-        printf("%spage: %s\n", a->t->tap ? "# " : "", path);
+        report_print("%spage: %s\n", a->t->tap ? "# " : "", path);
     else
         good = good && !fails;
     return a->sums.host || !good ? RESULT_HOST : fails ? RESULT_DIFFERS : RESULT_DONE;

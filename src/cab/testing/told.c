@@ -4,16 +4,23 @@
 #include "told.h"
 
 #include <string.h>
+#include "../host/clean.h"
+#include "../host/files.h"
+#include "../host/report.h"
 
 static void indented(void *context, const char *words)
 {
-    printf("      %s%s\n", (const char *)context, words);
+    report_print("      %s%s\n", (const char *)context, words);
 }
 
 void told_line(const struct test *t, int width)
 {
-    printf("%-5s %-*s %7u frames %8.2f s\n", outcome_word(t), width, t->name, (unsigned)t->frames,
-           (double)t->usec / 1e6);
+    char name[FILES_PATH];
+
+    snprintf(name, sizeof name, "%s", t->name);
+    clean_line(name);
+    report_print("%-5s %-*s %7u frames %8.2f s\n", outcome_word(t), width, name, (unsigned)t->frames,
+                 (double)t->usec / 1e6);
     outcome_each(t, SAYS_WRONG, indented, "");
     outcome_each(t, SAYS_HOST, indented, "");
     outcome_each(t, SAYS_TRACE, indented, "  ");
@@ -25,52 +32,63 @@ void told_sums(const struct sums *s)
 {
     const int good = s->tests - s->fail;
 
-    printf("%d test%s: ", s->tests, s->tests == 1 ? "" : "s");
+    report_print("%d test%s: ", s->tests, s->tests == 1 ? "" : "s");
     if (s->fail == 0)
-        printf("%s", s->tests == 1 ? "it holds" : "all hold");
+        report_print("%s", s->tests == 1 ? "it holds" : "all hold");
     else
-        printf("%d hold%s, %d fail%s", good, good == 1 ? "s" : "", s->fail, s->fail == 1 ? "s" : "");
-    printf("; %u frames in %.2f s\n", (unsigned)s->frames, (double)s->usec / 1e6);
+        report_print("%d hold%s, %d fail%s", good, good == 1 ? "s" : "", s->fail, s->fail == 1 ? "s" : "");
+    report_print("; %u frames in %.2f s\n", (unsigned)s->frames, (double)s->usec / 1e6);
 }
 
 /* ---- TAP ---- */
 
 static void diagnostic(void *context, const char *words)
 {
-    printf("# %s%s\n", (const char *)context, words);
+    report_print("# %s%s\n", (const char *)context, words);
 }
 
 void told_tap_plan(int tests)
 {
-    printf("TAP version 13\n1..%d\n", tests);
+    report_print("TAP version 13\n1..%d\n", tests);
+}
+
+/* A # would begin a directive. */
+static void tap_name(const char *name, char *out, size_t size)
+{
+    size_t n = 0;
+
+    for (; *name && n + 2 < size; name++) {
+        if (*name == '#' || *name == '\\')
+            out[n++] = '\\';
+        out[n++] = *name;
+    }
+    out[n] = '\0';
 }
 
 void told_tap(const struct test *t, int number)
 {
-    printf("%s %d - %s\n", t->verdict == TEST_HOLDS ? "ok" : "not ok", number, t->name);
+    char name[2 * FILES_PATH];
+
+    tap_name(t->name, name, sizeof name);
+    clean_line(name);
+    report_print("%s %d - %s\n", t->verdict == TEST_HOLDS ? "ok" : "not ok", number, name);
     outcome_each(t, SAYS_WRONG, diagnostic, "");
     outcome_each(t, SAYS_HOST, diagnostic, "");
     outcome_each(t, SAYS_TRACE, diagnostic, "  ");
     outcome_each(t, SAYS_KEPT, diagnostic, "kept ");
     outcome_each(t, SAYS_PRINTED, diagnostic, "| ");
-    printf("# %u frames, %.3f s\n", (unsigned)t->frames, (double)t->usec / 1e6);
+    report_print("# %u frames, %.3f s\n", (unsigned)t->frames, (double)t->usec / 1e6);
 }
 
 /* ---- JUnit ---- */
 
 void told_escaped(FILE *out, const char *text)
 {
-    for (; *text; text++) {
-        const char *const as = *text == '<'    ? "&lt;"
-                               : *text == '>'  ? "&gt;"
-                               : *text == '&'  ? "&amp;"
-                               : *text == '"'  ? "&quot;"
-                               : *text == '\t' ? " "
-                                               : NULL;
-        if (as)
-            fputs(as, out);
-        else
-            fputc(*text, out);
+    char as[CLEAN_MARKUP];
+
+    while (*text) {
+        text += clean_markup(text, as);
+        fputs(as, out);
     }
 }
 
