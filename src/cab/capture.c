@@ -17,6 +17,7 @@
 #include "host/process.h"
 #include "host/progress.h"
 #include "host/report.h"
+#include "host/views.h"
 #include "pack/png.h"
 #include "store/output_paths.h"
 #include "tables/shade.h"
@@ -74,6 +75,17 @@ static bool through_ffmpeg(const struct capture *c)
     return c->format == MP4 || c->format == WEBM;
 }
 
+static enum result refuse_format(const char *got)
+{
+    const char *words[FORMATS + 1] = { NULL };
+    char list[128];
+
+    for (int i = 0; i < FORMATS; i++)
+        words[i] = formats[i].name;
+    views_list(words, list, sizeof list);
+    return report_line(RESULT_REFUSED, "--format: expected %s, got \"%s\"", list, got);
+}
+
 static enum result check_format(struct capture *c)
 {
     const struct args *a = c->a;
@@ -83,8 +95,7 @@ static enum result check_format(struct capture *c)
     c->to_stdout = strcmp(a->out, "-") == 0;
     c->format = find_format(a);
     if (c->format == FORMATS && a->format)
-        return report_line(RESULT_REFUSED, "--format: expected gif, apng, y4m, wav, mp4 or webm, got \"%s\"",
-                           a->format);
+        return refuse_format(a->format);
     if (c->format == FORMATS && c->to_stdout)
         return report_line(RESULT_REFUSED, "-o - needs --format, for there is no name to tell it by");
     if (c->format == FORMATS)

@@ -98,8 +98,15 @@ bad "nor is there one above" 2 'new: "a/.." is no name to call a game by: expect
 bad "nothing" 2 'new: "" is no name to call a game by: expected a folder to make' new ''
 bad "no folder" 2 'new: expected DIR (curtain help new)' new
 bad "two folders" 2 'new: "b" is one argument too many (curtain help new)' new a b
-bad "another game" 2 '--from: expected shooter, first or pattern, got "shoter"' new a --from shoter
-bad "another game, part of a name" 2 '--from: expected shooter, first or pattern, got "fir"' new a --from fir
+bad "another game" 2 '--from: expected bulletml, first, pattern or shooter, got "shoter"' new a --from shoter
+bad "another game, part of a name" 2 '--from: expected bulletml, first, pattern or shooter, got "fir"' new a --from fir
+help_names_all() {
+    local game
+    for game in $("$curtain" new a --from none 2>&1 | sed 's/.*expected //;s/, got.*//;s/,//g;s/ or / /'); do
+        "$curtain" help new | tr '\n' ' ' | grep -q "[ ,]$game (" || { echo "the help lacks $game"; return 1; }
+    done
+}
+check "its help names all of them" help_names_all
 bad "no game" 2 '--from: expected NAME, got nothing' new a --from=
 bad "--from of another command" 2 '--from does not go with pack (it goes with new)' pack plain --from first
 bad "an option of another command" 2 '--wav does not go with new (it goes with render, sound)' new a --wav a.wav

@@ -13,7 +13,7 @@
 #include "../pack/png.h"
 
 enum {
-    WIDTH = 1080, /* px; more, if one sprite needs it */
+    WIDTH = 1080, /* px; more, if one sprite needs it, or all of them would be higher than a PNG can be */
     EDGE = 24,
     GAP = 22,         /* between two sprites */
     LEAST = 132,      /* px a sprite has for its words */
@@ -432,6 +432,10 @@ bool atlas_make(const struct cart *cart, const struct atlas_shapes *shapes, uint
     if (cells) {
         qsort(cells, (size_t)cart->sprites, sizeof *cells, by_size);
         a.h = lay_out(&a, cells, cart->sprites);
+        while (a.h > PNG_MAX_SIDE && a.w <= PNG_MAX_SIDE / 3 * 2) { /* too high for a PNG: wider */
+            a.w += a.w / 2;
+            a.h = lay_out(&a, cells, cart->sprites);
+        }
     }
     if (cells && a.h <= PNG_MAX_SIDE && a.w <= PNG_MAX_SIDE)
         a.rgb = malloc((size_t)a.w * (size_t)a.h * 3);
