@@ -60,6 +60,29 @@ static void add_line(struct output *o, const char *line)
     o->log_size += n + 1;
 }
 
+/* Removes that line from the log, if it is in it. */
+static void remove_line(struct output *o, const char *line)
+{
+    const size_t n = strlen(line);
+
+    for (size_t at = 0; at + n < o->log_size; at++) {
+        if (memcmp(o->log + at, line, n) != 0 || o->log[at + n] != '\n')
+            continue;
+        memmove(o->log + at, o->log + at + n + 1, o->log_size - at - n - 1);
+        o->log_size -= n + 1;
+        return;
+    }
+}
+
+void board_full_forget(struct board *b)
+{
+    struct output *o = b->output;
+
+    for (int i = 0; i < o->out.fulls; i++)
+        remove_line(o, o->out.full[i].line);
+    o->out.fulls = 0;
+}
+
 void board_full(struct board *b, const struct slots *s)
 {
     const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;

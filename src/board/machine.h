@@ -300,6 +300,9 @@ void board_vanish(struct board *b, uint32_t i);
 /* To be called after a pool refused something; a run's first refusal is logged. */
 void board_full(struct board *b, const struct slots *s);
 
+/* Takes back what board_full reported in this frame: an endless loop filled the pools, and its fault says so. */
+void board_full_forget(struct board *b);
+
 /* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 

@@ -153,6 +153,12 @@ static void copy_text(char *to, size_t size, const char *from)
     snprintf(to, size, "%s", from);
 }
 
+/* Does a task have its turn, which could have waited? Not while loading, in a handler, or in a line of the console. */
+static bool waits(const struct board *b)
+{
+    return b->tasks.current != NO_SLOT && b->vm.limit == WORK_LIMIT;
+}
+
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
     if (b->output->long_text) {
@@ -160,8 +166,12 @@ static void report_shortage(const struct board *b, struct board_fault *f)
                  b->output->long_text, (int)MAX_TEXT);
         return;
     }
+    const bool at_once = waits(b) && heap_work(b->vm.heap) - b->vm.swept > b->vm.heap_size / 2;
     snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s",
-             b->output->shortage, b->cart.m.lua_kib, b->output->deep ? ", deep in calls: an endless recursion?" : "");
+             b->output->shortage, b->cart.m.lua_kib,
+             b->output->deep ? ", deep in calls: an endless recursion?"
+             : at_once       ? ", most of it taken in one frame: an endless loop? Is a wait missing?"
+                             : "");
 }
 
 /* The last name in a message that ends in "(field 'NAME')" and is about nil; false: it does not. */
@@ -197,6 +207,16 @@ static void hint(const char *message, char *out, size_t size)
         snprintf(out, size, " (a thing that is gone gives nil for %s; ask its alive first)", name);
 }
 
+/* The likely reason, where calls nest too deeply or a frame does not end. */
+static const char *cause(const struct board *b, enum board_fault_kind kind)
+{
+    if (kind == FAULT_STACK)
+        return " (calls nested too deeply: an endless recursion?)";
+    if (kind != FAULT_LOOP || b->vm.limit != WORK_LIMIT)
+        return "";
+    return waits(b) ? " (is a wait missing?)" : " (only a task can wait: task.go starts one)";
+}
+
 /* Any other error value. */
 static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
 {
@@ -215,8 +235,9 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
     if (!raised && b->vm.kind == FAULT_NONE)
         hint(message, why, sizeof why);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
-    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, why,
-             f->kind == FAULT_STACK ? " (calls nested too deeply: an endless recursion?)" : "");
+    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, why, cause(b, f->kind));
+    if (f->kind == FAULT_LOOP)
+        board_full_forget(b);
 }
 
 void vm_report(struct board *b, lua_State *from, int status)

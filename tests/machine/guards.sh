@@ -9,7 +9,9 @@ sandbox
 short=$OUT/curtain-short
 [ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
 LOOP='endless loop: more than 50000000 instructions in one frame'
+TASK=' (is a wait missing?)' ELSEWHERE=' (only a task can wait: task.go starts one)'
 MEMORY='out of Lua memory (board.lua_kib = 1024 in rom.lua)'
+AT_ONCE=', most of it taken in one frame: an endless loop? Is a wait missing?'
 
 # run PROGRAM OUTPUT: 5 frames of the game in g; the report on OUTPUT, the exit code after it.
 run() {
@@ -27,9 +29,10 @@ bomb() {
     cmp -s one two || not_ok "$1: the same again" "$(cat two)"
 }
 # The same where main.lua is one line with a task on it.
-task() { bomb "$1" "main.lua:1: ${3:-$LOOP}" <<<"task.go(function() wait(1); $2 end)"; }
-load() { bomb "$1, at load" "main.lua:1: ${3:-$LOOP}" <<<"$2"; }
+task() { bomb "$1" "main.lua:1: ${3:-$LOOP$TASK}" <<<"task.go(function() wait(1); $2 end)"; }
+load() { bomb "$1, at load" "main.lua:1: ${3:-$LOOP$ELSEWHERE}" <<<"$2"; }
 both() { task "$@" && load "$@"; }
+memory() { task "memory: $1" "$2" "$MEMORY$AT_ONCE" && load "memory: $1" "$2" "$MEMORY"; }
 
 # ---- endless loops ----
 
@@ -54,22 +57,23 @@ both 'sort callback' 'table.sort({ 3, 2, 1 }, function() while true do end end)'
 both 'gsub callback' '("x"):gsub(".", function() while true do end end)'
 both 'gsub table' '("x"):gsub(".", setmetatable({}, { __index = function() while true do end end }))'
 both 'iterator that never ends' 'for _ in function() return 1 end do end'
-both 'load with a reader that never ends' 'load(function() return "" .. " " end)' "$MEMORY"
+endless='load(function() return "" .. " " end)'
+task 'load with a reader that never ends' "$endless" "$MEMORY$AT_ONCE"
+load 'load with a reader that never ends' "$endless" "$MEMORY"
 both 'loaded loop' 'load("while true do end", "=main.lua")()'
 both 'much compiling' 'while true do load("return 1") end'
 task 'wait_until' 'wait_until(function() while true do end end)'
 task 'wait(0)' 'while true do wait(0) end'
-bomb 'tasks that start tasks' "main.lua:1: $LOOP" <<<'local function f() task.go(f) end task.go(f)'
-task 'tasks into a full pool' 'while true do task.go(print) end' \
-    $'the pool of tasks is full (128; tasks in rom.lua): what finds no room is not started\nmain.lua:1: '"$LOOP"
+bomb 'tasks that start tasks' "main.lua:1: $LOOP$TASK" <<<'local function f() task.go(f) end task.go(f)'
+task 'tasks into a full pool, which the fault explains' 'while true do task.go(print) end'
 task 'bullets' 'while true do bullet.clear() end'
 task 'each callback' 'local s = task.scope() enemy.each("x", print) while true do task.stop(s) end'
-task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP"
+task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP$TASK"
 task 'long texts' 'local s = ("x"):rep(4000) while true do local t = s .. "y" end'
 task 'a task that waits in between' 'while true do for i = 1, 3 do pcall(wait, 0) end end'
-bomb 'after a thousand good turns' "main.lua:1: $LOOP" \
+bomb 'after a thousand good turns' "main.lua:1: $LOOP$TASK" \
     <<<'for i = 1, 60 do task.go(function() wait(2) if i == 60 then while true do end end end) end'
-bomb 'loop in a handler' "main.lua:2: $LOOP" <<'LUA'
+bomb 'loop in a handler' "main.lua:2: $LOOP$ELSEWHERE" <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function(e) while true do end end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
@@ -79,12 +83,12 @@ enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.kill(function(e) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
 LUA
-bomb 'loop after board.reset' "main.lua:2: $LOOP" <<'LUA'
+bomb 'loop after board.reset' "main.lua:2: $LOOP$ELSEWHERE" <<'LUA'
 local again = save.get("again", false)
 while again do end
 task.go(function() save.set("again", true) board.reset() end)
 LUA
-bomb 'loop in a required script' "more/deep.lua:1: $LOOP" < <(
+bomb 'loop in a required script' "more/deep.lua:1: $LOOP$ELSEWHERE" < <(
     mkdir -p g/more && echo 'while true do end' >g/more/deep.lua && echo 'require "more/deep"'
 )
 rm -rf g/more
@@ -148,25 +152,24 @@ LUA
 
 # ---- memory ----
 
-both 'memory: tables in a table' 'local t = {} while true do t[#t + 1] = {} end' "$MEMORY"
-both 'memory: one big array' 'local t = {} for i = 1, 1e9 do t[i] = i end' "$MEMORY"
-both 'memory: a big hash' 'local t = {} for i = 1, 1e9 do t[i * 7919] = i end' "$MEMORY"
+memory 'tables in a table' 'local t = {} while true do t[#t + 1] = {} end'
+memory 'one big array' 'local t = {} for i = 1, 1e9 do t[i] = i end'
+memory 'a big hash' 'local t = {} for i = 1, 1e9 do t[i * 7919] = i end'
 both 'memory: doubling text' 'local s = "x" while true do s = s .. s end' \
     'a text of 131072 bytes: a text has 65536 at most'
-both 'memory: many texts' 'local t = {} while true do t[#t + 1] = ("x"):rep(60000) .. #t end' "$MEMORY"
+memory 'many texts' 'local t = {} while true do t[#t + 1] = ("x"):rep(60000) .. #t end'
 both 'a text too long by string.rep' 'local s = ("x"):rep(1 << 17)' 'a text of 131072 bytes: a text has 65536 at most'
-both 'memory: closures' 'local f while true do local g = f f = function() return g end end' "$MEMORY"
-both 'memory: many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end' "$MEMORY"
-both 'memory: table.concat' \
-    'local t, u = {}, {} for i = 1, 2000 do t[i] = ("x"):rep(200) end while 1 do u[#u + 1] = table.concat(t, #u) end' \
-    "$MEMORY"
-both 'memory: compiled scripts' 'local t = {} while true do t[#t + 1] = load(("local x = 1 "):rep(150)) end' "$MEMORY"
-both 'memory: inside pcall' 'pcall(function() local t = {} while true do t[#t + 1] = {} end end)' "$MEMORY"
-both 'memory: around pcall' 'local t = {} while true do pcall(function() t[#t + 1] = {} end) end' "$MEMORY"
-both 'memory: a gsub' '(("x"):rep(60000)):gsub(".", ("y"):rep(100))' "$MEMORY"
-both 'memory: error values' 'local t = {} while true do local _, e = pcall(error, {}) t[#t + 1] = e end' "$MEMORY"
+memory 'closures' 'local f while true do local g = f f = function() return g end end'
+memory 'many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end'
+memory 'table.concat' \
+    'local t, u = {}, {} for i = 1, 2000 do t[i] = ("x"):rep(200) end while 1 do u[#u + 1] = table.concat(t, #u) end'
+memory 'compiled scripts' 'local t = {} while true do t[#t + 1] = load(("local x = 1 "):rep(150)) end'
+memory 'inside pcall' 'pcall(function() local t = {} while true do t[#t + 1] = {} end end)'
+memory 'around pcall' 'local t = {} while true do pcall(function() t[#t + 1] = {} end) end'
+memory 'a gsub' '(("x"):rep(60000)):gsub(".", ("y"):rep(100))'
+memory 'error values' 'local t = {} while true do local _, e = pcall(error, {}) t[#t + 1] = e end'
 park='local t = {} for k = 1, 4000 do t[k] = k end wait(forever)'
-bomb 'memory: parked tasks' "main.lua:1: $MEMORY" \
+bomb 'memory: parked tasks' "main.lua:1: $MEMORY$AT_ONCE" \
     <<<"task.go(function() for i = 1, 100 do task.go(function() $park end) end end)"
 
 # ---- depth ----
@@ -217,7 +220,7 @@ LOOP='endless loop: more than 200000000 instructions in one frame'
 program=$curtain
 load 'real limit: plain loop' 'while true do end'
 task 'real limit: pcall loop' 'while true do pcall(function() while true do end end) end'
-bomb 'real limit: handler' "main.lua:2: $LOOP" <<'LUA'
+bomb 'real limit: handler' "main.lua:2: $LOOP$ELSEWHERE" <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function(e) while true do end end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
@@ -241,7 +244,7 @@ heavy 60000000
 "$short" hash g --frames 20 >/dev/null 2>one
 echo "exit $?" >>one
 same 'over the limit is a fault' \
-    $'main.lua:1: endless loop: more than 50000000 instructions in one frame\nexit 2' "$(cat one)"
+    "main.lua:1: endless loop: more than 50000000 instructions in one frame$TASK"$'\nexit 2' "$(cat one)"
 
 # ---- the same verdict on every host ----
 
@@ -280,9 +283,9 @@ verdict() { # NAME TURN VERDICT
 text='local s = ("x"):rep(65535) local n = 0'
 beside=' (one beside a text of 65535 bytes counts as 16)'
 verdict '11 million turns of a loop beside a long text' "$text for i = 1, 11000000 do n = n + 1 end" \
-    "main.lua:1: $LOOP$beside"$'\nexit 2'
-verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" "main.lua:1: $LOOP$beside"$'\nexit 2'
+    "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
+verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
 verdict '5 million turns beside a long text' "$text for i = 1, 5000000 do n = n + 1 end" 'exit 0'
 verdict 'nearly as many turns of a loop as a frame may have' 'for i = 1, 190000000 do end' 'exit 0'
-verdict 'a few more' 'for i = 1, 201000000 do end' "main.lua:1: $LOOP"$'\nexit 2'
+verdict 'a few more' 'for i = 1, 201000000 do end' "main.lua:1: $LOOP$TASK"$'\nexit 2'
 finish
