@@ -47,10 +47,18 @@ local function tell_marks(tell, a, name, enter, leave)
   if not whole then print(('stage "%s" waits for ever when it is skipped: marks after that are not known'):format(name)) end
 end
 
+-- All ships, the one that practice is played with first; registers are of that one.
+local function tell_ships(tell, kinds)
+  tell_ship(tell, kinds[1])
+  for i = 2, #kinds do
+    if startable(kinds[i], "@") then tell("ship", kinds[i], "", "", sys.ship(kinds[i]).lives) end
+  end
+end
+
 -- First what is known without running anything: a stage that runs through may fault, and then the list ends there.
 return function(a, enter, leave)
   local tell, stages = teller(), {}
-  tell_ship(tell, a.kinds[1])
+  tell_ships(tell, a.kinds)
   for _, name in ipairs(stage.names(a.stages)) do
     if startable(name, "[:/]") then
       tell("stage", name)

@@ -77,6 +77,9 @@ int api_player_register(lua_State *L, const struct board *b, uint32_t slot, cons
 /* The number of a register of the run, or -1. */
 int api_run_register(lua_State *L, const char *name);
 
+/* Fills the stock of player p's bombs up to what one costs. */
+void api_bomb_afford(lua_State *L, struct board *b, uint32_t p);
+
 /* Player p's bomb begins, if its ship has one, has enough for it, and none is going on. */
 bool api_bomb_start(lua_State *L, struct board *b, uint32_t p);
 

@@ -667,6 +667,11 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     return &o->out;
 }
 
+bool board_boots(const struct board *b)
+{
+    return b->vm.practice_read;
+}
+
 const struct board_out *board_last(const struct board *b)
 {
     return &b->output->out;

@@ -88,8 +88,8 @@ enum board_marker_kind {
     MARKER_START, /* a practice start's section begins, for the first time or anew */
 
     /* of PRACTICE_LIST, which tells stages, marks, bosses and phases too */
-    MARKER_SHIP,     /* the ship practice is played with; its kind, and its lives in all */
-    MARKER_REGISTER, /* one of its registers; name and value */
+    MARKER_SHIP,     /* a ship; its kind, and its lives in all. The first is the one practice is played with */
+    MARKER_REGISTER, /* a register of the first; name and value */
     MARKER_LISTED,   /* the list is complete */
 
     /* of a run again */
@@ -152,6 +152,9 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
 
 /* One frame. pads: PAD_ bits of the two players. After a fault nothing happens, and the fault remains. */
 const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
+
+/* Did the entry script call boot.run? Otherwise there is no ship, and nothing that can be started. */
+bool board_boots(const struct board *b);
 
 /* What the last tick (or power) handed out. */
 const struct board_out *board_last(const struct board *b);

@@ -340,6 +340,18 @@ uint64_t inspect_drawn(const struct board *b)
     return b->core.drawn;
 }
 
+void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t code), void *context)
+{
+    const struct lines *l = &b->lines;
+
+    for (uint32_t i = 0; i < b->fix.cols * b->fix.rows; i++)
+        if (fix_code(&b->fix, i))
+            each(context, fix_code(&b->fix, i));
+    EACH_LIVE (i, &l->s)
+        for (uint32_t k = 0; k < LINE_TEXT && !(l->flags[i] & LINE_HIDDEN) && l->code[i * LINE_TEXT + k]; k++)
+            each(context, l->code[i * LINE_TEXT + k]);
+}
+
 /* ---- tasks ---- */
 
 /* The line its thread waits in; "" before its first turn. */

@@ -67,6 +67,10 @@ struct inspect_ship_has {
 };
 struct inspect_ship_has inspect_plays(const struct board *b, int player);
 
+/* The characters on the screen, in cells and lines of text that are not hidden: code points, several times or in any
+ * order. FIX_OTHER (fix.h): one that a cell has no room for. */
+void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t code), void *context);
+
 /* The field on the screen, px. */
 struct inspect_area {
     int x, y, w, h;

@@ -74,11 +74,12 @@ struct output {
     struct board_fault fault;
     size_t log_size;
     char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* print's, and a line for each full pool */
-    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;        /* bytes of a text that was too long, 0: none */
-    bool deep;               /* that allocation was in many nested calls */
-    const char *line;        /* that board_eval runs */
-    struct values *values;   /* where board_eval_values puts its values */
+    char shortage[VM_PLACE];   /* "FILE:LINE: " of the last allocation that failed */
+    size_t long_text;          /* bytes of a text that was too long, 0: none */
+    bool deep;                 /* that allocation was in many nested calls */
+    const struct force *force; /* that force_run runs */
+    const char *line;          /* that board_eval runs */
+    struct values *values;     /* where board_eval_values puts its values */
     struct emissions emissions;
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
     void *phase_context;
@@ -239,6 +240,10 @@ static inline unsigned board_withheld(const struct board *b, uint32_t p)
 {
     return b->core.frozen ? 0 : player_withheld(&b->player, p);
 }
+
+/* Runs f(L) protected between two frames, then the effects of the events it raised; over `limit` of work it is a fault
+ * too. False: a fault; the board's out does not have it. What was printed is in output->log. */
+bool board_between(struct board *b, lua_CFunction f, uint64_t limit);
 
 /* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);

@@ -12,19 +12,21 @@ game() {
     luac5.4 -p named.lua 2>/dev/null && cp named.lua "$1/main.lua"
     return 0
 }
+idle='neither boot.run is called nor a task started' # most games here: a note that finds leaves out
 finds() { # NAME DIR [OPTION...], standard input: exactly these lines, in this order
-    local name=$1 want got
+    local name=$1 want got code
     shift
     want=$(cat)
     got=$("$curtain" check "$@" 2>&1)
-    same "$name" "$want"$'\n'"exit 1" "$got"$'\n'"exit $?"
+    code=$?
+    same "$name" "$want"$'\n'"exit 1" "$(grep -v "$idle" <<<"$got")"$'\n'"exit $code"
 }
 fine() { # NAME DIR [OPTION...]: one line, no finding
     local name=$1 got
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?; sampled [0-9]+ frames? for contrast'
+    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?, [0-9]+ forced runs?; sampled [0-9]+ frames? for contrast'
     local lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
     check "$name ($got)" grep -Eq \
         "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
@@ -55,6 +57,7 @@ cd "$repo" || exit 2
 for dir in roms/*/rom.lua examples/*/rom.lua; do dir=${dir%rom.lua}; fine "${dir%/}" "${dir%/}"; done
 cd "$scratch" || exit 2
 game everything <"$repo/tests/cli/everything.lua"
+sed -i 's/shots = 32/shots = 64/' everything/rom.lua # two ships fire
 fine 'a game that uses everything' everything
 mkdir -p pages
 python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
@@ -145,13 +148,14 @@ TEXT
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
 finds 'words without a glyph' tongues <<'TEXT'
 lang/de.txt:2: no font of the game has a glyph for "ü", U+00FC, nor for 1 more of this text: a box is shown
+lang/de.txt:2: no font of the game has a glyph for "G", U+0047, nor for 4 more of this text: a box is shown
 lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, nor for 3 more of this text: a box is shown
 lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, nor for 4 more of this text: a box is shown
 main.lua:2: no words for "World" in lang/de.txt
 main.lua:4: no words for "World" in lang/de.txt
 main.lua:6: no words for "World" in lang/de.txt
 main.lua:8: no words for "World" in lang/de.txt
-7 problems
+8 problems
 TEXT
 rm -r tongues
 game faces <<'LUA'
@@ -171,15 +175,16 @@ local title, note = "弾幕 été", "plain"
 print("弾幕", title, note)
 ----
 main.lua:2: no font of the game has a glyph for "A", U+0041: a box is shown
-main.lua:3: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text: a box is shown
-2 problems
+main.lua:3: note: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text; no run showed it
+1 problem
 LUA
 lua 'titles and spells, which stand in cells' <<'LUA'
 boss.def("b", { title = "弾", kind = "foe", x = 1, y = 1, phases = { { id = "a", spell = "Été 幕", time = 9, hp = 9 } } })
 ----
+main.lua:2: boss.def: enemy kind "foe" is not declared (there is none)
 main.lua:2: no font of the game has a glyph for "弾", U+5F3E: a box is shown
 main.lua:2: no font of the game has a glyph for "É", U+00C9, nor for 2 more of this text: a box is shown
-2 problems
+3 problems
 LUA
 lua 'spells whose bonus stays, where that of another falls' <<'LUA'
 enemy.def("foe", { sprite = "dot", hit = "none" }) local function idle() wait(forever) end
@@ -203,7 +208,7 @@ lua 'lasers' <<'LUA'
 laser.def("thin", { strip = "dott", width = 3, hit = { share = 1 } })
 laser.grop("x"):fade()
 ----
-main.lua:2: sprite "dott" is not in rom.lua (did you mean "dot"?)
+main.lua:2: laser.def: sprite "dott" is not in rom.lua (did you mean "dot"?)
 main.lua:3: laser has no "grop" (did you mean "group"?)
 2 problems
 LUA
@@ -317,6 +322,7 @@ bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
 laser.each(nil, function(l) print(#l, #laser.bolt { kind = "x" }) end)
 ----
 main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
+main.lua:2: bad argument #1 to 'pairs' (table expected, got number)
 main.lua:4: ipairs: what shot.fire returns is a shot, not a table
 main.lua:7: #: what player.get returns is a player, not a table
 main.lua:7: #: what task.scope returns is a scope, not a table
@@ -328,7 +334,7 @@ main.lua:12: #: what boss.def hands to its function is a thing, not a table
 main.lua:13: #: what bullet.meet hands to its function is a thing, not a table
 main.lua:14: #: what laser.each hands to its function is a thing, not a table
 main.lua:14: #: what laser.bolt returns is a laser, not a table
-12 problems
+13 problems
 LUA
 lua 'divisions by nothing' <<'LUA'
 local n = 3
@@ -379,6 +385,23 @@ task.go(function()
   print(board.refused("motions"))
 end)
 LUA
+lua 'a loop that lacks its wait, and not the pool that it fills' <<'LUA'
+bullet.def("d", { sprite = "dot", hit = "none" })
+task.go(function()
+  wait(20)
+  while true do bullet.fire { kind = "d", x = 9, y = 9, speed = 1 } end
+end)
+----
+main.lua:5: endless loop: more than 200000000 instructions in one frame (is a wait missing?)
+1 problem
+LUA
+lua 'a fault in a line that has another finding' <<'LUA'
+bullet.def("d", { sprite = "dot", hit = { circle = 9 } }) local t = nil print(t.x)
+----
+main.lua:2: bullet "d": its hit circle of 18 x 18 px is larger than its picture, "dot" of 8 x 8 px
+main.lua:2: attempt to index a nil value (local 't')
+2 problems
+LUA
 lua 'a fault whose line has a finding already' <<'LUA'
 task.go(function() wait(20) print(nothing) end)
 ----
@@ -404,7 +427,7 @@ stages/one.lua:1: unexpected symbol near '='
 stages/three.lua:1: compiled Lua, expected text
 stages/two.lua:3: ')' expected near <eof>
 std/nothing.lua: the standard library has no such script to replace
-8 problems; the game was not run, for it cannot be packed
+9 problems; the game was not run, for it cannot be packed
 END
 
 # ---- rom.lua and the art ----
@@ -583,7 +606,7 @@ sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
 fine 'the same with more room' m
 sed -i 's/262 do/26200 do/;s/wait(2)//' m/main.lua
 finds 'out of Lua RAM is one finding' m <<'END'
-main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua)
+main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua), most of it taken in one frame: an endless loop? Is a wait missing?
 1 problem
 END
 
@@ -605,6 +628,7 @@ sed -i 's/layer = "back"/layer = "back", hidden = true/' faint/main.lua
 fine 'the same over nothing' faint
 
 # A stage by itself; what a demo was told of already is not told again.
+sed -i 's/sprites = 16/sprites = 64/' faint/rom.lua
 cat >>faint/main.lua <<'LUA'
 player.def("ship", { sprite = "dot", hit = { circle = 2 } })
 stage.def("night", function()
@@ -646,7 +670,7 @@ rom.lua:3: board.pierce: no script names pierce; without it the board takes 18 K
 rom.lua:3: board.values.bullet: no script names value; without it the board takes 18 KiB less
 9 problems
 END
-rooms() { "$curtain" check rooms | sed 's/[1-9][0-9]* KiB/N KiB/'; }
+rooms() { "$curtain" check rooms | grep -v "$idle" | sed 's/[1-9][0-9]* KiB/N KiB/'; }
 same 'capacities that nobody uses' "$(cat wanted)" "$(rooms)"
 takes() { "$curtain" check rooms | sed -n "s/.*board.$1:.*takes \([0-9]*\) KiB less/\1/p"; }
 before=$(takes sparks)
@@ -800,6 +824,68 @@ got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
 check '... is found by playing each' grep -q '^stages/three/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
     <<<"$got"
+
+# What play brings about only now and then is forced: each of these is reached, and what comes after it.
+player() { # standard input: a script of a game with two ships and two difficulties
+    rm -rf forced
+    cp -R "$repo/examples/first" forced
+    sed -i 's/^return {/return { difficulties = { "easy", "hard" }, players = 2,/' forced/rom.lua
+    sed -i 's/^boot.run.*/require "more"\nplayer.def("other", { sprite = "ship", hit = { circle = 2 } })\n/' forced/main.lua
+    echo 'boot.run { stages = { "one" }, players = { "ship", "other" }, continues = 2 }' >>forced/main.lua
+    cat >forced/more.lua
+}
+reaches() { # NAME LINE
+    player <<<"$2"
+    got=$("$curtain" check forced 2>&1)
+    check "$1" grep -q '^more.lua:1: a player has no property "pwoer"$' <<<"$got"
+}
+reaches 'a death' 'on.death(function(p) print(p.pwoer) end)'
+reaches 'a hit' 'on.hit(function(p) print(p.pwoer) end)'
+reaches 'a graze' 'on.graze(function(p) print(p.pwoer) end)'
+reaches 'an extra life' 'on.extend(function(p) print(p.pwoer) end)'
+reaches 'a continue' 'on.continue(function(p) print(p.pwoer) end)'
+reaches 'the end of a game' 'on.game_over(function() print(player.get(1).pwoer) end)'
+reaches 'another ship' 'on.death(function(p) if p.kind == "other" then print(p.pwoer) end end)'
+reaches 'another difficulty' \
+    'on.death(function(p) if board.difficulty() == "hard" then print(p.pwoer) end end)'
+reaches 'a second player' 'on.start(function() if player.get(2).alive then print(player.get(1).pwoer) end end)'
+player <<'LUA'
+on.extend(function(p) print(p.first) end)
+on.death(function(p) print(p.second) end)
+LUA
+finds 'and what comes after a fault' forced <<'END'
+more.lua:1: a player has no property "first"
+more.lua:2: a player has no property "second"
+2 problems
+END
+cp -R "$repo/examples/first" unstarted
+sed -i '/^boot.run/d' unstarted/main.lua
+finds 'a game that nobody can start' unstarted <<'END'
+main.lua: boot.run is not called, so nobody can play: it should end in boot.run { stages = { "one" }, players = { "ship" } }
+1 problem
+END
+echo 'print("dot", "dart", ("x"):rep(3))' | game idle
+got=$("$curtain" check idle 2>&1)
+same 'one without ships and stages may be so' 0 $?
+check '... and it is noted' grep -q "^main.lua: note: $idle, so nothing will happen$" <<<"$got"
+
+# ---- text ----
+
+echo 'return { licence = "(c) Enrique Garc\303\255a" }' | sed 's/\\303\\255/\xc3\xad/' >garcia.lua
+echo 'local garcia = require "garcia" print("dot", "dart", garcia.licence)' | game unseen
+cp garcia.lua unseen/
+got=$("$curtain" check unseen 2>&1)
+same 'text that no run shows is no problem' 0 $?
+check '... but noted' grep -q '^garcia.lua:1: note: no font of the game has a glyph for .*; no run showed it$' <<<"$got"
+game seen <<'LUA'
+local g = require "garcia" print("dot", "dart")
+task.go(function() wait(30) text.put { col = 1, row = 1, text = g.licence:match "Garc.*" } wait(forever) end)
+LUA
+cp garcia.lua seen/
+finds 'what a run shows is one' seen <<'END'
+garcia.lua:1: no font of the game has a glyph for "í", U+00ED: a box is shown
+1 problem
+END
 
 # ---- what is no game ----
 

@@ -80,10 +80,10 @@ check 'each pixel of the Japanese lines is the font'"'"'s' \
 sed -i 's/弾幕へ/弾へ幕/' compare.py
 refuse 'planted: other words' 'row ' python3 compare.py g/art/jp.bdf "$repo/tests/cli/png_read.py" out/000001.png
 
-echo 'local s = "潮😀"' >>g/main.lua
+echo 'text.line { x = 3, y = 45, text = "潮😀", font = "jp" }' >>g/main.lua
 "$curtain" check g >found
 same 'a character that it lacks' \
-    'main.lua:3: no font of the game has a glyph for "😀", U+1F600: a box is shown' "$(head -n 1 found)"
+    'main.lua:3: no font of the game has a glyph for "😀", U+1F600: a box is shown' "$(grep glyph found)"
 sed -i 's/^CHARSET_REGISTRY.*/CHARSET_REGISTRY "JISX0208.1983"/' g/art/jp.bdf
 "$curtain" pack g -o g.rom 2>why
 same 'a font that is not by Unicode' \

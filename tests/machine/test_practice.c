@@ -422,13 +422,16 @@ static void test_marks(void **state)
 /* ---- the list ---- */
 
 /* A line a section; frames: how many it took. */
+static char other_ships[256]; /* of the last list, behind the first one */
+
 static void list(const struct rig_game *g, char *out, size_t size, int *frames)
 {
     struct board_start start = start_at(PRACTICE_LIST);
     struct rig r;
     size_t n = 0;
-    bool done = false;
+    bool done = false, ship = false;
 
+    other_ships[0] = 0;
     for (int i = 0; i < g->cart.m.n_dips; i++)
         start.dip[i] = g->cart.m.dips[i].value;
     rig_power(&r, g, &start);
@@ -441,6 +444,11 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
         for (int i = 0; i < now->markers; i++) {
             const struct board_marker *m = &now->marker[i];
             done |= m->kind == MARKER_LISTED;
+            if (m->kind == MARKER_SHIP && ship) {
+                strcat(strcat(other_ships, m->name), " ");
+                continue;
+            }
+            ship |= m->kind == MARKER_SHIP;
             if (m->kind == MARKER_SHIP || m->kind == MARKER_REGISTER)
                 n += (size_t)snprintf(out + n, size - n, "%s=%d\n", m->name, (int)m->value);
             else if (m->kind == MARKER_MARK || m->kind == MARKER_PHASE)
@@ -462,6 +470,7 @@ static void test_list(void **state)
 
     (void)state;
     list(&game, all, sizeof all, &frames);
+    assert_string_equal(other_ships, "other ");
     assert_string_equal(all, "ship=3\nbombs=2\npower=7\n"
                              "one \nrain \ncrash \never \nwaits \n"
                              "queen The Queen\nqueen/first \nqueen/second Sign of Rain\nknight Knight\nknight/stand \n"

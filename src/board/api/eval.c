@@ -148,31 +148,41 @@ static const char *without_place(const char *message)
     return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
 }
 
-/* values NULL: they are printed. */
-static bool eval(struct board *b, const char *line, struct values *values, char *out, size_t size)
+bool board_between(struct board *b, lua_CFunction f, uint64_t limit)
 {
     struct output *o = b->output;
     struct board_out was = o->out;
     struct host host;
 
+    if (o->fault.kind != FAULT_NONE)
+        return false;
+    host_enter(&host);
+    o->log_size = 0;
+    vm_begin(b, limit);
+    bool fine = vm_call(b, f) && vm_call(b, events_run);
+    b->vm.limit = WORK_LIMIT;
+    o->out = was;
+    o->out.log_size = 0;
+    host_leave(&host);
+    return fine;
+}
+
+/* values NULL: they are printed. */
+static bool eval(struct board *b, const char *line, struct values *values, char *out, size_t size)
+{
+    struct output *o = b->output;
+
     if (o->fault.kind != FAULT_NONE) {
         snprintf(out, size, "%s", o->fault.message);
         return false;
     }
-    host_enter(&host);
     o->line = line;
     o->values = values;
-    o->log_size = 0;
-    vm_begin(b, EVAL_LIMIT);
-    bool fine = vm_call(b, run_line) && vm_call(b, events_run);
+    bool fine = board_between(b, run_line, EVAL_LIMIT);
     snprintf(out, size, "%.*s", fine ? (int)o->log_size : -1, fine ? o->log : without_place(o->fault.message));
-    b->vm.limit = WORK_LIMIT;
     o->line = NULL;
     o->values = NULL;
     o->log_size = 0;
-    o->out = was;
-    o->out.log_size = 0;
-    host_leave(&host);
     return fine;
 }
 

@@ -164,7 +164,7 @@ static void count(char out[32], int n, const char *what)
 
 static void say_fine(const struct check *c)
 {
-    char scripts[32], sprites[32], demos[32], samples[32], sections[32], line[TREE_PATH + 256];
+    char scripts[32], sprites[32], demos[32], samples[32], sections[32], forced[32], line[TREE_PATH + 256];
     size_t room = (size_t)c->m.lua_kib * 1024;
 
     count(scripts, c->n_scripts, "script");
@@ -172,8 +172,9 @@ static void say_fine(const struct check *c)
     count(demos, c->demos, "demo");
     snprintf(sections, sizeof sections, c->sections == 1 ? "%d stage or phase" : "%d stages and phases", c->sections);
     count(samples, c->samples, "frame");
-    snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB",
-             c->dir, scripts, sprites, demos, sections, samples, (int)((c->lua_most * 100 + room - 1) / room),
+    count(forced, c->forced, "forced run");
+    snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB",
+             c->dir, scripts, sprites, demos, sections, forced, samples, (int)((c->lua_most * 100 + room - 1) / room),
              (int)c->m.lua_kib);
     clean_line(line);
     say(line);
@@ -185,12 +186,13 @@ static enum result report(struct check *c)
 
     diagnostics_sort(&c->found);
     diagnostics_print(&c->found, say);
-    count(problems, c->found.n, "problem");
-    if (c->found.n == 0)
+    const int wrong = c->found.n - c->found.notes;
+    count(problems, wrong, "problem");
+    if (wrong == 0)
         say_fine(c);
     else
-        printf("%s%s\n", problems, c->broken ? "; the game was not run, for it cannot be packed" : "");
-    return report_stdout(c->found.n > 0 ? RESULT_DIFFERS : RESULT_DONE);
+        report_print("%s%s\n", problems, c->broken ? "; the game was not run, for it cannot be packed" : "");
+    return report_stdout(wrong > 0 ? RESULT_DIFFERS : RESULT_DONE);
 }
 
 static enum result check_all(struct check *c)

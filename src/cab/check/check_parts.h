@@ -8,11 +8,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../../../fb/utf8.h"
 #include "../../board/rom/manifest.h"
 #include "symbols.h"
 #include "diagnostics.h"
 #include "../pack/tree.h"
 #include "builtins.h"
+#include "../../base/pads.h"
 
 struct check_script {
     const char *path; /* "stages/one.lua"; NULL: of the library in the program */
@@ -42,13 +44,15 @@ struct check {
     struct check_text *texts;
     int n_scripts, n_library, n_texts;
     struct name_set builtins;
-    struct name_set open;    /* globals handed around */
-    struct name_set changed; /* what scripts have put into places */
-    bool any_global;         /* scripts may have made new ones */
-    int demos;               /* that were played */
-    int sections;            /* stages and phases that were */
-    int samples;             /* frames of all of them whose bullets' contrast was looked at */
-    size_t lua_most;         /* bytes of Lua RAM, at most at one time in any run */
+    struct name_set open;            /* globals handed around */
+    struct name_set changed;         /* what scripts have put into places */
+    bool any_global;                 /* scripts may have made new ones */
+    int demos;                       /* that were played */
+    int sections;                    /* stages and phases that were */
+    int forced;                      /* other runs, of check_forced.c */
+    int samples;                     /* frames of all of them whose bullets' contrast was looked at */
+    uint8_t shown[UTF8_MAX / 8 + 1]; /* a bit for each character that was on the screen in a run */
+    size_t lua_most;                 /* bytes of Lua RAM, at most at one time in any run */
 };
 
 /* A file of the game; false, with a diagnostic, when it cannot be read. */
@@ -77,15 +81,42 @@ void check_sounds(struct check *c);
 void check_bulletml(struct check *c);
 void check_run(struct check *c);
 
-/* Characters without a glyph; cart: the game, packed. Part of check_run. */
+/* A run of the game, in check_run.c, which looks at all of them for the same things. */
+struct run;
+struct board;
+struct board_out;
+struct board_start;
 struct cart;
+struct force;
+struct sections;
+/* Powers the board; false: it cannot, which is a finding. A tick. What force_run does; from then on a full pool is no
+ * finding. Frame f of at most n, for the progress line. The end of the run. */
+bool check_power(struct run *r, const char *what, const struct board_start *start);
+const struct board_out *check_tick(struct run *r, const uint16_t pads[PADS]);
+void check_force(struct run *r, const struct force *force);
+void check_tell(const struct run *r, uint32_t f, uint32_t n);
+void check_finish(struct run *r);
+
+/* What check_forced.c needs of it. */
+const struct board *check_board(const struct run *r);
+const struct cart *check_cart(const struct run *r);
+const struct sections *check_sections(const struct run *r);
+unsigned *check_broken(struct run *r); /* 1 << force_kind: what led to a fault when it was forced */
+struct board_start check_start(const struct run *r);
+
+/* Runs in which what only play brings about is forced: each ship and difficulty, deaths, bombs, continues, pauses, the
+ * end of the game. How many there are; and one after the other. */
+int check_forced_runs(struct run *r);
+int check_forced(struct run *r);
+
+/* Notes that a run showed a character; then, characters without a glyph. cart: the game, packed. Part of check_run. */
+void check_shown(struct check *c, uint32_t code);
 void check_text(struct check *c, const struct cart *cart);
 
 /* Capacities that no script can use. Part of check_run. */
 void check_rooms(struct check *c, const struct cart *cart);
 
 /* What is heard of a run: the mix of each frame, and sounds that others take the voice of. */
-struct board;
 struct check_heard;
 struct check_heard *check_heard_open(void); /* NULL: out of memory */
 void check_heard_frame(struct check_heard *h, const struct board *b);

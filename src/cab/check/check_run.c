@@ -1,7 +1,7 @@
 /*
  * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game
- * without input; then every stage and every phase of a boss by itself. What faults, what does not hold, and how
- * much Lua RAM was in use at most.
+ * without input; then every stage and every phase of a boss by itself; then what check_forced.c forces. What faults,
+ * what does not hold, and how much Lua RAM was in use at most.
  */
 #include "check_parts.h"
 
@@ -13,6 +13,7 @@
 #include "../../board/draw/contrast.h"
 #include "../../board/inspect.h"
 #include "../../board/rom/cart.h"
+#include "../../board/run/force.h"
 #include "../pack/art.h"
 #include "../demo/demo.h"
 #include "../host/progress.h"
@@ -28,7 +29,8 @@ enum {
     SAMPLE_EVERY = 120,  /* frames of a run, of which contrast looks at one */
     SAMPLES = 150,       /* in a run */
     LOOKS = 128,         /* kinds and banks it tells apart */
-    FEW_BULLETS = 40     /* of which it says nothing */
+    FEW_BULLETS = 40,    /* of which it says nothing */
+    LOOK_EVERY = 12      /* frames, of which the text on the screen is looked at in one */
 };
 
 /* Bullets of a kind in a bank, in the sampled frames of a run. */
@@ -67,7 +69,10 @@ struct run {
     struct check_heard *heard; /* of what is listened to; NULL: nothing */
     bool measured;             /* the kinds' shapes were compared with their pictures */
     struct sections *sections;
-    int runs, planned; /* demos, stages and phases: played so far, and in all */
+    int runs, planned; /* played so far, and in all */
+    bool boots;        /* boot.run is called */
+    unsigned broken;   /* see check_broken */
+    bool forced;       /* something was forced in this run: what is full may come of it */
 };
 
 /* ---- hit shapes and pictures ---- */
@@ -166,17 +171,71 @@ static void note_ramp(void *context, const struct inspect_shape_of *kind)
                     kind->of, kind->name, kind->ramp, at, kind->bank, at - 1);
 }
 
+/* ---- a game that nobody can start ---- */
+
+/* The first name that a call of space.def declares in so many words, or NULL. found: there is one at all. */
+static const char *first_declared(const struct check *c, const char *space, bool *found)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
+            const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
+            if (call->space == NULL || strcmp(call->space, space) != 0 || strcmp(call->name, "def") != 0)
+                continue;
+            *found = true;
+            if (call->arg[0] != NULL)
+                return call->arg[0];
+        }
+    return NULL;
+}
+
+/* Stages and ships are played by boot.run alone. A game that has no stage may do with tasks of its own. */
+static void judge_boot(struct run *r)
+{
+    const struct board *b = r->guard.board;
+    const bool idle = board_live(b, "tasks") == 0;
+    bool stages = false, ships = false;
+    char entry[TREE_PATH];
+
+    if (board_boots(b) || board_last(b)->fault)
+        return;
+    snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
+    const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
+    if (stages || (ships && idle))
+        diagnostics_add(&r->c->found, entry, 0,
+                        "boot.run is not called, so nobody can play: it should end in boot.run { stages = { \"%s\" }, "
+                        "players = { \"%s\" } }",
+                        stage != NULL ? stage : "one", ship != NULL ? ship : "ship");
+    else if (idle)
+        diagnostics_note(&r->c->found, entry, 0,
+                         "neither boot.run is called nor a task started, so nothing will happen");
+}
+
 /* ---- one run ---- */
 
-/* A line that has a diagnostic already is most likely the reason of the fault. */
+/* The name that is nil, of a fault that says so; "": another fault. */
+static void missing_name(const char *message, char *name, size_t size)
+{
+    static const char *const before[] = { "undeclared global \"", "(field '", "(global '", "(method '" };
+
+    name[0] = '\0';
+    for (size_t i = 0; i < sizeof before / sizeof *before && !name[0]; i++) {
+        const char *at = strstr(message, before[i]);
+        if (at != NULL)
+            snprintf(name, size, "%.*s", (int)strcspn(at + strlen(before[i]), "'\""), at + strlen(before[i]));
+    }
+}
+
+/* Was it found in the script already that nothing of that name is there? Then the fault tells the same. */
 static void note_fault(struct run *r, const struct board_fault *fault)
 {
     struct diagnostics alone = { 0 };
+    char name[64];
 
     r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
+    missing_name(fault->message, name, sizeof name);
     diagnostics_add_sentence(&alone, r->what, fault->message);
-    bool known =
-        alone.n > 0 && alone.list[0].line > 0 && diagnostics_at(&r->c->found, alone.list[0].file, alone.list[0].line);
+    const bool known = alone.n > 0 && name[0] && alone.list[0].line > 0 &&
+                       diagnostics_misses(&r->c->found, alone.list[0].file, alone.list[0].line, name);
     diagnostics_close(&alone);
     if (!known)
         diagnostics_add_sentence(&r->c->found, r->what, fault->message);
@@ -200,23 +259,37 @@ static bool is_watched(const struct check *c, const char *part)
 /* Pools that are full for the first time. Sparks do not count: no script depends on one. */
 static void note_full(struct run *r, const struct board_out *out)
 {
-    for (int i = 0; i < out->fulls; i++)
+    for (int i = 0; i < out->fulls && !r->forced; i++)
         if (strcmp(out->full[i].part, "sparks") != 0 && !is_watched(r->c, out->full[i].part))
             diagnostics_add_sentence(&r->c->found, r->what, out->full[i].line);
 }
 
-static const struct board_out *tick(struct run *r, const uint16_t pads[PADS])
+static void note_shown(void *context, uint32_t code)
+{
+    check_shown(context, code);
+}
+
+const struct board_out *check_tick(struct run *r, const uint16_t pads[PADS])
 {
     const struct board_out *out = guard_tick(&r->guard, pads);
 
     note_full(r, out);
+    if (board_frame(r->guard.board) % LOOK_EVERY == 0 && !out->fault)
+        inspect_codes(r->guard.board, note_shown, r->c);
     if (r->heard != NULL)
         check_heard_frame(r->heard, r->guard.board);
     return out;
 }
 
+void check_force(struct run *r, const struct force *force)
+{
+    guard_forget(&r->guard);
+    force_run(r->guard.board, force);
+    r->forced = true;
+}
+
 /* Frame f of at most n of this run. */
-static void tell(const struct run *r, uint32_t f, uint32_t n)
+void check_tell(const struct run *r, uint32_t f, uint32_t n)
 {
     const uint64_t each = SWEEP_FRAMES;
 
@@ -224,16 +297,22 @@ static void tell(const struct run *r, uint32_t f, uint32_t n)
                   "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
 }
 
-static bool power(struct run *r, const struct board_start *start)
+bool check_power(struct run *r, const char *what, const struct board_start *start)
 {
     char err[512];
 
-    if (guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
+    r->what = what;
+    r->forced = false;
+    if (r->guard.ram != NULL ? guard_again(&r->guard, start, err, sizeof err)
+                             : guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
         note_full(r, board_last(r->guard.board));
         if (!r->measured) {
             inspect_kinds(r->guard.board, note_large, r);
             inspect_kinds(r->guard.board, note_ramp, r);
         }
+        r->boots = board_boots(r->guard.board);
+        if (!r->measured)
+            judge_boot(r);
         r->measured = true;
         return true;
     }
@@ -241,17 +320,19 @@ static bool power(struct run *r, const struct board_start *start)
     return false;
 }
 
-static void finish(struct run *r)
+/* A loop without end may have filled the memory: how much the game needs is not known then. */
+void check_finish(struct run *r)
 {
+    const struct board_fault *fault = board_last(r->guard.board)->fault;
     size_t most = board_lua_peak(r->guard.board);
 
-    if (board_last(r->guard.board)->fault)
-        note_fault(r, board_last(r->guard.board)->fault);
-    if (most > r->most) {
+    if (fault)
+        note_fault(r, fault);
+    if (most > r->most && !(fault && fault->kind == FAULT_LOOP)) {
         r->most = most;
         snprintf(r->most_in, sizeof r->most_in, "%s", r->what);
     }
-    guard_close(&r->guard);
+    r->runs++;
 }
 
 /* Sections are not listened to: it takes longer than to play them. */
@@ -271,7 +352,7 @@ static void judge_heard(struct run *r)
     r->heard = NULL;
 }
 
-static struct board_start plain_start(const struct run *r)
+struct board_start check_start(const struct run *r)
 {
     struct board_start start = { .difficulty = -1 };
 
@@ -283,19 +364,17 @@ static struct board_start plain_start(const struct run *r)
 static void run_idle(struct run *r)
 {
     const uint16_t nothing[PADS] = { 0 };
-    struct board_start start = plain_start(r);
+    struct board_start start = check_start(r);
 
-    r->what = "600 frames of nobody playing";
-    if (!power(r, &start))
+    if (!check_power(r, "600 frames of nobody playing", &start))
         return;
     listen_to(r);
     for (uint32_t f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++) {
-        tell(r, f, IDLE_FRAMES);
-        tick(r, nothing);
+        check_tell(r, f, IDLE_FRAMES);
+        check_tick(r, nothing);
     }
-    r->runs++;
     judge_heard(r);
-    finish(r);
+    check_finish(r);
 }
 
 /* ---- contrast ---- */
@@ -397,22 +476,21 @@ static void play_section(struct run *r, const struct section *section)
     bool over = false;
 
     for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
-        tell(r, f, SWEEP_FRAMES);
+        check_tell(r, f, SWEEP_FRAMES);
         contrast_look(r, f);
         sweep_pads(f, pads);
-        over = sweep_over(section->kind, tick(r, pads));
+        over = sweep_over(section->kind, check_tick(r, pads));
     }
 }
 
 /* A stage or a phase; nothing hits the ship. */
 static void run_section(struct run *r, const struct section *section)
 {
-    struct board_start start = plain_start(r);
+    struct board_start start = check_start(r);
 
-    r->what = section->id;
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
     start.practice.invincible = true;
-    if (!power(r, &start))
+    if (!check_power(r, section->id, &start))
         return;
     if (contrast_open(&r->contrast, r->guard.board)) {
         play_section(r, section);
@@ -421,7 +499,7 @@ static void run_section(struct run *r, const struct section *section)
         r->c->found.failed = true;
     }
     contrast_close(&r->contrast);
-    finish(r);
+    check_finish(r);
     r->c->sections++;
 }
 
@@ -433,10 +511,8 @@ static bool is_played(const struct section *s)
 static void run_sections(struct run *r)
 {
     for (int i = 0; i < r->sections->n; i++)
-        if (is_played(&r->sections->section[i])) {
+        if (is_played(&r->sections->section[i]))
             run_section(r, &r->sections->section[i]);
-            r->runs++;
-        }
 }
 
 /* ---- a demo ---- */
@@ -471,11 +547,11 @@ static uint32_t play(struct run *r)
         if (wrong == ALL && !is_as_recorded(r, f))
             wrong = f;
         contrast_look(r, f);
-        tell(r, f, last);
+        check_tell(r, f, last);
         if (f == last || board_last(r->guard.board)->fault)
             return wrong;
         demo_pads(&r->demo, f, pads);
-        tick(r, pads);
+        check_tick(r, pads);
     }
 }
 
@@ -484,14 +560,13 @@ static void run_loaded(struct run *r)
     char doubt[128];
     bool doubted = demo_doubt(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
 
-    if (!power(r, &r->demo.start))
+    if (!check_power(r, r->what, &r->demo.start))
         return;
     r->hash_cache = calloc(1, board_hash_cache_size(r->guard.board));
     if (!contrast_open(&r->contrast, r->guard.board) || r->hash_cache == NULL) {
         r->c->found.failed = true;
         contrast_close(&r->contrast);
         free(r->hash_cache);
-        guard_close(&r->guard);
         return;
     }
     listen_to(r);
@@ -503,7 +578,7 @@ static void run_loaded(struct run *r)
     if (wrong != ALL && !doubted)
         diagnostics_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
                         wrong, r->c->dir, r->c->dir, r->what);
-    finish(r);
+    check_finish(r);
     r->c->demos++;
 }
 
@@ -550,7 +625,7 @@ static void judge_memory(struct run *r)
 
 static void plan(struct run *r)
 {
-    const struct board_start start = plain_start(r);
+    const struct board_start start = check_start(r);
 
     sections_list(r->sections, &r->image.rom, &start, false);
     for (int i = 0; i < r->c->files.n; i++)
@@ -558,6 +633,27 @@ static void plan(struct run *r)
     r->planned += r->planned == 0; /* run_idle */
     for (int i = 0; i < r->sections->n; i++)
         r->planned += is_played(&r->sections->section[i]);
+    r->planned += r->sections->ships ? check_forced_runs(r) : 0;
+}
+
+const struct board *check_board(const struct run *r)
+{
+    return r->guard.board;
+}
+
+unsigned *check_broken(struct run *r)
+{
+    return &r->broken;
+}
+
+const struct cart *check_cart(const struct run *r)
+{
+    return &r->cart;
+}
+
+const struct sections *check_sections(const struct run *r)
+{
+    return r->sections;
 }
 
 static void run_all(struct run *r)
@@ -567,13 +663,13 @@ static void run_all(struct run *r)
     plan(r);
     progress_begin();
     for (int i = 0; i < files->n; i++)
-        if (is_demo(files->name[i])) {
+        if (is_demo(files->name[i]))
             run_demo(r, files->name[i]);
-            r->runs++;
-        }
-    if (r->most == 0)
+    if (!r->measured)
         run_idle(r);
     run_sections(r);
+    if (r->boots)
+        r->c->forced = check_forced(r);
     judge_memory(r);
 }
 
@@ -606,10 +702,11 @@ void check_run(struct check *c)
     } else if ((r->sections = calloc(1, sizeof *r->sections)) == NULL) {
         c->found.failed = true;
     } else {
-        check_text(c, &r->cart);
         check_rooms(c, &r->cart);
         run_all(r);
+        check_text(c, &r->cart);
     }
+    guard_close(&r->guard);
     free(r->sections);
     rom_image_free(&r->image);
     free(r);

@@ -2,8 +2,9 @@
  * check_text.c - characters of the game's texts that none of its fonts has, on the screen each is a box; and what its
  * languages lack.
  *
- * A literal that text.put writes is judged whole. Of others only what is not ASCII is looked at, for a text beyond
- * that is hardly a name; those that print, error and assert are given are none that is shown.
+ * A literal is judged where it is sure to be shown: text.put and text.line, what is said, titles and names of spells.
+ * Any other one may be for a file, a log or a comparison, so of these only what is not ASCII is looked at, and only a
+ * character that a run did show makes it a problem; otherwise it is a note.
  */
 #include "check_parts.h"
 
@@ -11,15 +12,31 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../fb/utf8.h"
+#include "../../chips/shown/fix.h"
 #include "../../board/rom/cart.h"
 #include "../pack/lang.h"
 #include "../host/files.h"
 #include "../pack/pack.h"
 
-/* Where a text is shown: codes below `from` are not judged, those over `most` cannot be shown. */
+/* Where a text is shown: codes below `from` are not judged, those over `most` cannot be shown. sure: it is shown. */
 struct place {
     uint32_t from, most;
+    bool sure;
 };
+
+void check_shown(struct check *c, uint32_t code)
+{
+    if (code <= UTF8_MAX)
+        c->shown[code / 8] |= (uint8_t)(1 << code % 8);
+}
+
+/* Did a run show it? A cell that has no room for a code does not tell which one it is. */
+static bool was_shown(const struct check *c, uint32_t code)
+{
+    const bool other = !c->m.wide && code > 255 && c->shown[FIX_OTHER / 8] >> FIX_OTHER % 8 & 1;
+
+    return other || c->shown[code / 8] >> code % 8 & 1;
+}
 
 /* The first character that has no glyph; 0: all have one. *n: how many have none. */
 static uint32_t first_missing(const struct cart *cart, const char *s, struct place place, int *n)
@@ -37,10 +54,22 @@ static uint32_t first_missing(const struct cart *cart, const char *s, struct pla
     return first;
 }
 
+static bool any_shown(const struct check *c, const struct cart *cart, const char *s, struct place place)
+{
+    const char *end = s + strlen(s);
+
+    while (s < end) {
+        uint32_t code = utf8_next(&s, end);
+        if (code >= place.from && (code > place.most || !cart_has_glyph(cart, code)) && was_shown(c, code))
+            return true;
+    }
+    return false;
+}
+
 static void judge(struct check *c, const struct cart *cart, const char *path, int line, const char *s,
                   struct place place)
 {
-    char bytes[UTF8_BYTES + 1] = "", more[48] = "";
+    char bytes[UTF8_BYTES + 1] = "", more[48] = "", what[200];
     int n;
     uint32_t code = first_missing(cart, s, place, &n);
 
@@ -50,14 +79,14 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
         bytes[utf8_put(bytes, code)] = '\0';
     if (n > 1)
         snprintf(more, sizeof more, ", nor for %d more of this text", n - 1);
-    if (cart_has_glyph(cart, code)) {
-        diagnostics_add(&c->found, path, line,
-                        "a cell has no room for %s%s%sU+%04X%s: a box is shown (board = { wide = true } in rom.lua)",
-                        bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
-        return;
-    }
-    diagnostics_add(&c->found, path, line, "no font of the game has a glyph for %s%s%sU+%04X%s: a box is shown",
-                    bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
+    snprintf(what, sizeof what, "%s %s%s%sU+%04X%s",
+             cart_has_glyph(cart, code) ? "a cell has no room for" : "no font of the game has a glyph for",
+             bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
+    if (!place.sure && !any_shown(c, cart, s, place))
+        diagnostics_note(&c->found, path, line, "%s; no run showed it", what);
+    else
+        diagnostics_add(&c->found, path, line, "%s: a box is shown%s", what,
+                        cart_has_glyph(cart, code) ? " (board = { wide = true } in rom.lua)" : "");
 }
 
 static bool is(const char *a, const char *b)
@@ -89,27 +118,76 @@ static bool is_asked(const struct symbols *f, const struct symbol_key *k)
     return table->space == NULL && is(table->name, "choose") && is(k->name, "title");
 }
 
+/* Is it what text.put or text.line write? */
+static bool is_put(const struct symbols *f, const struct symbol_key *k)
+{
+    const struct symbol_table *t = &f->tables[k->table];
+
+    return k->value != NULL && t->key < 0 && is(k->name, "text") && is(t->space, "text") &&
+           (is(t->name, "put") || is(t->name, "line"));
+}
+
+/* Does the hud write it into cells? */
+static bool is_in_cells(const struct check *c, const struct symbols *f, const struct symbol_key *k)
+{
+    return !tree_has(&c->files, "std/hud.lua") && is_asked(f, k);
+}
+
 static struct place cells(const struct check *c, uint32_t from)
 {
-    return (struct place){ from, c->m.wide ? UTF8_MAX : 255 };
+    return (struct place){ from, c->m.wide ? UTF8_MAX : 255, true };
+}
+
+/* Text of any width, in a font. */
+static struct place font(bool sure)
+{
+    return (struct place){ 128, UTF8_MAX, sure };
+}
+
+/* What a call shows in the language of the run: text.lang, say; or NULL. */
+static const char *asked_by(const struct symbol_call *call)
+{
+    if (is(call->space, "text") && is(call->name, "lang"))
+        return call->arg[0];
+    return call->space == NULL && is(call->name, "say") ? call->arg[1] : NULL;
+}
+
+/* Is that text of that line judged where it is written? */
+static bool is_judged(const struct check *c, const struct symbols *f, const struct symbol_text *t)
+{
+    for (int i = 0; i < f->n_keys; i++)
+        if (f->keys[i].value != NULL && f->keys[i].line == t->line && strcmp(f->keys[i].value, t->s) == 0 &&
+            (is_put(f, &f->keys[i]) || is_in_cells(c, f, &f->keys[i])))
+            return true;
+    for (int i = 0; i < f->n_calls; i++)
+        if (f->calls[i].line == t->line && is(asked_by(&f->calls[i]), t->s))
+            return true;
+    return false;
+}
+
+static void judge_key(struct check *c, const struct cart *cart, const struct check_script *s,
+                      const struct symbol_key *k)
+{
+    const struct symbols *f = &s->symbols;
+
+    if (is_put(f, k))
+        judge(c, cart, s->path, k->line, k->value, is(f->tables[k->table].name, "put") ? cells(c, 1) : font(true));
+    else if (is_in_cells(c, f, k))
+        judge(c, cart, s->path, k->line, k->value, cells(c, 128));
 }
 
 static void judge_script(struct check *c, const struct cart *cart, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
-    for (int i = 0; i < f->n_keys; i++) {
-        const struct symbol_table *t = &f->tables[f->keys[i].table];
-        if (t->key < 0 && is(t->space, "text") && is(t->name, "put") && is(f->keys[i].name, "text") &&
-            f->keys[i].value != NULL)
-            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, cells(c, 1));
-        else if (!tree_has(&c->files, "std/hud.lua") && is_asked(f, &f->keys[i]))
-            judge(c, cart, s->path, f->keys[i].line, f->keys[i].value, cells(c, 128));
-    }
+    for (int i = 0; i < f->n_keys; i++)
+        judge_key(c, cart, s, &f->keys[i]);
+    for (int i = 0; i < f->n_calls; i++)
+        if (asked_by(&f->calls[i]) != NULL)
+            judge(c, cart, s->path, f->calls[i].line, asked_by(&f->calls[i]), font(true));
     for (int i = 0; i < f->n_texts; i++)
-        if (!(f->texts[i].how & SYMBOL_KEY) && !diagnostics_at(&c->found, s->path, f->texts[i].line) &&
-            !is_for_log(f, f->texts[i].line))
-            judge(c, cart, s->path, f->texts[i].line, f->texts[i].s, (struct place){ 128, UTF8_MAX });
+        if (!(f->texts[i].how & SYMBOL_KEY) && !is_judged(c, f, &f->texts[i]) && !is_for_log(f, f->texts[i].line))
+            judge(c, cart, s->path, f->texts[i].line, f->texts[i].s, font(false));
 }
 
 /* ---- languages ---- */
@@ -168,14 +246,6 @@ static void judge_words(struct check *c, const struct tongues *t, const char *pa
         diagnostics_add(&c->found, path, line, "no words for \"%.80s\" in %s", text, lacking);
 }
 
-/* What a call shows in the language of the run: text.lang, say; or NULL. */
-static const char *asked_by(const struct symbol_call *call)
-{
-    if (is(call->space, "text") && is(call->name, "lang"))
-        return call->arg[0];
-    return call->space == NULL && is(call->name, "say") ? call->arg[1] : NULL;
-}
-
 /* The titles of bosses, the names of their spells and of those who talk, and what is said and asked for in so many
  * words. */
 static void judge_asked(struct check *c, const struct tongues *t, const struct check_script *s)
@@ -207,14 +277,29 @@ void check_langs(struct check *c)
     free(t);
 }
 
+/* Does a script ask for that text, to show it? */
+static bool is_shown(const struct check *c, const char *text)
+{
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct symbols *f = &c->scripts[i].symbols;
+        for (int k = 0; k < f->n_calls; k++)
+            if (is(asked_by(&f->calls[k]), text))
+                return true;
+        for (int k = 0; k < f->n_keys; k++)
+            if (is_asked(f, &f->keys[k]) && is(f->keys[k].value, text))
+                return true;
+    }
+    return false;
+}
+
 /* The words that a language has for a text that the hud writes into cells; NULL: those it has for any. */
 static void judge_tongue(struct check *c, const struct cart *cart, const struct tongue *t, const char *text)
 {
     for (int k = 0; k < t->lang.n; k++) {
         const struct lang_line *one = &t->lang.list[k];
-        if (text == NULL && !diagnostics_at(&c->found, t->path, one->line))
-            judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX });
-        else if (text != NULL && is(text, one->text))
+        if (text == NULL)
+            judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX, is_shown(c, one->text) });
+        else if (is(text, one->text))
             judge(c, cart, t->path, one->line, one->words, cells(c, 128));
     }
 }

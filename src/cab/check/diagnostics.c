@@ -39,27 +39,38 @@ static void drop(struct diagnostic *one)
     free(one->text);
 }
 
-static void add(struct diagnostics *f, const char *file, int line, const char *text)
+static void add(struct diagnostics *f, const char *file, int line, bool note, const char *format, va_list args)
 {
-    struct diagnostic one = { copy(file), copy(text), line, f->n };
+    char text[TEXT];
+
+    vsnprintf(text, sizeof text, format, args);
+    clean_line(text);
+    struct diagnostic one = { copy(file), copy(text), line, f->n, note };
     if (one.file == NULL || one.text == NULL || (f->n == f->room && !grow(f))) {
         drop(&one);
         f->failed = true;
         return;
     }
     f->list[f->n++] = one;
+    f->notes += note;
 }
 
 void diagnostics_add(struct diagnostics *f, const char *file, int line, const char *format, ...)
 {
-    char text[TEXT];
     va_list args;
 
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    add(f, file, line, false, format, args);
     va_end(args);
-    clean_line(text);
-    add(f, file, line, text);
+}
+
+void diagnostics_note(struct diagnostics *f, const char *file, int line, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    add(f, file, line, true, format, args);
+    va_end(args);
 }
 
 void diagnostics_add_sentence(struct diagnostics *f, const char *file, const char *sentence)
@@ -79,11 +90,15 @@ void diagnostics_add_sentence(struct diagnostics *f, const char *file, const cha
     diagnostics_add(f, name, numbered ? (int)line : 0, "%s", what + strspn(what, " "));
 }
 
-bool diagnostics_at(const struct diagnostics *f, const char *file, int line)
+bool diagnostics_misses(const struct diagnostics *f, const char *file, int line, const char *name)
 {
-    for (int i = 0; i < f->n; i++)
-        if (f->list[i].line == line && strcmp(f->list[i].file, file) == 0)
+    for (int i = 0; i < f->n; i++) {
+        const struct diagnostic *one = &f->list[i];
+        if (one->line == line && strcmp(one->file, file) == 0 && strstr(one->text, name) != NULL &&
+            (strstr(one->text, "has no ") || strstr(one->text, "is not available") ||
+             strstr(one->text, "undeclared global")))
             return true;
+    }
     return false;
 }
 
@@ -97,29 +112,43 @@ static int by_place(const void *a, const void *b)
     return p->line != q->line ? (p->line < q->line ? -1 : 1) : p->order - q->order;
 }
 
-/* Is it told already, among those from `first` on, which are of its place? */
-static bool is_told(const struct diagnostics *f, int first, int n, const struct diagnostic *one)
+static bool same_place(const struct diagnostic *a, const struct diagnostic *b)
 {
-    for (int i = first; i < n; i++)
-        if (strcmp(f->list[i].text, one->text) == 0)
+    return a->line == b->line && strcmp(a->file, b->file) == 0;
+}
+
+/* Does another one at the same place say the same, or the same and more? Of equals the first stays. */
+static bool is_said(const struct diagnostics *f, int i)
+{
+    int first = i;
+
+    while (first > 0 && same_place(&f->list[first - 1], &f->list[i]))
+        first--;
+    for (int k = first; k < f->n && same_place(&f->list[k], &f->list[i]); k++) {
+        const struct diagnostic *other = &f->list[k], *one = &f->list[i];
+        if (k == i || other->note > one->note || strstr(other->text, one->text) == NULL)
+            continue;
+        if (k < i || other->note < one->note || strcmp(other->text, one->text) != 0)
             return true;
+    }
     return false;
 }
 
 void diagnostics_sort(struct diagnostics *f)
 {
-    int n = 0, first = 0; /* kept; the first of them at the present place */
+    int n = 0;
 
     if (f->n > 0)
         qsort(f->list, (size_t)f->n, sizeof f->list[0], by_place);
+    for (int i = 0; i < f->n; i++)
+        f->list[i].order = is_said(f, i);
     for (int i = 0; i < f->n; i++) {
-        struct diagnostic *one = &f->list[i];
-        if (n > 0 && (f->list[n - 1].line != one->line || strcmp(f->list[n - 1].file, one->file) != 0))
-            first = n;
-        if (is_told(f, first, n, one))
-            drop(one);
-        else
-            f->list[n++] = *one;
+        if (f->list[i].order) {
+            f->notes -= f->list[i].note;
+            drop(&f->list[i]);
+        } else {
+            f->list[n++] = f->list[i];
+        }
     }
     f->n = n;
 }
@@ -139,10 +168,10 @@ void diagnostics_print(const struct diagnostics *f, void (*line)(const char *))
     for (int i = 0; i < f->n; i++) {
         const struct diagnostic *one = &f->list[i];
         if (one->line > 0)
-            snprintf(text, sizeof text, "%s:%d:%s%s", one->file, one->line, has_column(one->text) ? "" : " ",
-                     one->text);
+            snprintf(text, sizeof text, "%s:%d:%s%s%s", one->file, one->line, has_column(one->text) ? "" : " ",
+                     one->note ? "note: " : "", one->text);
         else
-            snprintf(text, sizeof text, "%s: %s", one->file, one->text);
+            snprintf(text, sizeof text, "%s: %s%s", one->file, one->note ? "note: " : "", one->text);
         clean_line(text);
         line(text);
     }

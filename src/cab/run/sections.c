@@ -72,6 +72,14 @@ static void add_register(struct sections *p, const struct board_marker *m)
     p->reg[p->registers++].value = m->value;
 }
 
+static void add_ship(struct sections *p, const struct board_marker *m)
+{
+    if (p->ships == MAX_SHIPS)
+        return;
+    p->lives = p->ships ? p->lives : m->value;
+    memcpy(p->ship[p->ships++], m->name, sizeof m->name);
+}
+
 /* True when it was the last. */
 static bool hear(struct sections *p, const struct board_marker *m)
 {
@@ -89,8 +97,7 @@ static bool hear(struct sections *p, const struct board_marker *m)
         add(p, SECTION_PHASE, m);
         break;
     case MARKER_SHIP:
-        memcpy(p->ship, m->name, sizeof p->ship);
-        p->lives = m->value;
+        add_ship(p, m);
         break;
     case MARKER_REGISTER:
         add_register(p, m);

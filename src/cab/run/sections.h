@@ -9,7 +9,7 @@
 
 #include "../../board/board.h"
 
-enum { MAX_SECTIONS = 512 /* what is more is not listed */ };
+enum { MAX_SECTIONS = 512, MAX_SHIPS = 32 /* what is more is not listed */ };
 
 enum section_kind {
     SECTION_STAGE,
@@ -28,8 +28,9 @@ struct section {
 struct sections {
     int n;
     struct section section[MAX_SECTIONS];
-    char ship[32]; /* what practice is played with; "": not known */
-    int32_t lives; /* of it, in all */
+    int ships;
+    char ship[MAX_SHIPS][32]; /* the first is what practice is played with; "": not known */
+    int32_t lives;            /* of the first, in all */
     int registers;
     struct {
         char name[32];

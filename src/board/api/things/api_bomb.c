@@ -121,6 +121,20 @@ static bool pay(lua_State *L, struct board *b, uint32_t p, const struct bomb *bo
     return true;
 }
 
+void api_bomb_afford(lua_State *L, struct board *b, uint32_t p)
+{
+    const struct player_kinds *k = &b->player_kinds;
+    const int numbers[] = { k->bomb[b->player.kind[p]], k->bomb_focus[b->player.kind[p]] }, top = lua_gettop(L);
+
+    for (int i = 0; i < 2; i++) {
+        const struct bomb *bomb = numbers[i] ? push_bomb(L, numbers[i]) : NULL;
+        const int reg = bomb && bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;
+        if (reg >= 0 && board_register(b, p, (uint32_t)reg) < bomb->cost)
+            board_set_register(b, p, (uint32_t)reg, bomb->cost);
+    }
+    lua_settop(L, top);
+}
+
 bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
 {
     struct player *s = &b->player;
