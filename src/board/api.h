@@ -110,4 +110,8 @@ enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
 /* Fills the rom table (api_board.c). */
 void api_rom_open(lua_State *L);
 
+/* Pushes " (did you mean "x"?)" for the name of no global, or "". A local in sight is meant or, if it is read, a
+ * global. */
+const char *api_push_meant(lua_State *L, const char *name, bool read);
+
 #endif

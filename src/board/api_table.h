@@ -49,7 +49,8 @@ enum api_type {
     A_PAD, /* a player: 1, 2 or a player's handle; 0: a dead handle, as player.nearest may return */
     A_EASE,
     A_LAYER,
-    A_DEPTH, /* which side of all things a layer of the background is on */
+    A_SPARK_LAYER, /* i counts from LAYER_MIDDLE */
+    A_DEPTH,       /* which side of all things a layer of the background is on */
     A_ALIGN,
     A_FIRE,  /* what a pattern fires */
     A_SHOOT, /* what the step emit fires */
@@ -210,8 +211,5 @@ const char *api_instead_field(const char *name, const char **space);
 /* Functions that scripts can call whose last word is next to `name`, three at most: "bullet.fire or shot.fire"; false:
  * none. */
 bool api_help_calls(const char *name, char *out, size_t size);
-
-/* Is it a property of a thing that can be gone? */
-bool api_dies(const char *name);
 
 #endif

@@ -74,8 +74,10 @@ struct output {
     struct board_fault fault;
     size_t log_size;
     char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* print's, and a line for each full pool */
-    char shortage[VM_PLACE];   /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;          /* bytes of a text that was too long, 0: none */
+    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
+    size_t long_text;        /* bytes of a text that was too long, 0: none */
+    char dead_field[32];     /* the last property that was read of a thing that had despawned, and where */
+    char dead_place[VM_PLACE];
     bool deep;                 /* that allocation was in many nested calls */
     const struct force *force; /* that force_run runs */
     const char *line;          /* that board_eval runs */

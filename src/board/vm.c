@@ -139,6 +139,28 @@ int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
     return lua_error(L);
 }
 
+void vm_note_dead(lua_State *L, const char *field)
+{
+    struct output *o = vm_board(L)->output;
+
+    snprintf(o->dead_field, sizeof o->dead_field, "%s", field);
+    vm_where(L, o->dead_place, sizeof o->dead_place);
+}
+
+int vm_fault_at(lua_State *L, const char *place, const char *format, ...)
+{
+    va_list args;
+
+    vm_board(L)->vm.kind = FAULT_SCRIPT;
+    luaL_checkstack(L, 4, NULL);
+    lua_pushstring(L, place);
+    va_start(args, format);
+    lua_pushvfstring(L, format, args);
+    va_end(args);
+    lua_concat(L, 2);
+    return lua_error(L);
+}
+
 static enum board_fault_kind kind_of(const struct board *b, int status, const char *message)
 {
     if (b->vm.kind != FAULT_NONE)
@@ -191,20 +213,22 @@ static bool nil_field(const char *message, char *name, size_t size)
 }
 
 /* What to say behind Lua's own message: why a field may be nil here. */
-static void hint(const char *message, char *out, size_t size)
+static void hint(lua_State *L, const char *message, char *out, size_t size)
 {
-    char name[32], calls[100];
+    const struct output *o = vm_board(L)->output;
+    char name[32], calls[100], place[VM_PLACE];
     const char *space, *instead;
 
     out[0] = 0;
     if (!nil_field(message, name, sizeof name))
         return;
+    vm_where(L, place, sizeof place);
     if ((instead = api_instead_field(name, &space)) != NULL)
         snprintf(out, size, " (%s.%s is not available: %s)", space, name, instead);
     else if (strstr(message, "to call") && api_help_calls(name, calls, sizeof calls))
         snprintf(out, size, " (did you mean %s?)", calls);
-    else if (!strstr(message, "to call") && api_dies(name))
-        snprintf(out, size, " (a thing that is gone gives nil for %s; ask its alive first)", name);
+    else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
+        snprintf(out, size, " (a thing that has despawned gives nil for %s; check its alive first)", name);
 }
 
 /* The likely reason, where calls nest too deeply or a frame does not end. */
@@ -233,7 +257,7 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
         snprintf(other, sizeof other, "error: the value raised is a %s, not text", lua_typename(from, type));
     missing_place(from, message, place, sizeof place);
     if (!raised && b->vm.kind == FAULT_NONE)
-        hint(message, why, sizeof why);
+        hint(from, message, why, sizeof why);
     f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
     snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, why, cause(b, f->kind));
     if (f->kind == FAULT_LOOP)
@@ -438,13 +462,16 @@ static int undeclared(lua_State *L)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (not available: %s)", name, api_instead(NULL, name));
     if (std_of(name) >= 0)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
-    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"", name);
+    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, api_push_meant(L, name, true));
 }
 
 static int no_new_global(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+    const char *meant = api_push_meant(L, name, false);
 
+    if (meant[0])
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, meant);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\": there are no new globals (write \"local %s\")", name,
                     name);
 }

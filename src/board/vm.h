@@ -93,6 +93,12 @@ static inline struct board *vm_board(lua_State *L)
 /* Raises a fault no pcall catches; "FILE:LINE: " of the nearest caller outside @std stands before the message. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
+/* The same of a script, with that place ("FILE:LINE: ") in place of the nearest caller's. */
+int vm_fault_at(lua_State *L, const char *place, const char *format, ...);
+
+/* Notes that a property of a thing that despawned was read, for the hint of a fault that follows from it. */
+void vm_note_dead(lua_State *L, const char *field);
+
 /* "FILE:LINE: " of the nearest caller outside @std, else of the author's line that started the library's task, else of
  * the nearest caller, else "". Changes nothing of L. */
 void vm_where(lua_State *L, char *place, size_t size);

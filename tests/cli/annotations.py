@@ -193,6 +193,7 @@ NAMES = {"a sprite": "sprite_name", "a blend": "blend_name", "a font": "font_nam
          "a sound": "sound_name", "a piece of music": "music_name"}
 LISTS = {"up down left right fire bomb focus special start select": "button_word",
          "linear, in, out or both": "ease_word", "back, middle, front or over": "layer_word",
+         "middle or front": "spark_layer_word",
          "back or front": "depth_word", "left, center or right": "align_word", "bullet or shot": "shoot_word",
          "bullet, shot, bolt, curve or beam": "fire_word", "none, first, second or both": "meet_word",
          "one, ring, fan, arc, stack or line": "emit_word", "all or any": "down_word",

@@ -248,6 +248,12 @@ main.lua:6: undeclared global "inner"
 main.lua:8: undeclared global "wait_untill" (did you mean "wait_until"?)
 9 problems
 LUA
+lua 'a new global that is like one there is' <<'LUA'
+count = 0
+----
+main.lua:2: undeclared global "count": there are no new globals (write "local count")
+1 problem
+LUA
 lua 'fields nobody put there' <<'LUA'
 print(bullet.fier, hud.bannre, string.trim, math.sing(1), rom.titel, menu["choos"], utf8.length)
 bullet:fire { kind = "x" }

@@ -308,7 +308,11 @@ test.run { lives = 3 }|test.run: lives, invincible and registers need stage: the
 test.run { invincible = 1 }|test.run: invincible: expected true or false, got number
 test.run { lang = "de" }|test.run: lang: the game has no language
 test.run { dips = { coin = "one" } }|test.run: dip: unknown DIP switch "coin" (did you mean "coins"?)
-test.run { dips = { "one" } }|test.run: dips: expected names with texts or numbers, as { name = 1 }
+test.run { dips = { "one" } }|test.run: dips: expected names with texts or numbers, as { name = 1 }, got a list
+test.run { dips = { f = {}, e = {}, d = {}, c = {}, b = {}, a = {} } }|test.run: dips.a: expected a text or a number, \
+got a table
+test.run { zf = 1, ze = 1, zd = 1, zc = 1, zb = 1, za = 1, zg = 1, zh = 1 }|test.run: unknown field "za" \
+(there are stage, seed, difficulty, frames, pads, demo, lang, lives, invincible, dips, registers, faults)
 test.run { dips = 3 }|test.run: dips: expected a table like { name = value }, got number
 test.run { pads = "jump" }|test.run: pads: expected buttons like fire or fire,focus or bomb@200 or left@60:90, got \
 "jump" (there are up down left right fire bomb focus special start select)
@@ -337,6 +341,7 @@ test.shot("x")|there is no run yet: test.run begins one
 test.run() test.shot("A b")|test.shot: a name has 1 to 63 of the characters a-z 0-9 _ -, got "A b"
 local r = test.run() for _ = 1, 4 do test.run() end r:step()|the run is over: a test keeps its last 4 runs
 local t = {} t.t = t test.run():eval("nil") test.equal(#t, 1, "of itself")|of itself: expected 1, got 0
+test.equal({ f = 1, e = 2, d = 3, c = 4, b = 5, a = 6 }, 1)|expected 1, got { a = 6, b = 5, c = 4, d = 3, e = 2, f = 1 }
 test.equal({ 1, { a = "x" } }, { 1, { a = "y" } })|expected { 1, { a = "y" } }, got { 1, { a = "x" } }
 test.expect(1 == 2, "sums")|expected: sums
 test.expect(nil)|expected what is true, got nil

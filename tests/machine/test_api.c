@@ -532,6 +532,9 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_LAYER:
         push_from(L, layers, 3);
         break;
+    case A_SPARK_LAYER:
+        push_from(L, layers + 1, 2);
+        break;
     case A_ALIGN:
         push_from(L, aligns, 3);
         break;

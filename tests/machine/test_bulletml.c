@@ -717,7 +717,11 @@ static void test_arguments(void **state)
                   "kinds: the document fires no bullet with the label \"b\"");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { a = 'gam' } }",
                   "(did you mean \"gem\"?)");
-    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { 'gem' } }", "got a list");
+    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { 'gem' } }", "got one at 1");
+    check_refused(
+        "bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { zf = 1, ze = 1, zd = 1, zc = 1, zb = 1, "
+        "za = 1, zg = 1, zh = 1 } }",
+        "kinds: the document fires no bullet with the label \"za\"");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, params = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 } }",
                   "params: expected at most 9 numbers, got 10");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, params = { a = 1 } }",

@@ -167,14 +167,14 @@ static void test_volleys(void **state)
           400);
 }
 
-/* Both say the same of what is wrong. */
+/* Both say the same of what is wrong; but a place is missing where the bullets are fired: with `each`, by that. */
 static void test_volley_errors(void **state)
 {
     static const char *const wrong[][2] = {
         { "pattern.line { kind = 'dot', speed = 1, n = 3, width = 90, x = 16380, y = 1",
           "main.lua:12: bullet.fire: x: expected a number from -16383 to 16383 px, got 16425.0" },
         { "pattern.ring { kind = 'dot', speed = 1, n = 3, x = 1",
-          "main.lua:12: bullet.fire: place: expected either x and y, or from" },
+          "main.lua:12: pattern.ring: place: expected either x and y, or from" },
         { "pattern.fan { kind = 'dot', sped = 1, n = 3, spread = 9, x = 1, y = 2",
           "main.lua:12: pattern.fan: unknown argument \"sped\" (did you mean \"speed\"?)" },
         { "pattern.arc { kind = 'dot', speed = 1, n = -1, sweep = 9, x = 1, y = 2",
@@ -191,7 +191,10 @@ static void test_volley_errors(void **state)
             rig_with_sys(&g, &m, text);
             rig_power_any(&rig, &g, NULL);
             assert_non_null(rig_fault(&rig));
-            assert_string_equal(rig_fault(&rig)->message, wrong[i][1]);
+            const bool own = each && strstr(wrong[i][1], "place:");
+            assert_string_equal(rig_fault(&rig)->message,
+                                own ? "main.lua:12: bullet.fire: place: expected either x and y, or from"
+                                    : wrong[i][1]);
             end();
         }
 }

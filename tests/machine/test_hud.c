@@ -572,7 +572,7 @@ static void says(const char *registers, const char *line)
 static void test_errors(void **state)
 {
     (void)state;
-    says("a = { strat = 3 }", "player.def: registers.a: unknown setting \"strat\" (did you mean \"start\"?)");
+    says("a = { strat = 3 }", "player.def: registers.a: unknown argument \"strat\" (did you mean \"start\"?)");
     says("a = { start = 3, max = 2 }", "player.def: registers.a: start 3 is more than max 2");
     says("a = { at = 'left' }", "player.def: registers.a.at: expected top or low, got \"left\"");
     says("a = { label = 3 }", "player.def: registers.a.label: expected a string, got 3");

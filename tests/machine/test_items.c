@@ -547,7 +547,7 @@ static void test_refused(void **state)
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { start = 9, max = 3 } } })",
           "player.def: registers.a: start 9 is more than max 3" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { most = 3 } } })",
-          "player.def: registers.a: unknown setting \"most\" (there are start, min, max, drain, every, hold, show, at, "
+          "player.def: registers.a: unknown argument \"most\" (it takes start, min, max, drain, every, hold, show, at, "
           "label, "
           "mark)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = 3 }, collect_full = 'a' })",

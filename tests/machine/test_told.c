@@ -139,7 +139,7 @@ static void test_later(void **state)
     (void)state;
     SAYS("sound.play('x')",
          "main.lua:2: sound: this game has no room for it; rom.lua asks for it: sounds = { ... } or music = { ... }");
-    SAYS("local f = optn", "main.lua:2: undeclared global \"optn\"");
+    SAYS("local f = optn", "main.lua:2: undeclared global \"optn\" (did you mean \"on\"?)");
     SAYS("local f = test", "main.lua:2: undeclared global \"test\" (test is not there yet; the name is kept for it)");
     SAYS("print(board.test, on[1], text.lines)", "nil\tnil\tnil\n");
     SAYS("board.test = print board.test('mine')", "mine\n");

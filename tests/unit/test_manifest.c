@@ -257,6 +257,11 @@ static void test_unknown_names(void **state)
     entry_refused("dip = { n = { min = 1, max = 2, def = 1 } }", "dip.n.def: unknown name");
     entry_refused("1", "manifest: expected only names as keys, got 1");
     entry_refused("board = { [2.5] = 1 }", "board: expected only names as keys, got 2.5");
+    entry_refused("board = { [7.5] = 1, [true] = 1, [6.5] = 1, [2.5] = 1, [5.5] = 1, [4.5] = 1, [3.5] = 1 }",
+                  "board: expected only names as keys, got 2.5");
+    entry_refused(
+        "sheets = { ['g/'] = {}, ['f/'] = {}, ['e/'] = {}, ['d/'] = {}, ['c/'] = {}, ['b/'] = {}, ['a/'] = {} }",
+        "sheets: \"a/\": expected a name of letters, digits, _ - . and /");
 }
 
 static void test_sounds(void **state)

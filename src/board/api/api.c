@@ -22,6 +22,42 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
     return vm_fault(L, FAULT_SCRIPT, "%s: %s", entry, message);
 }
 
+/* ---- places, for errors that are found later than they were made ---- */
+
+static const char places_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " */
+
+void api_note_place(lua_State *L, const char *entry, const char *name)
+{
+    const int top = lua_gettop(L);
+    char place[VM_PLACE];
+
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &places_key) != LUA_TTABLE) {
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &places_key);
+    }
+    vm_where(L, place, sizeof place);
+    lua_pushfstring(L, "%s %s", entry, name);
+    lua_pushstring(L, place);
+    lua_rawset(L, -3);
+    lua_settop(L, top);
+}
+
+int api_error_at(lua_State *L, const char *entry, const char *name, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    const char *message = lua_pushvfstring(L, format, args), *place = NULL;
+    va_end(args);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &places_key) == LUA_TTABLE) {
+        lua_pushfstring(L, "%s %s", entry, name);
+        lua_rawget(L, -2);
+        place = lua_tostring(L, -1);
+    }
+    return place ? vm_fault_at(L, place, "%s: %s", entry, message) : api_error(L, entry, "%s", message);
+}
+
 /* ---- the script digest ---- */
 
 enum { FOLDED = 8 /* bytes of a text that count as a VM instruction */ };
@@ -169,10 +205,10 @@ int api_checked(lua_State *L, const struct api_entry *e)
             continue;
         else if (p->type == A_BOOL)
             lua_pushboolean(L, (int)v[i].i);
+        else if (p->type == A_INT || p->type == A_COUNT || p->type == A_PAD)
+            lua_pushinteger(L, v[i].i);
         else if (p->type == A_STR || p->type >= A_BULLET_KIND)
             lua_pushstring(L, p->def);
-        else if (p->type == A_INT || p->type == A_COUNT)
-            lua_pushinteger(L, v[i].i);
         else
             lua_pushnumber(L, v[i].n);
         lua_setfield(L, -2, p->name);

@@ -131,6 +131,19 @@ static void no_member(struct reading *r, const char *phase, const char *what, co
     api_error(L, "boss.def", "phase \"%s\": %s: nobody of the cast is \"%s\"", phase, what, word);
 }
 
+static bool knows_member(lua_State *L, const char *key, const void *of)
+{
+    const struct reading *r = of;
+
+    vm_charge(L, 1);
+    if (!key)
+        return false;
+    lua_pushvalue(L, -1);
+    const bool is = lua_rawget(L, r->cast) != LUA_TNIL;
+    lua_pop(L, 1);
+    return is;
+}
+
 /* The field of the phase at `at`, a value of that type or, with a cast, a table of them by name, which is copied. */
 static void each_of_cast(struct reading *r, int at, const char *phase, const struct api_param *p)
 {
@@ -145,26 +158,26 @@ static void each_of_cast(struct reading *r, int at, const char *phase, const str
         lua_pop(L, 1);
         return;
     }
-    lua_newtable(L);
-    const int copy = lua_gettop(L);
-    lua_pushnil(L);
-    while (lua_next(L, copy - 1)) {
-        if (lua_type(L, -2) != LUA_TSTRING)
+    const int given = lua_gettop(L), copy = given + 1;
+    if (luakeys_push_stray(L, given, knows_member, r)) {
+        if (!luakeys_text(L, -1))
             api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, by names of the cast", phase,
                       p->name);
-        lua_pushvalue(L, -2);
-        if (lua_rawget(L, r->cast) == LUA_TNIL)
-            no_member(r, phase, p->name, lua_tostring(L, -3));
-        lua_pop(L, 1);
-        snprintf(what, sizeof what, "boss.def: phase \"%s\": %s", phase, p->name);
+        no_member(r, phase, p->name, luakeys_text(L, -1));
+    }
+    lua_newtable(L);
+    snprintf(what, sizeof what, "boss.def: phase \"%s\": %s", phase, p->name);
+    for (lua_Integer i = 1; lua_rawgeti(L, r->cast - 1, i) == LUA_TTABLE; i++, lua_settop(L, copy)) {
         struct api_param one = *p;
-        one.name = lua_tostring(L, -2);
+        field(L, copy + 1, "name");
+        one.name = lua_tostring(L, -1);
+        if (field(L, given, one.name) == LUA_TNIL)
+            continue;
         api_check(L, what, &one, lua_gettop(L), &v);
-        lua_pushvalue(L, -2);
-        lua_insert(L, -2);
         lua_rawset(L, copy);
         n++;
     }
+    lua_settop(L, copy);
     if (n == 0)
         api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, got {}", phase, p->name);
     lua_setfield(L, at, p->name);

@@ -23,8 +23,7 @@ static bool was_handle(double v)
     return v >= 0x1p62 && v < 0x1p63;
 }
 
-/* Pushes how a value looks in an error. */
-static const char *push_got(lua_State *L, int at)
+const char *api_push_got(lua_State *L, int at)
 {
     switch (lua_type(L, at)) {
     case LUA_TNIL:
@@ -57,7 +56,7 @@ static void format_number(char *out, size_t size, double v)
 
 static void expected(lua_State *L, const char *entry, const struct api_param *p, int at, const char *what)
 {
-    const char *got = push_got(L, at);
+    const char *got = api_push_got(L, at);
 
     api_error(L, entry, "%s: expected %s, got %s", p->name, what, got);
 }
@@ -117,7 +116,7 @@ static lua_Integer check_end(lua_State *L, const char *entry, const struct api_p
     lua_Integer end = lua_rawgeti(L, at, i) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
 
     if (!whole || (double)end < p->lo || (double)end > p->hi) {
-        const char *got = push_got(L, lua_gettop(L));
+        const char *got = api_push_got(L, lua_gettop(L));
         api_error(L, entry, "%s: expected %s, got %s as its %s", p->name, what, got, i == 1 ? "first" : "last");
     }
     lua_pop(L, 1);
@@ -181,7 +180,7 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
     if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
         return;
     if (!strcmp(p->name, "self"))
-        api_error(L, entry, "call it with a colon, on what it is of, and not on %s", push_got(L, at));
+        api_error(L, entry, "call it with a colon, on what it is of, and not on %s", api_push_got(L, at));
     for (int k = 1; k < HANDLES; k++)
         if (mask == 1u << k)
             expected(L, entry, p, at, api_thing_names[k]);
@@ -218,9 +217,11 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
                   lua_tostring(L, at));
     struct api_hint near;
     api_hint_begin(&near, lua_tostring(L, at));
-    const char *known;
-    for (int i = 0; (known = api_names_at(vm_board(L), what, i)) != NULL; i++)
-        api_hint_add(&near, known);
+    for (uint32_t i = 0; i < vm_board(L)->names[what].n; i++) {
+        const char *known = api_names_at(vm_board(L), what, (int)i);
+        if (known) /* NULL: a row that belongs to another kind, as its cloud or a picture */
+            api_hint_add(&near, known);
+    }
     api_error(L, entry, "%s \"%s\" is not declared%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "there is"));
 }
 
@@ -329,6 +330,7 @@ static const struct word_list {
 } WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS },
               [A_EASE] = { eases, 4 },
               [A_LAYER] = { api_layers, LAYERS },
+              [A_SPARK_LAYER] = { api_layers + LAYER_MIDDLE, 2 },
               [A_DEPTH] = { depths, 2 },
               [A_ALIGN] = { aligns, 3 },
               [A_FIRE] = { fire_words, FIRES },
@@ -474,6 +476,7 @@ static check *const CHECKS[] = {
     [A_PAD] = check_pad,
     [A_EASE] = check_word,
     [A_LAYER] = check_word,
+    [A_SPARK_LAYER] = check_word,
     [A_DEPTH] = check_word,
     [A_ALIGN] = check_word,
     [A_FIRE] = check_word,
@@ -522,8 +525,9 @@ void api_fill_default(const struct api_param *p, struct api_value *v)
         trig_from_degrees(v->n, &v->a);
     else if (p->type == A_BOOL)
         v->i = !strcmp(p->def, "true");
-    else if (p->type == A_LAYER)
-        v->i = LAYER_FRONT;
+    else if ((size_t)p->type < sizeof WORDS / sizeof *WORDS && WORDS[p->type].n)
+        while (strcmp(WORDS[p->type].words[v->i], p->def) != 0)
+            v->i++;
     else if (p->type == A_COUNT && !strcmp(p->def, "forever"))
         v->i = LUA_MAXINTEGER;
 }
@@ -575,12 +579,16 @@ int api_search_param(const struct api_entry *e, const struct api_entry *fire, co
     return -1;
 }
 
-static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire, const char *name)
+/* The error for the stray key on top. */
+static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire)
 {
     const struct board *b = vm_board(L);
     enum api_names values = api_value_names(fire ? fire : e);
     struct api_hint near;
 
+    if (lua_type(L, -1) != LUA_TSTRING)
+        api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", api_push_got(L, -1));
+    const char *name = lua_tostring(L, -1);
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
     if (fire == api_fire[FIRES_BULLETS] && api_search_param(api_fire[FIRES_SHOTS], NULL, name) >= 0)
@@ -597,38 +605,49 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "it takes"));
 }
 
+/* What a call takes. */
+struct taken {
+    const struct api_entry *e, *fire;
+    enum api_names values;
+};
+
+/* The place of that argument among the parameters, and the declared values behind them; -1: there is none. */
+static int argument(lua_State *L, const struct taken *t, const char *key)
+{
+    const int i = key ? api_search_param(t->e, t->fire, key) : -1;
+
+    if (i >= 0 || !key || !api_values(vm_board(L), t->values))
+        return i;
+    const int k = api_names_find(L, t->values, key);
+    return k == NO_SLOT ? -1 : api_param_count(t->e, t->fire) + k;
+}
+
+static bool knows_argument(lua_State *L, const char *key, const void *of)
+{
+    vm_charge(L, 1);
+    return argument(L, of, key) >= 0;
+}
+
 /* Spreads the table of named arguments at `at` over the stack behind it, a slot a parameter, and looks at them. */
 static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fire, int at, struct api_value *v)
 {
+    const struct taken taken = { e, fire, api_value_names(fire ? fire : e) };
     const int n = api_param_count(e, fire), first = at + 1;
-    const enum api_names values = api_value_names(fire ? fire : e);
-    struct board *b = vm_board(L);
-    const char *wrong = NULL;
+    bool stray = false;
 
     lua_pushnil(L);
     while (lua_next(L, at)) {
-        if (lua_type(L, -2) != LUA_TSTRING) {
-            const char *got = push_got(L, -2);
-            api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", got);
-        }
-        const char *key = lua_tostring(L, -2);
-        int i = api_search_param(e, fire, key);
-        if (i < 0 && api_values(b, values) > 0) {
-            int k = api_names_find(L, values, key);
-            i = k == NO_SLOT ? -1 : n + k;
-        }
+        const int i = argument(L, &taken, luakeys_text(L, -2));
         if (i >= 0 && i < n)
             api_look(L, first + i - e->plain, -1, &v[i]);
+        stray |= i < 0;
         if (i >= 0)
             lua_replace(L, first + i - e->plain);
-        else {
-            if (!wrong || strcmp(key, wrong) < 0)
-                wrong = key;
+        else
             lua_pop(L, 1);
-        }
     }
-    if (wrong)
-        unknown(L, e, fire, wrong);
+    if (stray && luakeys_push_stray(L, at, knows_argument, &taken))
+        unknown(L, e, fire);
 }
 
 /* Checks the declared values among the arguments, which stand from stack index `at` on. */
@@ -665,10 +684,12 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
     int named = n - e->plain;
 
     if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
-        const char *usual = e->plain + (named > 0) == 1 ? "" : "s";
-        if (!e->plain && lua_type(L, 1) != LUA_TTABLE)
-            api_error(L, e->name, "expected a table of named arguments, %s { ... }, got %d arguments", e->name, top);
-        api_error(L, e->name, "expected at most %d argument%s, got %d", e->plain + (named > 0), usual, top);
+        const int self = (e->flags & API_METHOD) != 0, most = e->plain + (named > 0) - self, got = top - self;
+        if (named > 0 && e->plain == self && lua_type(L, self + 1) != LUA_TTABLE)
+            api_error(L, e->name, "expected a table of named arguments, %s { ... }, got %d arguments", e->name, got);
+        if (most == 0)
+            api_error(L, e->name, "expected no arguments, got %d", got);
+        api_error(L, e->name, "expected at most %d argument%s, got %d", most, most == 1 ? "" : "s", got);
     }
     if (n + values > ROOMY)
         luaL_checkstack(L, n + 16, NULL);
@@ -679,7 +700,7 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         if (lua_type(L, at) == LUA_TTABLE)
             spread(L, e, fire, at, v);
         else if (!lua_isnil(L, at)) {
-            const char *got = push_got(L, at);
+            const char *got = api_push_got(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s%s", got,
                       runs_bare(L) ? " (a task's function gets its owner first: write function(e) ... end)" : "");
         }

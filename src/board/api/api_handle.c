@@ -77,14 +77,6 @@ static bool may_die(enum handle_kind kind)
     return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
 }
 
-bool api_dies(const char *name)
-{
-    for (int k = 1; k < HANDLES; k++)
-        if (api_things[k] && may_die((enum handle_kind)k) && api_property(api_things[k], name))
-            return true;
-    return false;
-}
-
 static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
@@ -160,6 +152,13 @@ static const uint16_t *tags_of(const struct board *b, enum handle_kind group)
                               : b->enemies.tag;
 }
 
+static int push_dead(lua_State *L, const char *name)
+{
+    vm_note_dead(L, name);
+    lua_pushnil(L);
+    return 1;
+}
+
 static int get_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, const char *name)
 {
     enum handle_kind kind = handle_kind(h);
@@ -172,7 +171,7 @@ static int get_value(lua_State *L, struct board *b, const struct api_thing *t, i
     if (board_there(b, h))
         lua_pushnumber(L, fx_to_double(api_value_column(b, api_value_names_of(kind), k)[handle_slot(h)]));
     else
-        lua_pushnil(L);
+        push_dead(L, name);
     return 1;
 }
 
@@ -234,7 +233,7 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
 
     check_on(L, b, t, handle_kind(h), prop->value.name);
     if (!board_there(b, h) && !(prop->write == PROP_LASTS && handle_gen(h) && handle_slot(h) < PADS))
-        return lua_pushnil(L), 1;
+        return push_dead(L, prop->value.name);
     t->get(L, b, handle_slot(h), p);
     return 1;
 }
@@ -269,7 +268,7 @@ static int get_property(lua_State *L)
         int reg = api_player_register(L, b, handle_slot(h), name);
         if (reg >= 0) {
             if (!alive)
-                return lua_pushnil(L), 1;
+                return push_dead(L, name);
             return lua_pushinteger(L, board_register(b, handle_slot(h), (uint32_t)reg)), 1;
         }
     }

@@ -41,6 +41,7 @@ static const char *type_words(const struct api_param *p)
         [A_PAD] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",
         [A_LAYER] = "back, middle, front or over",
+        [A_SPARK_LAYER] = "middle or front",
         [A_DEPTH] = "back or front",
         [A_ALIGN] = "left, center or right",
         [A_SHOOT] = "bullet or shot",

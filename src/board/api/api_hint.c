@@ -1,6 +1,6 @@
 /*
- * api_hint.c - what an error suggests for a word that is not known: the nearest one that is, or, where none is near,
- * all of them, if they are few.
+ * api_hint.c - tables with names: which key an error blames, and what it suggests: the nearest word that is known, or,
+ * where none is near, all of them, if they are few.
  */
 #include <stdio.h>
 #include <string.h>
@@ -33,4 +33,128 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *ha
     if (h->n == 0)
         return lua_pushfstring(L, " (%s none)", has);
     return h->long_ ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s %s)", has, h->list);
+}
+
+/* ---- globals ---- */
+
+enum { SHORT_NAME = 2 /* bytes of a name that is like too many others */ };
+
+/* Of what the code at level 1 sees, the local or the upvalue whose name is nearest. */
+static void near_local(lua_State *L, const char *name, int *best, const char **found)
+{
+    const char *local;
+    lua_Debug ar;
+
+    if (!lua_getstack(L, 1, &ar))
+        return;
+    for (int i = 1; (local = lua_getlocal(L, &ar, i)) != NULL; i++, lua_pop(L, 1))
+        if (strlen(local) >= SHORT_NAME && local[0] != '(')
+            api_suggest_nearer(name, local, best, found);
+    lua_getinfo(L, "f", &ar);
+    for (int i = 1; (local = lua_getupvalue(L, -1, i)) != NULL; i++, lua_pop(L, 1))
+        if (strlen(local) >= SHORT_NAME && strcmp(local, "_ENV"))
+            api_suggest_nearer(name, local, best, found);
+    lua_pop(L, 1);
+}
+
+const char *api_push_meant(lua_State *L, const char *name, bool read)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    if (strlen(name) > SHORT_NAME)
+        near_local(L, name, &best, &found);
+    if (strlen(name) > SHORT_NAME && read) {
+        const char *global = NULL;
+        int global_best = best;
+        lua_pushglobaltable(L);
+        for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
+            if (lua_type(L, -2) == LUA_TSTRING)
+                api_suggest_nearer(name, lua_tostring(L, -2), &global_best, &global);
+        lua_pop(L, 1);
+        found = global ? global : found;
+    }
+    return found ? lua_pushfstring(L, " (did you mean \"%s\"?)", found) : lua_pushliteral(L, "");
+}
+
+/* ---- tables of settings ---- */
+
+static const char *key_of(const struct api_param *p)
+{
+    const char *dot = strrchr(p->name, '.');
+
+    return dot ? dot + 1 : p->name;
+}
+
+bool api_knows_field(lua_State *L, const char *key, const void *of)
+{
+    const struct api_fields *f = of;
+
+    vm_charge(L, 1);
+    for (int i = 0; key && i < f->n; i++)
+        if (!strcmp(key, key_of(&f->params[i])))
+            return true;
+    return key && f->values != NAME_LISTS && api_names_find(L, f->values, key) != NO_SLOT;
+}
+
+void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f)
+{
+    struct api_hint near;
+
+    if (lua_type(L, -1) != LUA_TSTRING)
+        api_error(L, entry, "expected named arguments ({ name = value }), got one at %s", api_push_got(L, -1));
+    const char *key = lua_tostring(L, -1);
+    api_hint_begin(&near, key);
+    for (int i = 0; i < f->n; i++)
+        api_hint_add(&near, key_of(&f->params[i]));
+    for (int k = 0; f->values != NAME_LISTS && k < api_values(vm_board(L), f->values); k++)
+        api_hint_add(&near, api_names_at(vm_board(L), f->values, k));
+    api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &near, "it takes"));
+}
+
+void api_read_fields(lua_State *L, const char *entry, const char *where, const struct api_fields *f, int at,
+                     struct api_value *v)
+{
+    char full[80];
+
+    luaL_checkstack(L, f->n + 8, NULL);
+    if (luakeys_push_stray(L, at, api_knows_field, f)) {
+        lua_pushfstring(L, "%s: %s", entry, where);
+        lua_insert(L, -2);
+        api_refuse_key(L, where ? lua_tostring(L, -2) : entry, f);
+    }
+    for (int i = 0; i < f->n; i++) {
+        struct api_param p = f->params[i];
+        if (where) {
+            snprintf(full, sizeof full, "%s.%s", where, key_of(&p));
+            p.name = full;
+        }
+        v[i] = (struct api_value){ 0 };
+        lua_getfield(L, at, key_of(&f->params[i]));
+        api_check(L, entry, &p, lua_gettop(L), &v[i]);
+    }
+}
+
+int api_sorted_names(lua_State *L, const char *entry, const char *what, const char *expected, int at,
+                     const char **names, int most)
+{
+    bool list = false;
+    int n = 0;
+
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
+        const char *name = luakeys_text(L, -2);
+        vm_charge(L, 1);
+        list |= !name;
+        if (n++ >= most || list)
+            continue;
+        int i = n - 1;
+        for (; i > 0 && strcmp(names[i - 1], name) > 0; i--)
+            names[i] = names[i - 1];
+        names[i] = name;
+    }
+    if (list)
+        api_error(L, entry, "%s: expected %s, got a list", what, expected);
+    if (n > most)
+        api_error(L, entry, "%s: expected at most %d names, got %d", what, most, n);
+    return n;
 }

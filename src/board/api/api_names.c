@@ -106,9 +106,25 @@ const char *api_names_at(const struct board *b, enum api_names what, int index)
     return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
 }
 
+/* Words of other engines, and what they are called here. */
+static const char *const meanings[][2] = {
+    { "angle", "dir" },     { "direction", "dir" }, { "heading", "dir" },        { "velocity", "speed" },
+    { "color", "bank" },    { "colour", "bank" },   { "palette", "bank" },       { "health", "hp" },
+    { "life", "hp" },       { "image", "sprite" },  { "texture", "sprite" },     { "hitbox", "hit" },
+    { "duration", "over" }, { "count", "n" },       { "acceleration", "accel" }, { "type", "kind" },
+};
+
+static int distance(const char *word, const char *candidate)
+{
+    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++)
+        if (!strcmp(meanings[i][0], word) && !strcmp(meanings[i][1], candidate))
+            return 1;
+    return edit_distance(word, candidate);
+}
+
 void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found)
 {
-    int d = edit_distance(word, candidate);
+    int d = distance(word, candidate);
 
     if (d < *best || (d == *best && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
         *best = d;

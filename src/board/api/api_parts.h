@@ -7,6 +7,7 @@
 
 #include <string.h>
 #include "../api.h"
+#include "../rom/luakeys.h"
 
 enum { MAX_PARAMS = 40 };
 
@@ -42,6 +43,13 @@ static inline void api_look(lua_State *L, int at, int now, struct api_value *v)
         memcpy(&v->bits, &d, sizeof d);
     }
 }
+
+/* Notes where `entry` is called, under a name, for an error that is found later; and raises that error there. */
+void api_note_place(lua_State *L, const char *entry, const char *name);
+int api_error_at(lua_State *L, const char *entry, const char *name, const char *format, ...);
+
+/* Pushes how the value at `at` looks in an error. */
+const char *api_push_got(lua_State *L, int at);
 
 /* Checks a value that was looked at, given or not; and fills in what p says where none is given. */
 void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
@@ -81,7 +89,8 @@ enum {
 
 /* What they are of a bullet (or shot), but for aim. False: it would come from a thing that is gone, or from a ship that
  * was hit. */
-bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s);
+bool api_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool shot,
+                struct bullet_shape *s);
 
 /* Properties of what flies, in their order. */
 enum {
@@ -139,6 +148,28 @@ void api_hint_add(struct api_hint *h, const char *name);
 
 /* Pushes " (did you mean "x"?)", or else " (HAS a, b, c)", or nothing where they are many. */
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *has);
+
+/* What a table of settings may hold: values for n parameters (a key is what is behind the last dot of a name), and
+ * declared values (NAME_LISTS: none). */
+struct api_fields {
+    const struct api_param *params;
+    int n;
+    enum api_names values;
+};
+bool api_knows_field(lua_State *L, const char *key, const void *of);
+
+/* Raises the error for the stray key on top, which suggests the nearest that f knows. */
+void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f);
+
+/* Reads the table at `at`, its values checked in the order of f's parameters, into v, and leaves them on the stack.
+ * `where` ("registers.power") stands before a setting's name in errors; NULL: nothing does. */
+void api_read_fields(lua_State *L, const char *entry, const char *where, const struct api_fields *f, int at,
+                     struct api_value *v);
+
+/* The keys of the table at `at`, which are names, in byte order; returns how many, at most `most`. Good while the table
+ * has them. */
+int api_sorted_names(lua_State *L, const char *entry, const char *what, const char *expected, int at,
+                     const char **names, int most);
 
 /* All parameters of an entry: its own, then those of `fire`, which a pattern takes; fire NULL: none. */
 int api_param_count(const struct api_entry *e, const struct api_entry *fire);
@@ -415,7 +446,9 @@ const char *api_names_off(lua_State *L, enum api_names what);
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);
 
-/* Pushes a list, as a text, of what a table at `at` (drops = { NAME = n }) names, in byte order of the names. */
+/* Pushes a list, as a text, of what a table at `at` (drops = { NAME = n }) names, in byte order of the names; api_drops
+ * folds it, too. */
+void api_push_drops(lua_State *L, const char *entry, int at);
 void api_drops(lua_State *L, const char *entry, int at);
 
 /* Raises if an item gives a register that no ship has, or fills one that has a max nowhere. */

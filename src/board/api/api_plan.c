@@ -82,14 +82,12 @@ static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
     const void *key = lua_topointer(L, -2);
     int i = 0;
 
-    if (lua_type(L, -2) != LUA_TSTRING)
-        return -1;
     while (i < p->n + p->values && p->key[i] != key)
         i++;
     if (i < p->n + p->values)
         return i;
-    const char *name = lua_tostring(L, -2);
-    if (e->flags & API_FIRE && !strcmp(name, "each")) /* less is required then */
+    const char *name = luakeys_text(L, -2);
+    if (!name || (e->flags & API_FIRE && !strcmp(name, "each"))) /* with `each`, less is required */
         return -1;
     i = api_search_param(e, p->fire, name);
     if (i < 0 && p->values > 0) {

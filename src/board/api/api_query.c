@@ -176,7 +176,7 @@ enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG, NEAR_FROM, NEAR_DX, NEA
 static const struct api_param near[] = {
     { "what", A_STR, REQ, 0, 0, NULL, NULL },      { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL }, SHAPE_CIRCLE_PARAMS(REQ, 32767),
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },       { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },      { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
     { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" }, { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
 };
 
@@ -190,7 +190,7 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
 
 /* Of query.box and query.line; their shape follows. */
 enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
-#define ASKED { "what", A_STR, REQ, 0, 0, NULL, NULL }, { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PLACE
+#define ASKED { "what", A_STR, REQ, 0, 0, NULL, NULL }, { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PLACE
 
 static const struct api_param box[] = { ASKED, SHAPE_BOX_PARAMS(REQ) };
 static const struct api_param line[] = { ASKED, SHAPE_LINE_PARAMS(REQ) };

@@ -177,7 +177,7 @@ enum {
 
 /* What all clears take, of bullets and of lasers. */
 #define CLEAR_PARAMS_OF_ALL                                                                                            \
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL }, { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },                            \
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL }, { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },                           \
         { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL }, SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                            \
         { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL }, { "from", A_THING, OPT, PLACES, 0, NULL, NULL },             \
         { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" }, { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },                  \

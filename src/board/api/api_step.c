@@ -3,7 +3,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "api_parts.h"
 
 static const char DEF[] = "motion.def";
@@ -42,7 +41,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
     { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
     { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
     { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },
     { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },
     { "around", A_THING, OPT, PLACES, 0, NULL, NULL },
@@ -78,50 +77,35 @@ struct reader {
     uint64_t named;
 };
 
-static void unknown(lua_State *L, const struct reader *r, const char *key)
+/* The error for the stray key on top. */
+static void unknown(lua_State *L, const struct reader *r, const struct api_fields *fields)
 {
-    static const char places[] = " x y from dx dy ";
-    const char *found = NULL;
-    int best = EDIT_FAR;
-    char word[16];
+    static const char *const places[] = { "x", "y", "from", "dx", "dy" };
+    const char *key = luakeys_text(L, -1);
+    char where[48];
 
-    if (strlen(key) + 3 <= sizeof word) {
-        lua_pushfstring(L, " %s ", key);
-        if (strstr(places, lua_tostring(L, -1)))
+    for (size_t i = 0; key && i < sizeof places / sizeof *places; i++)
+        if (!strcmp(key, places[i]))
             api_error(L, DEF, "step %d: emit: %s: it fires from where the bullet is, and takes no place", r->step, key);
-    }
-    if (!strcmp(key, "each"))
+    if (key && !strcmp(key, "each"))
         api_error(L, DEF, "step %d: emit: each: a program runs without Lua; give what it fires a motion", r->step);
-    for (int k = 0; k < EMIT_PARAMS; k++)
-        api_suggest_nearer(key, api_emit_params[k].name, &best, &found);
-    for (int k = 0; k < api_values(vm_board(L), r->values); k++)
-        api_suggest_nearer(key, api_names_at(vm_board(L), r->values, k), &best, &found);
-    if (found)
-        api_error(L, DEF, "step %d: emit: unknown argument \"%s\" (did you mean \"%s\"?)", r->step, key, found);
-    api_error(L, DEF, "step %d: emit: unknown argument \"%s\"", r->step, key);
+    snprintf(where, sizeof where, "%s: step %d: emit", DEF, r->step);
+    api_refuse_key(L, where, fields);
 }
 
 /* Spreads the table at `at` over the stack. */
 static void spread(lua_State *L, struct reader *r, int at)
 {
+    const struct api_fields fields = { api_emit_params, EMIT_PARAMS, r->values };
+
     luaL_checkstack(L, EMIT_PARAMS + MAX_VALUES + 16, NULL);
+    if (luakeys_push_stray(L, at, api_knows_field, &fields))
+        unknown(L, r, &fields);
     r->first = lua_gettop(L) + 1;
-    lua_settop(L, r->first + EMIT_PARAMS + MAX_VALUES - 1);
-    for (lua_pushnil(L); lua_next(L, at);) {
-        int k = 0;
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, DEF, "step %d: emit: expected named arguments ({ name = value })", r->step);
-        const char *key = lua_tostring(L, -2);
-        while (k < EMIT_PARAMS && strcmp(api_emit_params[k].name, key))
-            k++;
-        if (k == EMIT_PARAMS) {
-            const int value = api_names_find(L, r->values, key);
-            if (value == NO_SLOT)
-                unknown(L, r, key);
-            k += value;
-        }
-        lua_replace(L, r->first + k);
-    }
+    for (int k = 0; k < EMIT_PARAMS; k++)
+        lua_getfield(L, at, api_emit_params[k].name);
+    for (int k = 0; k < api_values(vm_board(L), r->values); k++)
+        lua_getfield(L, at, api_names_at(vm_board(L), r->values, k));
 }
 
 /* Checks argument k by its parameter, or reads the name of a value in its place. */
@@ -237,40 +221,22 @@ const struct api_param api_await_params[AWAIT_PARAMS] = {
     { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "near", A_FX, OPT, 0, WORLD, "px", NULL },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
     { "limit", A_COUNT, OPT, 1, 1e9, "frames", "forever" },
 };
 
 static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBERS,
                                                               NUMBER_OVER };
 
-static void unknown_await(lua_State *L, int step, const char *key)
-{
-    const char *found = NULL;
-    int best = EDIT_FAR;
-
-    for (int k = 0; k < AWAIT_PARAMS; k++)
-        api_suggest_nearer(key, api_await_params[k].name, &best, &found);
-    if (found)
-        api_error(L, DEF, "step %d: wait_for: unknown argument \"%s\" (did you mean \"%s\"?)", step, key, found);
-    api_error(L, DEF, "step %d: wait_for: unknown argument \"%s\"", step, key);
-}
-
 static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAMS])
 {
+    static const struct api_fields fields = { api_await_params, AWAIT_PARAMS, NAME_LISTS };
     uint64_t named = 0;
     char where[48];
 
     snprintf(where, sizeof where, "%s: step %d: wait_for", DEF, step);
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        int k = 0;
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, DEF, "step %d: wait_for: expected one of x, y, near and tag", step);
-        while (k < AWAIT_PARAMS && strcmp(api_await_params[k].name, lua_tostring(L, -2)))
-            k++;
-        if (k == AWAIT_PARAMS)
-            unknown_await(L, step, lua_tostring(L, -2));
-    }
+    if (luakeys_push_stray(L, at, api_knows_field, &fields))
+        api_refuse_key(L, where, &fields);
     for (int k = 0; k < AWAIT_PARAMS; k++) {
         const struct api_param *p = &api_await_params[k];
         v[k] = (struct api_value){ 0 };

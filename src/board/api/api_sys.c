@@ -13,7 +13,8 @@
 
 /* Parameters by place; ARG_: the only one of its entry. */
 enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0, ARG_HOW = 0 };
-enum { FAIL_ENTRY, FAIL_MESSAGE };
+enum { FAIL_ENTRY, FAIL_MESSAGE, FAIL_NAME };
+enum { NOTE_ENTRY, NOTE_NAME };
 enum { NEAR_WORD, NEAR_LIST };
 enum { JOIN_PLAYER, JOIN_KIND };
 enum { M_KIND, M_NAME, M_OF, M_TITLE, M_VALUE };
@@ -27,7 +28,10 @@ enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
 
 static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                         { "message", A_STR, REQ, 0, 0, NULL, NULL } };
+                                         { "message", A_ANY, REQ, 0, 0, NULL, NULL }, /* may quote a \0 */
+                                         { "of", A_STR, OPT, 0, 0, NULL, NULL } };
+static const struct api_param note_place[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
+                                               { "of", A_STR, REQ, 0, 0, NULL, NULL } };
 static const struct api_param sys_near[] = { { "word", A_ANY, REQ, 0, 0, NULL, NULL },
                                              { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
 static const struct api_param join[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
@@ -67,7 +71,18 @@ static const struct api_param continues[] = { { "i", A_PAD, REQ, 0, 0, NULL, NUL
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_error(L, lua_tostring(L, v[FAIL_ENTRY].at), "%s", lua_tostring(L, v[FAIL_MESSAGE].at));
+    const char *entry = lua_tostring(L, v[FAIL_ENTRY].at), *message = lua_tostring(L, v[FAIL_MESSAGE].at);
+
+    if (v[FAIL_NAME].given)
+        return api_error_at(L, entry, lua_tostring(L, v[FAIL_NAME].at), "%s", message);
+    return api_error(L, entry, "%s", message);
+}
+
+static int sys_note_place(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    api_note_place(L, lua_tostring(L, v[NOTE_ENTRY].at), lua_tostring(L, v[NOTE_NAME].at));
+    return 0;
 }
 
 static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
@@ -97,6 +112,33 @@ static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_pushboolean(L, b->vm.loading);
+    return 1;
+}
+
+/* Raises what sys.drops would, and changes nothing. */
+static int sys_check_drops(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    api_push_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
+    return 0;
+}
+
+/* All keys of a table, in an order that is the same on every run; of several that no order tells apart, one. */
+static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint64_t keys = 0;
+
+    (void)b;
+    for (lua_pushnil(L); lua_next(L, v[ARG_LIST].at); lua_pop(L, 1))
+        keys++;
+    lua_newtable(L);
+    const int list = lua_gettop(L);
+    lua_pushnil(L);
+    for (lua_Integer n = 1; luakeys_next(L, v[ARG_LIST].at) > 0; n++) {
+        vm_charge(L, 4 * keys); /* each step looks at all of them */
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, list, n);
+    }
     return 1;
 }
 
@@ -927,7 +969,12 @@ static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
 
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
-    { "sys.fail", sys_fail, PARAMS(fail), 2, API_SYS, NULL, "raises an entry's error" },
+    { "sys.fail", sys_fail, PARAMS(fail), 3, API_SYS, NULL,
+      "raises an entry's error; of: where sys.note_place noted that" },
+    { "sys.note_place", sys_note_place, PARAMS(note_place), 2, API_SYS, NULL,
+      "notes the author's line that calls an entry, for an error that is found later" },
+    { "sys.keys", sys_keys, PARAMS(list_only), 1, API_SYS, "list", "all keys of a table, of whatever type, in order" },
+    { "sys.check_drops", sys_check_drops, PARAMS(drops), 2, API_SYS, NULL, "fails unless drops are a list of items" },
     { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
     { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any", "runs a piece of the library, \"screens/title\"" },

@@ -90,13 +90,14 @@ static void push_table(lua_State *L, int idx)
     api_fill(L, idx);
     lua_pushliteral(L, "{");
     lua_pushnil(L);
-    for (; lua_next(L, idx); n++) {
+    for (int like; (like = luakeys_next(L, idx)) > 0; n++) {
         if (n > ENTRIES) {
-            lua_pop(L, 2);
+            lua_pop(L, 1);
             lua_pushliteral(L, ", ...");
             lua_concat(L, 2);
             break;
         }
+        luakeys_push_value(L, idx, like);
         append_entry(L, n);
     }
     lua_pushliteral(L, " }");

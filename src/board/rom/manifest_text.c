@@ -17,6 +17,7 @@
 #include "../../../fb/utf8.h"
 #include "../../base/heap.h"
 #include "../../base/host.h"
+#include "luakeys.h"
 
 enum {
     MAX_FILE = 1 << 20,   /* bytes of rom.lua */
@@ -238,24 +239,21 @@ static bool listed(const char *name, const char *const *names)
     return *names != NULL;
 }
 
-/* Every key of a is one of names. The order of a table's keys differs between runs: the first in byte order is
- * reported. */
+static bool is_listed(lua_State *lua, const char *key, const void *of)
+{
+    (void)lua;
+    return key != NULL && listed(key, of);
+}
+
+/* Every key of a is one of names. */
 static void only(const struct at *a, const char *const *names)
 {
-    const char *first = NULL;
-    lua_State *lua = a->lua;
-
-    luaL_checkstack(lua, 8, NULL);
-    for (lua_pushnil(lua); lua_next(lua, a->index) != 0;) {
-        lua_pop(lua, 1);
-        if (lua_type(lua, -1) != LUA_TSTRING)
-            bad(lua, a->path[0] != '\0' ? a->path : "manifest", "expected only names as keys, got %s", got(lua));
-        const char *key = lua_tostring(lua, -1);
-        if (!listed(key, names) && (first == NULL || strcmp(key, first) < 0))
-            first = key;
-    }
-    if (first != NULL)
-        bad_name(a, first, names);
+    if (!luakeys_push_stray(a->lua, a->index, is_listed, names))
+        return;
+    const char *key = luakeys_text(a->lua, -1);
+    if (key == NULL)
+        bad(a->lua, a->path[0] != '\0' ? a->path : "manifest", "expected only names as keys, got %s", got(a->lua));
+    bad_name(a, key, names);
 }
 
 /* a is a list and nothing else; returns its length, at most max. */
@@ -298,6 +296,12 @@ static int words(const struct at *a, char out[][MAX_WORD], int max)
     return n;
 }
 
+static bool is_name(lua_State *lua, const char *key, const void *size)
+{
+    (void)lua;
+    return key != NULL && strlen(key) < *(const size_t *)size && manifest_path_ok(key);
+}
+
 static int by_name(const void *a, const void *b)
 {
     return strcmp(a, b);
@@ -310,17 +314,18 @@ static int keys(const struct at *a, void *out, int max, size_t stride, size_t na
     char *name = out;
     int n = 0;
 
-    luaL_checkstack(lua, 8, NULL);
+    if (luakeys_push_stray(lua, a->index, is_name, &name_size)) {
+        if (luakeys_text(lua, -1) == NULL)
+            bad(lua, a->path, "expected only names as keys, got %s", got(lua));
+        to_text(lua, a->path, "a name", name, name_size);
+        bad(lua, a->path, "\"%s\": expected a name of letters, digits, _ - . and /", name);
+    }
     for (lua_pushnil(lua); lua_next(lua, a->index) != 0; n++, name += stride) {
         lua_pop(lua, 1);
-        if (lua_type(lua, -1) != LUA_TSTRING)
-            bad(lua, a->path, "expected only names as keys, got %s", got(lua));
         if (n == max)
             bad(lua, a->path, "expected at most %d entries", max);
         lua_pushvalue(lua, -1);
         to_text(lua, a->path, "a name", name, name_size);
-        if (!manifest_path_ok(name))
-            bad(lua, a->path, "\"%s\": expected a name of letters, digits, _ - . and /", name);
     }
     qsort(out, (size_t)n, stride, by_name);
     return n;

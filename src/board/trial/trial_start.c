@@ -45,23 +45,24 @@ static bool truth(lua_State *L, const char *field)
 /* The table on top, { coins = "free", ships = 3 }, as "coins=free", which stay on the stack below it. */
 static int settings(lua_State *L, const char *field, const char *list[TRIAL_SETTINGS])
 {
-    int n = 0;
+    static const char expected[] = "names with texts or numbers, as { name = 1 }";
+    const int table = lua_gettop(L);
 
-    if (!lua_istable(L, -1))
+    if (!lua_istable(L, table))
         wrong(L, field, "a table like { name = value }");
     luaL_checkstack(L, TRIAL_SETTINGS + 8, NULL);
-    lua_pushnil(L);
-    while (lua_next(L, -2)) {
-        if (n == TRIAL_SETTINGS)
-            vm_fault(L, FAULT_SCRIPT, "test.run: %s: more than %d", field, TRIAL_SETTINGS);
-        const int type = lua_type(L, -1);
-        if (lua_type(L, -2) != LUA_TSTRING || (type != LUA_TSTRING && type != LUA_TNUMBER))
-            vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected names with texts or numbers, as { name = 1 }", field);
-        lua_pushfstring(L, "%s=%s", lua_tostring(L, -2), lua_tostring(L, -1));
-        list[n++] = lua_tostring(L, -1);
-        lua_insert(L, -4); /* below the table, its key and its value */
-        lua_pop(L, 1);
+    const int n = api_sorted_names(L, "test.run", field, expected, table, list, TRIAL_SETTINGS);
+    for (int i = 0; i < n; i++) {
+        const int type = lua_getfield(L, table, list[i]);
+        if (type != LUA_TSTRING && type != LUA_TNUMBER)
+            vm_fault(L, FAULT_SCRIPT, "test.run: %s.%s: expected a text or a number, got %s", field, list[i],
+                     api_push_got(L, -1));
+        lua_pushfstring(L, "%s=%s", list[i], lua_tostring(L, -1));
+        list[i] = lua_tostring(L, -1);
+        lua_remove(L, -2);
     }
+    lua_pushvalue(L, table);
+    lua_remove(L, table);
     return n;
 }
 
@@ -153,19 +154,22 @@ static void unknown(lua_State *L, const char *name)
     vm_fault(L, FAULT_SCRIPT, "test.run: unknown field \"%s\"%s", name, api_hint_push(L, &hint, "there are"));
 }
 
+static bool knows_option(lua_State *L, const char *key, const void *of)
+{
+    (void)L, (void)of;
+    for (int i = 0; key && i < FIELDS; i++)
+        if (!strcmp(fields[i].name, key))
+            return true;
+    return false;
+}
+
 static void check_names(lua_State *L)
 {
-    lua_pushnil(L);
-    while (lua_next(L, 1)) {
-        int i = 0;
-        if (lua_type(L, -2) != LUA_TSTRING)
-            vm_fault(L, FAULT_SCRIPT, "test.run: expected a table like { stage = \"one\", frames = 600 }");
-        while (i < FIELDS && strcmp(fields[i].name, lua_tostring(L, -2)) != 0)
-            i++;
-        if (i == FIELDS)
-            unknown(L, lua_tostring(L, -2));
-        lua_pop(L, 1);
-    }
+    if (!luakeys_push_stray(L, 1, knows_option, NULL))
+        return;
+    if (!luakeys_text(L, -1))
+        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table like { stage = \"one\", frames = 600 }");
+    unknown(L, luakeys_text(L, -1));
 }
 
 /* A demo has its own start and buttons; a practice start needs a stage. */

@@ -6,6 +6,7 @@
 #include <lauxlib.h>
 #include <stdio.h>
 #include <string.h>
+#include "../rom/luakeys.h"
 #include "../lualib.h"
 #include "trial_parts.h"
 
@@ -57,13 +58,14 @@ static void push_table(lua_State *L, int idx, int depth)
     lua_pushliteral(L, "{");
     const int text = lua_gettop(L);
     lua_pushnil(L);
-    while (lua_next(L, idx)) {
+    for (int like; (like = luakeys_next(L, idx)) > 0;) {
         if (n++ == SHOWN_ENTRIES) {
-            lua_pop(L, 2);
+            lua_pop(L, 1);
             lua_pushfstring(L, "%s, ...", lua_tostring(L, text));
             lua_replace(L, text);
             break;
         }
+        luakeys_push_value(L, idx, like);
         const bool listed = lua_isinteger(L, -2) && lua_tointeger(L, -2) == n;
         push_deep(L, lua_gettop(L), depth + 1);
         lualib_tolstring(L, text + 1, NULL);

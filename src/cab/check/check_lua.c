@@ -187,7 +187,8 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
         diagnostics_add(&c->found, path, g->line, "%s is not available (%s)", g->name, instead);
         return;
     }
-    hint(meant, g->name, name_set_near(&c->builtins, NULL, g->name), g->local);
+    const char *near = g->use == USE_WRITE ? NULL : name_set_near(&c->builtins, NULL, g->name);
+    hint(meant, g->name, near, g->local);
     if (api_reserved("", '.', g->name) && g->use != USE_WRITE)
         diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
                         g->local != NULL ? meant : "");

@@ -45,6 +45,7 @@ static const char *const types[] = {
     [A_PAD] = "player|1|2",
     [A_EASE] = "ease_word",
     [A_LAYER] = "layer_word",
+    [A_SPARK_LAYER] = "spark_layer_word",
     [A_DEPTH] = "depth_word",
     [A_ALIGN] = "align_word",
     [A_FIRE] = "fire_word",

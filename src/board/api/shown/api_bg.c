@@ -209,37 +209,6 @@ static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-/* The named values of the table at `at`, and no other names in it. */
-static void fields(lua_State *L, const char *entry, const struct api_param *params, int n, int at, struct api_value *v)
-{
-    const char *wrong = NULL;
-
-    luaL_checkstack(L, n + 8, NULL);
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        const char *name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        bool known = false;
-        for (int k = 0; k < n && name; k++)
-            known = known || !strcmp(params[k].name, name);
-        if (!name)
-            api_error(L, entry, "expected named arguments ({ name = value })");
-        if (!known && (!wrong || strcmp(name, wrong) < 0))
-            wrong = name;
-    }
-    const char *found = NULL;
-    int best = EDIT_FAR;
-    for (int k = 0; k < n && wrong; k++)
-        api_suggest_nearer(wrong, params[k].name, &best, &found);
-    if (wrong && found)
-        api_error(L, entry, "unknown argument \"%s\" (did you mean \"%s\"?)", wrong, found);
-    if (wrong)
-        api_error(L, entry, "unknown argument \"%s\"", wrong);
-    for (int k = 0; k < n; k++) {
-        lua_getfield(L, at, params[k].name);
-        v[k] = (struct api_value){ 0 };
-        api_check(L, entry, &params[k], lua_gettop(L), &v[k]);
-    }
-}
-
 /* Makes the tables of shades that follow from `to`. */
 static void shade(struct board *b, int at, uint32_t to)
 {
@@ -272,7 +241,7 @@ static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
         b->bg.fog[BG_PLANE] = BG_NO_FOG;
         return;
     }
-    fields(L, fog_def, fog_params, FOG_PARAMS, v->at, f);
+    api_read_fields(L, fog_def, NULL, &(struct api_fields){ fog_params, FOG_PARAMS, NAME_LISTS }, v->at, f);
     if ((uint32_t)f[FOG_TO].i != b->bg.fog[BG_PLANE]) {
         vm_charge(L, SHADE_WORK);
         shade(b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
@@ -392,7 +361,8 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
         return 0;
     }
     if (v[ARG_LINES].given)
-        fields(L, def, wave_params, WAVE_PARAMS, v[ARG_LINES].at, wave);
+        api_read_fields(L, def, NULL, &(struct api_fields){ wave_params, WAVE_PARAMS, NAME_LISTS }, v[ARG_LINES].at,
+                        wave);
     bg_set_lines(&b->bg, &b->bg_lines, i, NULL, 0);
     set_wave(b, i, wave);
     if (!v[ARG_LINES].given)

@@ -31,23 +31,10 @@ static bool is_first(const struct api_pictures *p, int first, const char *name)
     return false;
 }
 
-/* By name, in byte order, so that no table order decides. */
-static void sort(struct api_pictures *p, int from)
-{
-    for (int i = from; i < p->n; i++)
-        for (int k = i; k > from && strcmp(p->name[k - 1], p->name[k]) > 0; k--) {
-            const char *name = p->name[k];
-            uint16_t sprite = p->sprite[k];
-            p->name[k] = p->name[k - 1];
-            p->sprite[k] = p->sprite[k - 1];
-            p->name[k - 1] = name;
-            p->sprite[k - 1] = sprite;
-        }
-}
-
 void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t own,
                        const char *const *first, int most, struct api_pictures *p)
 {
+    const char *names[MOST_PICTURES];
     int fixed = 0;
 
     p->n = 0;
@@ -58,16 +45,17 @@ void api_pictures_read(lua_State *L, const char *entry, const struct api_value *
         add(L, entry, p, first[fixed], lua_gettop(L), own);
         lua_pop(L, 1);
     }
-    for (lua_pushnil(L); lua_next(L, table->at); lua_pop(L, 1)) {
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, entry, "pictures: expected names with sprites, as { hurt = \"moth_hurt\" }");
-        if (is_first(p, fixed, lua_tostring(L, -2)))
+    const int n = api_sorted_names(L, entry, "pictures", "names with sprites, as { hurt = \"moth_hurt\" }", table->at,
+                                   names, most);
+    for (int i = 0; i < n; i++) {
+        if (is_first(p, fixed, names[i]))
             continue;
         if (p->n == most)
             api_error(L, entry, "pictures: at most %d", most);
-        add(L, entry, p, lua_tostring(L, -2), lua_gettop(L), own); /* the table keeps the name */
+        lua_getfield(L, table->at, names[i]);
+        add(L, entry, p, names[i], lua_gettop(L), own); /* the table keeps the name */
+        lua_pop(L, 1);
     }
-    sort(p, fixed);
 }
 
 void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,

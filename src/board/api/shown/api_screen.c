@@ -310,7 +310,7 @@ static const struct api_param spark_def[] = {
     { "bank", A_INT, OPT, 0, 15, NULL, "0" },
     { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
     { "banks", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "layer", A_LAYER, OPT, 0, 0, NULL, "front" },
+    { "layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front" },
 };
 
 static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
@@ -346,9 +346,8 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
         return api_error(L, "spark.def", "bank or banks, not both");
-    if (v[D_LAYER].i != LAYER_FRONT && v[D_LAYER].i != LAYER_MIDDLE)
-        return api_error(L, "spark.def", "layer: sparks are drawn in \"front\" or \"middle\"");
-    const unsigned drawn = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (v[D_LAYER].i == LAYER_MIDDLE ? SPARK_UNDER : 0);
+    const bool under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
+    const unsigned drawn = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (under ? SPARK_UNDER : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->life[i] = (uint16_t)v[D_LIFE].i;

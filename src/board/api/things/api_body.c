@@ -26,7 +26,7 @@ enum { P_KIND, P_DX, P_DY, P_SHARE, P_TAG, P_HP, P_RATE };
 static const struct api_param part_params[] = {
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },
     { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },   { "share", A_FX, OPT, 0, 1, NULL, "0" },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },         { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },        { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
     { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
 };
 static const struct api_entry part_entry = { .name = "enemy.def part", .params = part_params, .count = P_RATE + 1 };
@@ -245,7 +245,7 @@ static const struct api_param wander[] = {
     { "over", A_INT, REQ, 1, 1e9, "frames", NULL },
     { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
     { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "ease", A_EASE, OPT, 0, 0, NULL, "both" },
+    { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
 };
 
 static bool forever(const struct api_value *v)
@@ -255,7 +255,7 @@ static bool forever(const struct api_value *v)
 
 static void check_orbit(lua_State *L, const struct api_value *v)
 {
-    static const char name[] = "enemy:orbit";
+    const char *name = api_bound(L)->entry->name;
     const bool place = v[O_X].given || v[O_Y].given;
 
     api_body_check(L, name, "orbit");
@@ -271,7 +271,7 @@ static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct ap
     struct enemies_orbit o = { v[O_AROUND].given ? v[O_AROUND].i : 0, v[O_X].f, v[O_Y].f, 0, 0, 0, 0, 0 };
 
     if (o.around == board_handle(b, H_ENEMY, (int32_t)i))
-        api_error(L, "enemy:orbit", "around: it cannot go round itself");
+        api_error(L, api_bound(L)->entry->name, "around: it cannot go round itself");
     if (o.around && !board_where(b, o.around, &o.x, &o.y))
         return;
     const fx dx = fx_sub(e->x[i], o.x), dy = fx_sub(e->y[i], o.y);
@@ -306,15 +306,15 @@ static int enemy_orbit(lua_State *L, struct board *b, struct api_value *v)
 
 static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
 {
-    api_body_check(L, "enemy:wander", "wander");
+    api_body_check(L, api_bound(L)->entry->name, "wander");
     if (v[W_OVER].i > v[W_EVERY].i)
-        return api_error(L, "enemy:wander", "over: expected at most every (%d frames), got %d", (int)v[W_EVERY].i,
-                         (int)v[W_OVER].i);
+        return api_error(L, api_bound(L)->entry->name, "over: expected at most every (%d frames), got %d",
+                         (int)v[W_EVERY].i, (int)v[W_OVER].i);
     return api_enemy_act(L, b, wander_one, v);
 }
 
 static const struct api_param parts_params[] = { { "self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
-                                                 { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
+                                                 { "tag", A_STR, OPT, 1, 31, NULL, NULL } };
 
 #define VERBS(thing, it)                                                                                               \
     API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL,                                                              \

@@ -50,16 +50,20 @@ const char *const api_hit_forms[] = {
 /* The one key of the table at `at`; it has no other. */
 static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_whose whose)
 {
+    static const struct api_param keys[] = {
+        { .name = "circle" }, { .name = "sprite" }, { .name = "box" }, { .name = "capsule" }, { .name = "circles" }
+    };
+    const struct api_fields known = { keys, whose == HIT_PLAYERS ? 2 : sizeof keys / sizeof *keys, NAME_LISTS };
     const char *key = NULL;
 
-    lua_pushnil(L);
-    for (int keys = 0; lua_next(L, at); lua_pop(L, 1)) {
-        key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
-        bool known =
-            !strcmp(key, "circle") || !strcmp(key, "sprite") ||
-            (whose != HIT_PLAYERS && (!strcmp(key, "box") || !strcmp(key, "capsule") || !strcmp(key, "circles")));
-        if (!known || keys++)
-            api_error(L, entry, "hit: expected %s, got one with \"%s\"", api_hit_forms[whose], key);
+    if (luakeys_push_stray(L, at, api_knows_field, &known))
+        api_error(L, entry, "hit: expected %s, got one with %s", api_hit_forms[whose], api_push_got(L, -1));
+    for (int k = 0; k < known.n; k++) {
+        if (lua_getfield(L, at, keys[k].name) != LUA_TNIL && key)
+            api_error(L, entry, "hit: expected %s, got one with \"%s\" and \"%s\"", api_hit_forms[whose], key,
+                      keys[k].name);
+        key = lua_isnil(L, -1) ? key : keys[k].name;
+        lua_pop(L, 1);
     }
     if (!key)
         api_error(L, entry, "hit: expected %s, got an empty table", api_hit_forms[whose]);
@@ -390,7 +394,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 #define FLIGHT(kind_type, def_dir)                                                                                     \
     { "kind", kind_type, REQ, 0, 0, NULL, NULL }, { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },     \
         PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, def_dir }, { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },                \
-        { "bank", A_INT, OPT, 0, 15, NULL, NULL }, { "tag", A_STR, OPT, 0, 0, NULL, NULL },                            \
+        { "bank", A_INT, OPT, 0, 15, NULL, NULL }, { "tag", A_STR, OPT, 1, 31, NULL, NULL },                           \
     {                                                                                                                  \
         "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
     }
@@ -424,10 +428,10 @@ static uint8_t shooter(const struct board *b, const struct api_value *v)
     return by->given ? board_player_of(b, by->i) : 0;
 }
 
-bool api_flight(lua_State *L, struct board *b, const struct api_value *v, bool shot, struct bullet_shape *s)
+bool api_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool shot,
+                struct bullet_shape *s)
 {
     const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
-    const char *entry = shot ? "shot.fire" : "bullet.fire";
 
     *s = (struct bullet_shape){ .speed = v[FIRE_SPEED].f,
                                 .dir = v[FIRE_DIR].a,
@@ -456,7 +460,7 @@ static int fire(lua_State *L, struct board *b, const struct api_value *v, bool s
     struct bullet_shape s;
     int32_t i = NO_SLOT;
 
-    if (api_flight(L, b, v, shot, &s)) {
+    if (api_flight(L, b, shot ? "shot.fire" : "bullet.fire", v, shot, &s)) {
         if (v[FIRE_AIM].i)
             s.dir = api_aim(b, shot, s.x, s.y) + (v[FIRE_DIR].given ? v[FIRE_DIR].a : 0);
         i = emit_fire(b, shot, &s, api_units(true, &v[FIRE_SPEED]), b->core.clock);
@@ -479,8 +483,8 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- groups ---- */
 
-const struct api_param api_tag_params[TAG_PARAMS] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL } };
-const struct api_param api_each_params[EACH_PARAMS] = { { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+const struct api_param api_tag_params[TAG_PARAMS] = { { "tag", A_STR, OPT, 1, 31, NULL, NULL } };
+const struct api_param api_each_params[EACH_PARAMS] = { { "tag", A_STR, OPT, 1, 31, NULL, NULL },
                                                         { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
 
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
@@ -550,7 +554,7 @@ static const struct api_param bullet_sweep[] = {
     { "radius", A_FX, OPT, 0, MAX_SPEED, "px", "0" },
     { "radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL },
     { "over", A_INT, REQ, 1, 65535, "frames", NULL },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
     { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
     { "hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0" },
     { "by", A_PAD, OPT, 0, 0, NULL, NULL },
@@ -574,7 +578,7 @@ static const struct api_param bullet_sweep[] = {
           PROP_WRITE,                                                                                                  \
           "name of its kind; a write takes the kind's bank too" },                                                     \
         { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
-        { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                            \
+        { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                           \
         { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
           PROP_WRITE,                                                                                                  \
           "the motion it runs, or nil; a write starts it anew" },                                                      \
@@ -1056,22 +1060,22 @@ static void step_error(lua_State *L, int step, const char *message)
     api_error(L, DEF, "step %d: %s", step, message);
 }
 
-/* The error for an unknown key of a step, with the nearest one. */
-static void unknown_key(lua_State *L, int step, int at)
-{
-    const char *name = lua_type(L, at) == LUA_TSTRING ? lua_tostring(L, at) : luaL_typename(L, at), *found = NULL;
-    int best = EDIT_FAR;
+static const struct api_fields step_fields = { step_keys, M_KEYS, NAME_LISTS };
 
-    if (!strcmp(name, "fine") || !strcmp(name, "name"))
-        api_error(L, DEF, "step %d: %s stands beside the steps: { %s = ..., { ... }, { ... } }", step, name, name);
-    for (int k = 0; k < M_KEYS; k++) {
-        int distance = edit_distance(name, step_keys[k].name);
-        if (distance < best)
-            best = distance, found = step_keys[k].name;
-    }
-    if (found)
-        api_error(L, DEF, "step %d: unknown argument \"%s\" (did you mean \"%s\"?)", step, name, found);
-    api_error(L, DEF, "step %d: unknown argument \"%s\"", step, name);
+static bool knows_step_key(lua_State *L, const char *key, const void *of)
+{
+    vm_charge(L, 1);
+    return lua_type(L, -1) == LUA_TNUMBER || api_knows_field(L, key, of);
+}
+
+/* The error for the unknown key of a step on top. */
+static void unknown_key(lua_State *L, int step, const char *where)
+{
+    const char *name = luakeys_text(L, -1);
+
+    if (name && (!strcmp(name, "fine") || !strcmp(name, "name")))
+        api_error(L, DEF, "step %d: %s belongs next to the steps: { %s = ..., { ... }, { ... } }", step, name, name);
+    api_refuse_key(L, where, &step_fields);
 }
 
 /* The number of a step that key k sets, if a value's name may stand for it; else STEP_NUMBERS. */
@@ -1134,33 +1138,20 @@ uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
 static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
 {
     uint64_t named = 0;
-    int first = lua_gettop(L) + 1;
+    char where[40];
 
     luaL_checkstack(L, M_KEYS + 8, NULL);
-    lua_settop(L, first + M_KEYS - 1);
-    lua_pushnil(L);
-    while (lua_next(L, at)) {
-        int k = 0;
-        if (lua_type(L, -2) == LUA_TNUMBER) {
-            lua_pop(L, 1);
-            continue;
-        }
-        while (k < M_KEYS && (lua_type(L, -2) != LUA_TSTRING || strcmp(step_keys[k].name, lua_tostring(L, -2))))
-            k++;
-        if (k == M_KEYS)
-            unknown_key(L, step, -2);
-        lua_replace(L, first + k);
-    }
-    char where[40];
     snprintf(where, sizeof where, "%s: step %d", DEF, step);
+    if (luakeys_push_stray(L, at, knows_step_key, &step_fields))
+        unknown_key(L, step, where);
     for (int k = 0; k < M_KEYS; k++) {
         enum step_number number = step_number(k);
         v[k] = (struct api_value){ 0 };
-        if (number != STEP_NUMBERS && lua_type(L, first + k) == LUA_TSTRING) {
-            named |= api_step_name(L, step, step_keys[k].name, first + k) << number * NAMED_BITS;
+        if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBERS) {
+            named |= api_step_name(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
             v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER || number == NUMBER_COUNT };
         } else
-            api_check(L, where, &step_keys[k], first + k, &v[k]);
+            api_check(L, where, &step_keys[k], lua_gettop(L), &v[k]);
     }
     return named;
 }
@@ -1523,30 +1514,21 @@ bool api_step_word(const char *name)
     return false;
 }
 
-/* The error for a key beside the steps that is neither name nor fine: a step's key, or one of the two misspelt. */
-static void unknown_head(lua_State *L, const char *key, const struct api_param head[2])
-{
-    for (int i = 0; i < 2 && !api_step_word(key); i++)
-        if (edit_distance(key, head[i].name) < 3)
-            api_error(L, DEF, "unknown argument \"%s\" (did you mean \"%s\"?)", key, head[i].name);
-    api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
-}
-
 enum { HEAD_NAME, HEAD_FINE, HEADS };
 
-/* What stands beside the steps: name and fine. Returns the name or NULL. */
+/* What is next to the steps: name and fine. Returns the name or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
     static const struct api_param head[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
                                              { "fine", A_BOOL, OPT, 0, 0, NULL, "false" } };
+    static const struct api_fields fields = { head, HEADS, NAME_LISTS };
     struct api_value v[HEADS] = { { 0 } };
 
-    lua_pushnil(L);
-    while (lua_next(L, 1)) {
-        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        if (key && strcmp(key, head[HEAD_NAME].name) && strcmp(key, head[HEAD_FINE].name))
-            unknown_head(L, key, head);
-        lua_pop(L, 1);
+    if (luakeys_push_stray(L, 1, knows_step_key, &fields)) {
+        const char *key = luakeys_text(L, -1);
+        if (key && api_step_word(key))
+            api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+        api_refuse_key(L, DEF, &fields);
     }
     for (int i = 0; i < HEADS; i++) {
         lua_getfield(L, 1, head[i].name);

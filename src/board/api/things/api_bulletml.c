@@ -41,7 +41,7 @@ static const struct api_param params[] = {
     { "loop", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "steer", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
     { "on_fire", A_FUNC, OPT, 0, 0, NULL, NULL },
 };
 
@@ -67,23 +67,33 @@ static uint16_t program_of(lua_State *L, const struct board *b, const char *name
     return 0;
 }
 
-/* The number of a label of the document. */
-static uint32_t label_of(lua_State *L, const struct ml *ml, const char *label)
+static bool knows_label(lua_State *L, const char *key, const void *of)
 {
+    const struct ml *ml = of;
+
+    vm_charge(L, 1);
+    for (uint32_t i = 0; key && i < ml->labels && i < ML_KINDS; i++)
+        if (!strcmp(ml_label(ml, i), key))
+            return true;
+    return false;
+}
+
+/* The error for the key of `kinds` on top. */
+static void refuse_label(lua_State *L, const struct ml *ml)
+{
+    const char *label = luakeys_text(L, -1);
     struct api_hint near;
 
-    for (uint32_t i = 0; i < ml->labels; i++)
-        if (!strcmp(ml_label(ml, i), label)) {
-            if (i >= ML_KINDS)
-                api_error(L, ENTRY, "kinds: label \"%s\" is beyond the first %d of the document", label, ML_KINDS);
-            return i;
-        }
+    if (!label)
+        api_error(L, ENTRY, "kinds: expected kinds by label, { label = kind }, got one at %s", api_push_got(L, -1));
     api_hint_begin(&near, label);
-    for (uint32_t i = 0; i < ml->labels; i++)
+    for (uint32_t i = 0; i < ml->labels; i++) {
         api_hint_add(&near, ml_label(ml, i));
+        if (!strcmp(ml_label(ml, i), label))
+            api_error(L, ENTRY, "kinds: label \"%s\" is beyond the first %d of the document", label, ML_KINDS);
+    }
     api_error(L, ENTRY, "kinds: the document fires no bullet with the label \"%s\"%s", label,
               api_hint_push(L, &near, "it has"));
-    return 0;
 }
 
 /* Reads kinds = { label = kind } into out, the kind of each label. */
@@ -92,10 +102,11 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
     static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL };
     struct api_value v = { 0 };
 
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, ENTRY, "kinds: expected kinds by label, { label = kind }, got a list");
-        const uint32_t i = label_of(L, ml, lua_tostring(L, -2));
+    if (luakeys_push_stray(L, at, knows_label, ml))
+        refuse_label(L, ml);
+    for (uint32_t i = 0; i < ml->labels && i < ML_KINDS; i++, lua_pop(L, 1)) {
+        if (lua_getfield(L, at, ml_label(ml, i)) == LUA_TNIL)
+            continue;
         api_check(L, ENTRY, &kind, lua_gettop(L), &v);
         out[i] = (uint16_t)v.i;
     }

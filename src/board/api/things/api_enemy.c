@@ -116,7 +116,7 @@ static const struct api_param spawn[] = {
     { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PLACE,
     { "path", A_ROUTE, OPT, 0, 0, NULL, NULL },      { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },  { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },         { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },        { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
     { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },   { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },     { "follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL },
     { "share", A_FX, OPT, 0, 1, NULL, NULL },        { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
@@ -355,7 +355,7 @@ static const struct api_prop props[PROPS + 1] = {
     { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write ends its move" },
     { { "hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL }, PROP_WRITE, "hit points left" },
     { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
-    { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
+    { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
     { { "safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames it takes no damage, or forever" },
     { { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },
     { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came, without those it stood" },
@@ -601,7 +601,7 @@ static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
     const bool x = v[MOVE_X].given, y = v[MOVE_Y].given, dx = v[MOVE_DX].given, dy = v[MOVE_DY].given;
 
     if (x != y || dx != dy || x == dx)
-        return api_error(L, "enemy:move", "expected either x and y, or dx and dy");
+        return api_error(L, api_bound(L)->entry->name, "expected either x and y, or dx and dy");
     return api_enemy_act(L, b, move_one, v);
 }
 

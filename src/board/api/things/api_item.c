@@ -11,24 +11,7 @@
 /* ---- tables with names ---- */
 
 enum { MOST_NAMES = ITEM_REGISTERS + 2 };
-
-/* The keys of the table at `at`, in byte order: no table's own order decides. Good while the table has them. */
-static int sorted_names(lua_State *L, const char *entry, const char *what, int at, const char *names[MOST_NAMES])
-{
-    int n = 0;
-
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        if (lua_type(L, -2) != LUA_TSTRING)
-            api_error(L, entry, "%s: expected names with numbers, { NAME = n }, got a list", what);
-        if (n == MOST_NAMES)
-            api_error(L, entry, "%s: at most %d names", what, MOST_NAMES);
-        int i = n++;
-        for (; i > 0 && strcmp(names[i - 1], lua_tostring(L, -2)) > 0; i--)
-            names[i] = names[i - 1];
-        names[i] = lua_tostring(L, -2);
-    }
-    return n;
-}
+#define NAMED "names with numbers, { NAME = n }"
 
 /* The whole number under a name of the table at `at`. */
 static int64_t number_of(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
@@ -65,7 +48,7 @@ enum { AN_ITEM = 6 /* work: one that is dropped */ };
 /* Of a list that an enemy, a bullet or a phase drops. */
 static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
 
-void api_drops(lua_State *L, const char *entry, int at)
+void api_push_drops(lua_State *L, const char *entry, int at)
 {
     const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL };
     const char *line = api_off(&vm_board(L)->cart.m, "item"), *names[MOST_NAMES];
@@ -74,7 +57,7 @@ void api_drops(lua_State *L, const char *entry, int at)
 
     if (line)
         api_error(L, entry, "drops: " API_OFF, line);
-    int n = sorted_names(L, entry, "drops", at, names);
+    int n = api_sorted_names(L, entry, "drops", NAMED, at, names, MOST_NAMES);
     for (int i = 0; i < n; i++) {
         lua_pushstring(L, names[i]);
         api_check(L, entry, &kind, lua_gettop(L), &v);
@@ -83,6 +66,11 @@ void api_drops(lua_State *L, const char *entry, int at)
         bytes_put16(list + i * DROP_BYTES + 2, (uint16_t)number_of(L, entry, "drops", at, names[i], 0, UINT16_MAX));
     }
     lua_pushlstring(L, (const char *)list, (size_t)n * DROP_BYTES);
+}
+
+void api_drops(lua_State *L, const char *entry, int at)
+{
+    api_push_drops(L, entry, at);
     api_fold(L, vm_board(L), lua_gettop(L));
 }
 
@@ -162,7 +150,7 @@ static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives)
 static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives)
 {
     const char *names[MOST_NAMES];
-    int n = sorted_names(L, DEF, "gives", gives, names);
+    int n = api_sorted_names(L, DEF, "gives", NAMED, gives, names, MOST_NAMES);
 
     for (int j = 0; j < n; j++)
         if (!strcmp(names[j], "score"))
@@ -192,6 +180,8 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
         read_gives(L, k, i, v[D_GIVES].at);
     if (v[D_FULL].given)
         k->full[i] = (uint16_t)(register_number(L, lua_tostring(L, v[D_FULL].at)) + 1);
+    if (v[D_GIVES].given || v[D_FULL].given)
+        api_note_place(L, DEF, lua_tostring(L, v[D_NAME].at));
     if (v[D_TAKE].given) {
         lua_pushvalue(L, v[D_TAKE].at);
         events_set_function(L, (uint16_t)i, "item's on_take");
@@ -228,10 +218,10 @@ static void refuse_register(lua_State *L, const struct board *b, int r)
         i++;
     const char *item = api_names_at(b, N_ITEM, (int)i);
     if (near)
-        api_error(L, DEF, "item \"%s\": no ship has a register \"%s\", nor the run (did you mean \"%s\"?)", item, name,
-                  near);
-    api_error(
-        L, DEF,
+        api_error_at(L, DEF, item, "item \"%s\": no ship has a register \"%s\", nor the run (did you mean \"%s\"?)",
+                     item, name, near);
+    api_error_at(
+        L, DEF, item,
         "item \"%s\": no ship has a register \"%s\", nor the run (registers = { %s = 0 } of player.def, or game.def)",
         item, name, name);
 }
@@ -244,10 +234,11 @@ void api_items_check(lua_State *L, struct board *b)
     for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
         const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
         if (name && !can_fill(L, b, name))
-            api_error(L, DEF,
-                      "full: no ship's register \"%s\" has a max, nor the run's (registers = { %s = { max = n } } of "
-                      "player.def, or game.def)",
-                      name, name);
+            api_error_at(
+                L, DEF, api_names_at(b, N_ITEM, (int)i),
+                "full: no ship's register \"%s\" has a max, nor the run's (registers = { %s = { max = n } } of "
+                "player.def, or game.def)",
+                name, name);
     }
 }
 
@@ -259,7 +250,7 @@ static const struct api_param drop[] = {
     { "kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL },    PLACE,
     { "n", A_INT, OPT, 0, UINT16_MAX, "items", "1" },  { "dir", A_DIR, OPT, 0, 0, NULL, "270" },
     { "spread", A_NUM, OPT, 0, 360, "degrees", "60" }, { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5" },
-    { "tag", A_STR, OPT, 0, 0, NULL, NULL },
+    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
 };
 
 static uint64_t spread_of(double degrees)
@@ -306,7 +297,7 @@ static const struct api_prop props[PROPS + 1] = {
     { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
     { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "speed to the right" },
     { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "speed downwards" },
-    { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
+    { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
     { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },
       PROP_WRITE,
       "frames it stands, or forever; 0: it goes on as it was" },

@@ -47,6 +47,7 @@ static const struct api_param laser_def[] = {
 static fx read_hit(lua_State *L, int at)
 {
     static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL };
+    static const struct api_fields fields = { &share, 1, NAME_LISTS };
     struct api_value v = { 0 };
 
     if (lua_type(L, at) == LUA_TSTRING) {
@@ -54,11 +55,8 @@ static fx read_hit(lua_State *L, int at)
             api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
         return -1;
     }
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : luaL_typename(L, -2);
-        if (strcmp(key, "share"))
-            api_error(L, "laser.def", "hit: expected %s, got one with \"%s\"", api_hit_forms[HIT_LASERS], key);
-    }
+    if (luakeys_push_stray(L, at, api_knows_field, &fields))
+        api_error(L, "laser.def", "hit: expected %s, got one with %s", api_hit_forms[HIT_LASERS], api_push_got(L, -1));
     if (lua_getfield(L, at, "share") == LUA_TNIL)
         api_error(L, "laser.def", "hit: expected %s, got an empty table", api_hit_forms[HIT_LASERS]);
     api_check(L, "laser.def", &share, lua_gettop(L), &v);
@@ -103,7 +101,7 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 #define LASER_PARAMS                                                                                                   \
     { "kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL }, PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, "90" },                   \
         { "aim", A_BOOL, OPT, 0, 0, NULL, "false" }, { "bank", A_INT, OPT, 0, 15, NULL, NULL },                        \
-        { "tag", A_STR, OPT, 0, 0, NULL, NULL }, { "width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL },                 \
+        { "tag", A_STR, OPT, 1, 31, NULL, NULL }, { "width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL },                \
     {                                                                                                                  \
         "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL                                                               \
     }
@@ -322,7 +320,7 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first 
         { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
         { { "kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },                            \
         { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
-        { { "tag", A_STR, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                            \
+        { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                           \
         { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
           PROP_WRITE,                                                                                                  \
           "the motion that a bolt or curve runs, or nil; a write starts it anew" },                                    \

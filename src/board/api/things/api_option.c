@@ -11,7 +11,7 @@ enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
 static const struct api_param def[] = {
     { "name", A_STR, REQ, 1, 31, NULL, NULL }, { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },  { "layer", A_LAYER, OPT, 0, 0, NULL, "middle" },
+    { "bank", A_INT, OPT, 0, 15, NULL, "0" },  { "layer", A_LAYER, OPT, 0, 0, NULL, "front" },
     { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
 };
 
@@ -59,53 +59,6 @@ static const struct api_param level_params[L_PARAMS] = {
     { "wide", A_TABLE, OPT, 0, 0, NULL, NULL },
     { "close", A_TABLE, OPT, 0, 0, NULL, NULL },
 };
-
-/* The name of a parameter as it is spelt in its table: behind the last dot. */
-static const char *key_of(const struct api_param *p)
-{
-    const char *dot = strrchr(p->name, '.');
-
-    return dot ? dot + 1 : p->name;
-}
-
-static void unknown_key(lua_State *L, const char *where, const struct api_param *params, int n, const char *key)
-{
-    const char *found = NULL;
-    int best = EDIT_FAR;
-
-    for (int i = 0; i < n; i++)
-        api_suggest_nearer(key, key_of(&params[i]), &best, &found);
-    if (found)
-        api_error(L, PLAYER, "%s: unknown setting \"%s\" (did you mean \"%s\"?)", where, key, found);
-    api_error(L, PLAYER, "%s: unknown setting \"%s\"", where, key);
-}
-
-/* Checks the table at `at` against n parameters and leaves their values on the stack. */
-static void read_table(lua_State *L, const char *where, int at, const struct api_param *params, int n,
-                       struct api_value *v)
-{
-    char full[64];
-
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        int i = 0;
-        while (key && i < n && strcmp(key, key_of(&params[i])))
-            i++;
-        if (!key)
-            api_error(L, PLAYER, "%s: expected settings by name, got a list", where);
-        if (i == n)
-            unknown_key(L, where, params, n, key);
-    }
-    memset(v, 0, (size_t)n * sizeof *v);
-    luaL_checkstack(L, n + 8, NULL);
-    for (int i = 0; i < n; i++) {
-        struct api_param p = params[i];
-        snprintf(full, sizeof full, "%s.%s", where, key_of(&p));
-        p.name = full;
-        lua_getfield(L, at, key_of(&params[i]));
-        api_check(L, PLAYER, &p, lua_gettop(L), &v[i]);
-    }
-}
 
 static fx place_axis(lua_State *L, const char *where, int axis)
 {
@@ -181,7 +134,7 @@ static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
     snprintf(where, sizeof where, "options.levels[%d]", i + 1);
     if (lua_rawgeti(L, list, i + 1) != LUA_TTABLE)
         api_error(L, PLAYER, "%s: expected { at = n, .. }, got %s", where, luaL_typename(L, -1));
-    read_table(L, where, top + 1, level_params, L_PARAMS, v);
+    api_read_fields(L, PLAYER, where, &(struct api_fields){ level_params, L_PARAMS, NAME_LISTS }, top + 1, v);
     level->at = v[L_AT].given ? (int32_t)v[L_AT].i : 0;
     if (i && level->at <= plan->level[i - 1].at)
         api_error(L, PLAYER, "%s.at: expected more than the level before (%d), got %d", where,
@@ -256,7 +209,7 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
         return;
     if (line)
         api_error(L, PLAYER, "options: " API_OFF, line);
-    read_table(L, "options", options->at, ship_params, O_PARAMS, v);
+    api_read_fields(L, PLAYER, "options", &(struct api_fields){ ship_params, O_PARAMS, NAME_LISTS }, options->at, v);
     const enum option_style style = read_style(L, &v[O_STYLE]);
     check_style(L, v, style);
     const lua_Unsigned n = lua_rawlen(L, v[O_LEVELS].at);

@@ -153,8 +153,10 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     api_pictures_keep(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
         keep_of_kind(L, &run_key, i, v[D_RUN].at);
-    if (v[D_NEEDS].given)
+    if (v[D_NEEDS].given) {
         keep_of_kind(L, &needs_key, i, v[D_NEEDS].at);
+        api_note_place(L, "player.def", lua_tostring(L, v[D_NAME].at));
+    }
     return 0;
 }
 

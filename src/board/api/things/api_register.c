@@ -49,87 +49,26 @@ static void registry(lua_State *L, const void *key)
     lua_rawsetp(L, LUA_REGISTRYINDEX, key);
 }
 
-/* The word of `words` that the setting `which` of the table at `at` is; NULL: it is not said. */
-static const char *read_word(lua_State *L, const char *entry, const char *name, int at, int which,
+/* The word of `words` that setting v is; NULL: it is not given. */
+static const char *read_word(lua_State *L, const char *entry, const char *name, const struct api_value *v, int which,
                              const char *const *words, const char *expected)
 {
-    const char *word = NULL;
-
-    if (lua_getfield(L, at, settings[which].name) == LUA_TNIL) {
-        lua_pop(L, 1);
+    if (!v[which].given)
         return NULL;
-    }
-    if (lua_type(L, -1) == LUA_TSTRING)
-        word = lua_tostring(L, -1);
-    for (int i = 0; word && words[i]; i++)
-        if (!strcmp(words[i], word)) {
-            lua_pop(L, 1);
+    for (int i = 0; words[i]; i++)
+        if (!strcmp(words[i], lua_tostring(L, v[which].at)))
             return words[i];
-        }
-    api_error(L, entry, "%s.%s: expected %s, got %s", name, settings[which].name, expected,
-              word ? lua_pushfstring(L, "\"%s\"", word) : luaL_typename(L, -1));
+    api_error(L, entry, "%s.%s: expected %s, got \"%s\"", name, settings[which].name, expected,
+              lua_tostring(L, v[which].at));
     return NULL;
 }
 
-static const char *read_label(lua_State *L, const char *entry, const char *name, int at)
+/* A whole number, or `otherwise`. */
+static int32_t setting(const struct api_value *v, int32_t otherwise)
 {
-    char full[80];
-    struct api_param p = settings[S_LABEL];
-    struct api_value v = { 0 };
-
-    snprintf(full, sizeof full, "%s.label", name);
-    p.name = full;
-    lua_getfield(L, at, "label");
-    api_check(L, entry, &p, lua_gettop(L), &v);
-    const char *label = v.given ? lua_tostring(L, -1) : NULL;
-    lua_pop(L, 1);
-    return label;
-}
-
-static void unknown_setting(lua_State *L, const char *entry, const char *name, const char *key)
-{
-    const char *found = NULL;
-    int best = EDIT_FAR;
-
-    for (int i = 0; i < SETTINGS; i++)
-        api_suggest_nearer(key, settings[i].name, &best, &found);
-    if (found)
-        api_error(L, entry, "%s: unknown setting \"%s\" (did you mean \"%s\"?)", name, key, found);
-    api_error(L, entry,
-              "%s: unknown setting \"%s\" (there are start, min, max, drain, every, hold, show, at, label, "
-              "mark)",
-              name, key);
-}
-
-static void check_settings(lua_State *L, const char *entry, const char *name, int at)
-{
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        const char *key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : NULL;
-        int i = 0;
-        while (key && i < SETTINGS && strcmp(key, settings[i].name))
-            i++;
-        if (!key)
-            api_error(L, entry, "%s: expected a whole number, or { start = n, max = n }", name);
-        if (i == SETTINGS)
-            unknown_setting(L, entry, name, key);
-    }
-}
-
-/* A whole number of the table, or `otherwise`. */
-static int32_t setting(lua_State *L, const char *entry, const char *name, int at, int which, int32_t otherwise)
-{
-    char full[80];
-    struct api_param p = settings[which];
-    struct api_value v = { 0 };
-
-    snprintf(full, sizeof full, "%s.%s", name, p.name);
-    p.name = full;
-    lua_getfield(L, at, settings[which].name);
-    api_check(L, entry, &p, lua_gettop(L), &v);
-    lua_pop(L, 1);
-    if (!v.given)
+    if (!v->given)
         return otherwise;
-    return v.i == LUA_MAXINTEGER ? DRAIN_FOREVER : (int32_t)v.i;
+    return v->i == LUA_MAXINTEGER ? DRAIN_FOREVER : (int32_t)v->i;
 }
 
 static void check_rule(lua_State *L, const char *entry, const char *name, const struct reg *r)
@@ -152,21 +91,22 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
 /* Reads { start = 3, max = 6, show = "icons" } at `at`. */
 static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct reg *r)
 {
+    static const struct api_fields fields = { settings, SETTINGS, NAME_LISTS };
     struct register_rule *rule = &r->rule;
+    struct api_value v[SETTINGS];
 
-    check_settings(L, entry, name, at);
-    rule->least = setting(L, entry, name, at, S_MIN, 0);
-    rule->most = setting(L, entry, name, at, S_MAX, REGISTER_MOST);
-    rule->start = setting(L, entry, name, at, S_START, rule->least > 0 ? rule->least : 0);
-    rule->drain = setting(L, entry, name, at, S_DRAIN, 0);
-    rule->every = setting(L, entry, name, at, S_EVERY, 1);
-    rule->hold = setting(L, entry, name, at, S_HOLD, 0);
-    r->show = read_word(L, entry, name, at, S_SHOW, shows, "none, number, icons, bar or times");
-    r->place = read_word(L, entry, name, at, S_AT, places, "top or low");
-    r->label = read_label(L, entry, name, at);
-    r->marked = lua_getfield(L, at, "mark") != LUA_TNIL;
-    lua_pop(L, 1);
-    r->mark = setting(L, entry, name, at, S_MARK, 0);
+    api_read_fields(L, entry, name, &fields, at, v);
+    rule->least = setting(&v[S_MIN], 0);
+    rule->most = setting(&v[S_MAX], REGISTER_MOST);
+    rule->start = setting(&v[S_START], rule->least > 0 ? rule->least : 0);
+    rule->drain = setting(&v[S_DRAIN], 0);
+    rule->every = setting(&v[S_EVERY], 1);
+    rule->hold = setting(&v[S_HOLD], 0);
+    r->show = read_word(L, entry, name, v, S_SHOW, shows, "none, number, icons, bar or times");
+    r->place = read_word(L, entry, name, v, S_AT, places, "top or low");
+    r->label = v[S_LABEL].given ? lua_tostring(L, v[S_LABEL].at) : NULL;
+    r->marked = v[S_MARK].given;
+    r->mark = setting(&v[S_MARK], 0);
     check_rule(L, entry, name, r);
 }
 
@@ -188,16 +128,13 @@ static void check_name(lua_State *L, const char *entry, int32_t kind, const char
     lua_pop(L, 1);
 }
 
-/* The register whose name and value are on top. */
-static struct reg read_register(lua_State *L, const char *entry, int32_t kind)
+/* The register of that name, whose value is on top. */
+static struct reg read_register(lua_State *L, const char *entry, int32_t kind, const char *of)
 {
-    struct reg r = { .rule = { .most = REGISTER_MOST, .every = 1 } };
+    struct reg r = { .name = of, .rule = { .most = REGISTER_MOST, .every = 1 } };
     struct api_value v = { 0 };
     char name[64];
 
-    if (lua_type(L, -2) != LUA_TSTRING)
-        api_error(L, entry, "registers: expected names with whole numbers");
-    r.name = lua_tostring(L, -2);
     check_name(L, entry, kind, r.name);
     snprintf(name, sizeof name, "registers.%s", r.name);
     if (lua_istable(L, -1)) {
@@ -278,17 +215,15 @@ static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct
 /* Registers get their numbers in byte order of their names, so that no table order decides. */
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
 {
+    const char *names[PLAYER_REGISTERS];
     struct reg regs[PLAYER_REGISTERS];
-    int n = 0;
+    const int top = lua_gettop(L),
+              n = api_sorted_names(L, entry, "registers", "names with whole numbers", at, names, PLAYER_REGISTERS);
 
-    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
-        struct reg r = read_register(L, entry, kind);
-        if (n == PLAYER_REGISTERS)
-            api_error(L, entry, "registers: at most %d", PLAYER_REGISTERS);
-        int i = n++;
-        for (; i > 0 && strcmp(regs[i - 1].name, r.name) > 0; i--)
-            regs[i] = regs[i - 1];
-        regs[i] = r;
+    for (int i = 0; i < n; i++) {
+        lua_getfield(L, at, names[i]);
+        regs[i] = read_register(L, entry, kind, names[i]);
+        lua_settop(L, top);
     }
     add_rows(L, entry, kind, regs, n);
     return n;

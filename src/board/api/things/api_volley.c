@@ -181,7 +181,7 @@ static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const
     read(L, e, own, &v);
     if (left(&v, 0) <= 0)
         return true;
-    if (!api_flight(L, b, args, v.shots, &v.shape))
+    if (!api_flight(L, b, e->name, args, v.shots, &v.shape))
         return true; /* the thing it would come from is gone */
     if (v.f.pattern == EMIT_LINE) {
         line_place(b, &v, args + FIRE_PLACE);

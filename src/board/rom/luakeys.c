@@ -1,0 +1,101 @@
+/*
+ * luakeys.c - see luakeys.h.
+ */
+#include "luakeys.h"
+#include <lauxlib.h>
+#include <string.h>
+
+const char *luakeys_text(lua_State *L, int at)
+{
+    size_t n;
+
+    if (lua_type(L, at) != LUA_TSTRING)
+        return NULL;
+    const char *key = lua_tolstring(L, at, &n);
+    return strlen(key) == n ? key : NULL;
+}
+
+static int rank_of(lua_State *L, int at)
+{
+    const int type = lua_type(L, at);
+
+    switch (type) {
+    case LUA_TNUMBER:
+        return 0;
+    case LUA_TBOOLEAN:
+        return 1 + lua_toboolean(L, at);
+    case LUA_TSTRING:
+        return 3 + LUA_NUMTYPES;
+    default:
+        return 3 + type;
+    }
+}
+
+/* Less than 0: key a comes before b; 0: they are equal, or no order tells them apart. */
+static int compare(lua_State *L, int a, int b)
+{
+    const int rank = rank_of(L, a), order = rank - rank_of(L, b);
+    size_t n, m;
+
+    if (order || (rank && lua_type(L, a) != LUA_TSTRING))
+        return order;
+    if (!rank)
+        return lua_compare(L, b, a, LUA_OPLT) - lua_compare(L, a, b, LUA_OPLT);
+    const char *s = lua_tolstring(L, a, &n), *t = lua_tolstring(L, b, &m);
+    const int bytes = memcmp(s, t, n < m ? n : m);
+    return bytes ? bytes : (n > m) - (n < m);
+}
+
+int luakeys_next(lua_State *L, int at)
+{
+    const int last = lua_gettop(L), next = last + 1;
+    int like = 0;
+
+    luaL_checkstack(L, 8, NULL);
+    lua_pushnil(L);
+    for (lua_pushnil(L); lua_next(L, at);) {
+        lua_pop(L, 1);
+        if (!lua_isnil(L, last) && compare(L, next + 1, last) <= 0)
+            continue;
+        const int order = like ? compare(L, next + 1, next) : -1;
+        if (order < 0) {
+            lua_pushvalue(L, -1);
+            lua_replace(L, next);
+        }
+        like = order < 0 ? 1 : like + (order == 0);
+    }
+    lua_replace(L, last);
+    if (!like)
+        lua_pop(L, 1);
+    return like;
+}
+
+void luakeys_push_value(lua_State *L, int at, int like)
+{
+    lua_pushvalue(L, -1);
+    lua_rawget(L, at);
+    if (like > 1) {
+        lua_pop(L, 1);
+        lua_pushliteral(L, "...");
+    }
+}
+
+bool luakeys_push_stray(lua_State *L, int at, luakeys_known *known, const void *of)
+{
+    const int stray = lua_gettop(L) + 1;
+    bool found = false;
+
+    luaL_checkstack(L, 8, NULL);
+    lua_pushnil(L);
+    for (lua_pushnil(L); lua_next(L, at);) {
+        lua_pop(L, 1);
+        if (known(L, luakeys_text(L, -1), of) || (found && compare(L, stray + 1, stray) >= 0))
+            continue;
+        lua_pushvalue(L, -1);
+        lua_replace(L, stray);
+        found = true;
+    }
+    if (!found)
+        lua_pop(L, 1);
+    return found;
+}
