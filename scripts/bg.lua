@@ -42,10 +42,11 @@ function bg.show(name, args)
 end
 
 -- For boss.lua: shows that background, or the one of that number; returns the number of the one before. `what` names
--- it where nobody declared it. The one that is shown, or comes, goes on: it does not fade to itself. at_once: no fade.
-function sys.backdrop(name, what, at_once)
+-- it where nobody declared it, `of` is that boss. The one that is shown, or comes, goes on: it does not fade to itself.
+-- at_once: no fade.
+function sys.backdrop(name, what, at_once, of)
   local before = coming and task.alive(coming) and next_one or sys.bg_shown()
-  if what and not numbers[name] then sys.unknown("boss.def", what, name, names) end
+  if what and not numbers[name] then sys.unknown("boss.def", what, name, names, of) end
   local n = numbers[name] or name
   if n ~= before then show(n, 30, at_once) end
   return before

@@ -27,12 +27,13 @@ function boss.def(name, def)
   if bosses[b.name] then sys.fail("boss.def", ('boss "%s" is declared twice'):format(b.name)) end
   if #names == 0 then on.death(miss) on.bomb(miss) end
   if sys.boss(b) then now.last = now.last or sys.read("boss/last") end
+  sys.note_place("boss.def", b.name)
   bosses[b.name] = b
   names[#names + 1] = b.name
 end
 
-local function find(api, name)
-  if not bosses[name] then sys.unknown(api, "boss", name, names) end
+local function find(api, name, of)
+  if not bosses[name] then sys.unknown(api, "boss", name, names, of) end
   return bosses[name]
 end
 
@@ -79,9 +80,9 @@ function boss.each(f)
 end
 
 -- A function that fights one phase alone, or without an id all of them, with neither warning nor talks.
-function boss.practice(api, name, id)
-  local b = find(api, name)
-  local phases = id and { sys.read("boss/practice")(api, b, id) } or b.phases
+function boss.practice(api, name, id, of)
+  local b = find(api, name, of)
+  local phases = id and { sys.read("boss/practice")(api, b, id, of) } or b.phases
   return function()
     sys.mark("start", "")
     return sys.read("boss/fight")(now, b, phases)

@@ -45,6 +45,7 @@ function mission.def(name, args)
     on.bomb(function() sys.missions.bombed = sys.missions.bombed + 1 end)
     on.kill(function(_, p) if p then sys.missions.killed = sys.missions.killed + 1 end end)
   end
+  sys.note_place("mission.def", m.name)
   list[#list + 1], named[m.name], names[#names + 1] = m, m, m.name
 end
 

@@ -6,6 +6,7 @@ local known = {} -- the routes path.def made: nothing else is taken for one
 
 -- The first entry is the start; every later one is a point to reach, or a wait.
 local function checked(i, entry)
+  entry = entry or {} -- a hole in the list
   local a = sys.check("path.def point", entry)
   local start, moves = i == 1, a.x or a.y or a.over or entry.ease -- moves: has anything but wait
   local good
@@ -26,11 +27,11 @@ end
 function path.def(list)
   if not sys.loading() then sys.fail("path.def", "a route is declared while scripts load, not later") end
   if type(list) ~= "table" or #list == 0 then sys.fail("path.def", "expected a list of points") end
-  for key in pairs(list) do
-    if type(key) ~= "number" then sys.fail("path.def", ('unknown argument "%s"'):format(key)) end
+  for _, key in ipairs(sys.keys(list)) do
+    if math.type(key) ~= "integer" then sys.fail("path.def", ('unknown argument "%s"'):format(tostring(key))) end
   end
   local route = {}
-  for i, entry in ipairs(list) do route[i] = checked(i, entry) end
+  for i = 1, #list do route[i] = checked(i, list[i]) end
   known[route] = true
   return route
 end

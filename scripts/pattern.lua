@@ -11,12 +11,15 @@ local OWN = { "n", "spread", "sweep", "speed_to", "width", "step", "every", "arm
 -- Checks the arguments; returns those of the pattern, and those to hand on, with dir filled in. aim: the pattern always
 -- aims.
 local function open(name, args, aim)
-  local a, own = sys.check(name, args), {}
+  local a, own = sys.check(name, args), { name = name }
   for _, key in ipairs(OWN) do own[key], a[key] = a[key], nil end
   own.fire = own.fire or "bullet"
   own.shots = own.fire == "shot"
   if own.fire == "beam" and not a.speed and (own.speed_to or own.sides or own.inner) then
     sys.fail(name, "fire: a beam has no speed, of which this figure is made")
+  end
+  if not a.speed and (own.speed_to or own.sides or own.inner) then -- with `each`, the bullet's own may be left out
+    sys.fail(name, "speed: expected a number of px/frame, got nil")
   end
   if own.skip then own.first, own.last = own.skip[1], own.skip[2] end
   a.aim = aim or a.aim
@@ -24,7 +27,19 @@ local function open(name, args, aim)
   return own, a
 end
 
+-- Fails unless bullets have a place: the inner call's error would name another function.
+local function check_place(own, a)
+  local named = a.x or a.y
+  if a.follow then
+    if named or a.from then sys.fail(own.name, "follow: expected no x, y or from with it") end
+  elseif a.from and named or not (a.from or a.x and a.y) then
+    local want = (a.from or named) and "either x and y, or from" or "x and y, or from (a thing), got neither"
+    sys.fail(own.name, "place: expected " .. want)
+  end
+end
+
 local function fire(own, a)
+  check_place(own, a)
   if own.fire == "bullet" then return bullet.fire(a) end
   if own.shots then return shot.fire(a) end
   return laser[own.fire](a)

@@ -11,9 +11,9 @@ function sys.hint(word, list)
   return #list <= FEW and (" (there is %s)"):format(table.concat(list, ", ")) or ""
 end
 
--- Ends the run over a name that nobody declared, and offers the nearest that somebody did.
-function sys.unknown(api, what, word, list)
-  sys.fail(api, ('%s "%s" is not declared%s'):format(what, word, sys.hint(word, list)))
+-- Ends the run over a name that nobody declared, and suggests the nearest that somebody did. of: as of sys.fail.
+function sys.unknown(api, what, word, list, of)
+  sys.fail(api, ('%s "%s" is not declared%s'):format(what, word, sys.hint(word, list)), of)
 end
 
 local function wait_until(f, limit)
@@ -49,7 +49,7 @@ local function named(values, names)
     sys.fail("by_difficulty", ("%d values for %d difficulties"):format(#values, #names))
   end
   local by_name = {}
-  for i, value in pairs(values) do by_name[names[i] or i] = value end
+  for _, i in ipairs(sys.keys(values)) do by_name[names[i] or i] = values[i] end
   return by_name
 end
 
@@ -62,7 +62,7 @@ local function by_difficulty(values)
   if values[1] ~= nil then values = named(values, names) end
   local known = {}
   for _, name in ipairs(names) do known[name] = true end
-  for name in pairs(values) do
+  for _, name in ipairs(sys.keys(values)) do
     if not known[name] then sys.unknown("by_difficulty", "difficulty", tostring(name), names) end
   end
   for _, name in ipairs(names) do

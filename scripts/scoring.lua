@@ -9,6 +9,7 @@ local EDGE = 2147483647    -- the most a register can be
 local EVENTS = { graze = "bullet", kill = "enemy", take = "item", death = false, bomb = false }
 local rules = {} -- name -> list of rules
 local names = {} -- of those that score.count may ask for
+local made = 0   -- rules
 
 local own = {} -- kind of player -> what its names can stand for
 
@@ -22,32 +23,35 @@ local function has(p, name)
   return own[kind][name]
 end
 
--- Fails unless some ship has the register. One that has it not is worth 0 in it.
-local function missing(name, api)
+-- Fails unless some ship has the register. One that has it not is worth 0 in it. of: whose error it is, a rule or a
+-- tally: { api, at }, at as of sys.fail.
+local function missing(name, of)
   for _, known in ipairs(sys.scoring.registers()) do
     if known == name then return 0 end
   end
-  sys.unknown(api or "score.rule", "register", name, sys.scoring.registers())
+  sys.unknown(of.api, "register", name, sys.scoring.registers(), of.at)
 end
 
 -- A register, or what counts beside them: player p's, or else the run's.
-local function read(name, p, api) return has(p, name) and p[name] or sys.run(name) or missing(name, api) end
+local function read(name, p, of) return has(p, name) and p[name] or sys.run(name) or missing(name, of) end
 
-local function write(name, p, v)
+local function write(name, p, v, of)
   v = math.max(-EDGE, math.min(v, EDGE))
   if has(p, name) then
     p[name] = v
   elseif not sys.run_set(name, v) then
-    missing(name)
+    missing(name, of)
   end
 end
 
-local function number(v, p, thing, field)
-  if type(v) == "string" then return read(v, p) end
+local function number(r, field, p, thing)
+  local v = r[field]
+  if type(v) == "string" then return read(v, p, r) end
   if type(v) == "function" then
     local n = v(p, thing)
     if type(n) ~= "number" or n ~= n then
-      sys.fail("score.rule", ("%s: the function gave %s, expected a number"):format(field, n ~= n and "no number" or type(n)))
+      local got = n ~= n and "no number" or type(n)
+      sys.fail(r.api, ("%s: the function returned %s, expected a number"):format(field, got), r.at)
     end
     return n
   end
@@ -58,17 +62,17 @@ local function whole(v) return math.tointeger(math.floor(math.max(-MOST, math.mi
 
 -- Points: with none said, those that the thing gives itself, times - 1: it has given them once.
 local function reward(r, n, p, thing)
-  local times = r.times and number(r.times, p, thing, "times") or 1
-  if r.points then return number(r.points, p, thing, "points") * times * n end
+  local times = r.times and number(r, "times", p, thing) or 1
+  if r.points then return number(r, "points", p, thing) * times * n end
   return r.times and thing and sys.worth(thing, p) * (times - 1) or 0
 end
 
 local function apply(r, n, p, thing)
-  for name, by in pairs(r.gain or {}) do write(name, p, read(name, p) + by * n) end
-  for name, of in pairs(r.most or {}) do write(name, p, math.max(read(name, p), read(of, p))) end
+  for name, by in pairs(r.gain or {}) do write(name, p, read(name, p, r) + by * n, r) end
+  for name, of in pairs(r.most or {}) do write(name, p, math.max(read(name, p, r), read(of, p, r)), r) end
   local points = whole(reward(r, n, p, thing))
   if points ~= 0 then score.add(points, p) end
-  for name, v in pairs(r.set or {}) do write(name, p, v) end
+  for name, v in pairs(r.set or {}) do write(name, p, v, r) end
 end
 
 local function fire(list, n, p, thing)
@@ -94,6 +98,9 @@ function score.rule(args)
     rules[event] = {}
     if a.name then names[#names + 1] = a.name else heard(event, rules[event]) end
   end
+  made = made + 1
+  a.api, a.at = "score.rule", tostring(made)
+  sys.note_place(a.api, a.at)
   table.insert(rules[event], a)
 end
 
@@ -113,13 +120,15 @@ local function value(line, p)
   if type(line.value) == "function" then
     local n = line.value(p)
     if n == nil or type(n) == "boolean" or type(n) == "number" then return n end
-    sys.fail("score.tally", ('"%s": the function gave %s, expected a number or true'):format(line.label, type(n)))
+    local text = '"%s": the function returned %s, expected a number or true'
+    sys.fail(line.api, text:format(line.label, type(n)), line.at)
   end
-  return read(line.value, p, "score.tally")
+  return read(line.value, p, line)
 end
 
 function score.tally(list)
   lines = sys.read("scoring/tally")(sys.check("score.tally", list).list)
+  sys.note_place("score.tally", "")
   on.stage(function(_, state)
     if state ~= "start" then return end
     began = { {}, {} }

@@ -31,6 +31,7 @@ function stage.def(name, f, args)
   if a.needs then
     sys.stage_needs = rawget(sys, "stage_needs") or {}
     sys.stage_needs[a.name] = a.needs
+    sys.note_place("stage.def", a.name)
   end
   if a.music then
     sys.stage_music = rawget(sys, "stage_music") or {}
@@ -39,9 +40,9 @@ function stage.def(name, f, args)
   names[#names + 1] = a.name
 end
 
--- Fails unless the stage is declared.
-function stage.expect(api, name)
-  if not stages[name] then sys.unknown(api, "stage", name, names) end
+-- Fails unless the stage is declared. of: as of sys.fail.
+function stage.expect(api, name, of)
+  if not stages[name] then sys.unknown(api, "stage", name, names, of) end
 end
 
 function stage.at(n)
@@ -75,6 +76,7 @@ end
 function stage.wave(args)
   local a = sys.check("stage.wave", args)
   if not path.known(a.path) then sys.fail("stage.wave", "path: expected what path.def returned") end
+  if a.drops then sys.check_drops("stage.wave", a.drops) end
   if a.formation then a.place = sys.read("stage/formation")(a) end
   if stage.skipping() then return sys.pass() end
   sys.mark("wave", a.kind)

@@ -31,9 +31,9 @@ function talk.def(who, def)
   local a, list = sys.check("talk.def", who, def), {}
   if talkers[a.who] then sys.fail("talk.def", ('"%s" is declared twice'):format(a.who)) end
   expect_side("talk.def", a.side)
-  for face, name in pairs(a.faces or {}) do
+  for _, face in ipairs(sys.keys(a.faces or {})) do
     if type(face) ~= "string" then sys.fail("talk.def", "faces: expected names, as in { calm = SPRITE }") end
-    sys.check("talk.def face", name)
+    sys.check("talk.def face", a.faces[face])
     list[#list + 1] = face
   end
   a.list, a.face = list, a.faces and (a.faces.calm and "calm" or list[1])
@@ -120,9 +120,9 @@ end
 function sys.choose(list, args)
   if type(list) ~= "table" then sys.fail("choose", 'list: expected a list of texts, as choose { "YES", "NO" }') end
   local a, items = sys.check("choose", list, args), {}
-  for key in pairs(a.list) do
-    if type(key) == "string" then
-      sys.fail("choose", ('list: expected texts, got "%s": settings stand in a second table'):format(key))
+  for _, key in ipairs(sys.keys(a.list)) do
+    if math.type(key) ~= "integer" then
+      sys.fail("choose", ('list: expected texts, got "%s": settings go in a second table'):format(tostring(key)))
     end
   end
   if #a.list == 0 then sys.fail("choose", "list: expected at least one text") end

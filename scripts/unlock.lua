@@ -7,11 +7,12 @@ local unlock = {}
 local list = {}  -- definitions, as they were declared: name, when, title, hint
 local names = {} -- of these
 
-local function find(api, name)
+-- of: as of sys.fail.
+local function find(api, name, of)
   for _, u in ipairs(list) do
     if u.name == name then return u end
   end
-  sys.unknown(api, "unlock", name, names)
+  sys.unknown(api, "unlock", name, names, of)
 end
 
 local function has(name) return save.get("unlock/" .. name) == true end
@@ -26,6 +27,7 @@ function unlock.def(name, args)
   elseif type(a.when) ~= "function" then
     sys.fail("unlock.def", ("when: expected a table or a function, got %s"):format(math.type(a.when) or type(a.when)))
   end
+  sys.note_place("unlock.def", a.name)
   list[#list + 1], names[#names + 1] = a, a.name
 end
 
@@ -35,9 +37,10 @@ function unlock.has(name) return has(find("unlock.has", sys.check("unlock.has", 
 
 sys.unlock = {}
 
--- What keeps the thing that needs this unlock closed: its hint, or "" if it has none; nil: it is open.
-function sys.unlock.closed(needs)
-  local u = needs and find("needs", needs)
+-- What keeps the thing that needs this unlock closed: its hint, or "" if it has none; nil: it is open. api and of: whose
+-- error it is if nobody declared the unlock, as of sys.fail.
+function sys.unlock.closed(needs, api, of)
+  local u = needs and find(api or "needs", needs, of)
   if not u or has(u.name) then return nil end
   return u.hint or ""
 end

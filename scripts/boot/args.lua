@@ -7,8 +7,8 @@ local PLAIN <const> = { players = true, stages = true, demo = true, continues = 
 local function check_players(list)
   local kinds, known = sys.kinds("player"), {}
   for _, kind in ipairs(kinds) do known[kind] = true end
-  for _, kind in ipairs(list) do
-    if not known[kind] then sys.unknown("boot.run", "player", tostring(kind), kinds) end
+  for i = 1, #list do
+    if not known[list[i] or 0] then sys.unknown("boot.run", "player", tostring(list[i]), kinds) end
   end
   if #list == 0 then sys.fail("boot.run", "players: expected a list of at least one, got none") end
 end
@@ -17,7 +17,7 @@ local function check_stages(list)
   if not list or #list == 0 then
     sys.fail("boot.run", "stages: expected a list of at least one, got " .. (list and "none" or "nil"))
   end
-  for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
+  for i = 1, #list do stage.expect("boot.run", tostring(list[i])) end
 end
 
 -- All kinds that can be played: the ships, or in place of one that has forms those.

@@ -14,7 +14,7 @@ end
 local function expect_names(what, t, names)
   local known = {}
   for _, name in ipairs(names) do known[name] = true end
-  for key in pairs(t) do
+  for _, key in ipairs(sys.keys(t)) do
     if not known[key] then
       sys.fail("boot.run", ('unknown %s "%s"%s'):format(what, tostring(key), sys.hint(tostring(key), names)))
     end
@@ -35,7 +35,7 @@ local function expect_stages(what, list)
   if type(list) ~= "table" or #list == 0 then
     fail(what, "a list of at least one stage", type(list) == "table" and "none" or type(list))
   end
-  for _, name in ipairs(list) do stage.expect("boot.run", tostring(name)) end
+  for i = 1, #list do stage.expect("boot.run", tostring(list[i])) end
 end
 
 local function check_screens(screens)
@@ -46,7 +46,8 @@ end
 -- modes: a list of { name, stages, text?, needs? }.
 local function check_modes(modes)
   if #modes == 0 then fail("modes", "a list of at least one", "none") end
-  for i, mode in ipairs(modes) do
+  for i = 1, #modes do
+    local mode = modes[i]
     local what = ("mode %d"):format(i)
     if type(mode) ~= "table" then fail(what, "a table", type(mode)) end
     expect_names("argument of a mode:", mode, { "name", "stages", "text", "needs" })
@@ -63,7 +64,8 @@ local function check_difficulties(texts)
 end
 
 local function check_figures(what, figures)
-  for _, f in ipairs(figures) do
+  for i = 1, #figures do
+    local f = figures[i]
     local good = type(f) == "table" and type(f[1]) == "string" and math.type(f[2]) == "integer"
     if not good or f[2] < 0 or f[2] > 5 then
       local got = type(f) == "table" and "another" or type(f)
@@ -86,7 +88,8 @@ local function check_forms(ship, forms)
   if #forms == 0 then fail(ship .. ": forms", "a list of at least one", "none") end
   local kinds, known = sys.kinds("player"), {}
   for _, kind in ipairs(kinds) do known[kind] = true end
-  for i, form in ipairs(forms) do
+  for i = 1, #forms do
+    local form = forms[i]
     local what = ("%s: form %d"):format(ship, i)
     if type(form) ~= "table" then fail(what, "a table", type(form)) end
     expect_names(("argument of %s:"):format(what), form, { "kind", "title", "text", "figures" })
@@ -120,7 +123,8 @@ end
 local function check_endings(ending)
   if type(ending) == "function" then return end
   if type(ending) ~= "table" then fail("ending", "a function or a list", type(ending)) end
-  for i, e in ipairs(ending) do
+  for i = 1, #ending do
+    local e = ending[i]
     if type(e) ~= "table" then fail(("ending %d"):format(i), "a table", type(e)) end
     expect_names("argument of an ending:", e, { "when", "show", "music" })
     if type(e.show) ~= "function" then fail(("ending %d: show"):format(i), "a function", type(e.show)) end
@@ -129,10 +133,11 @@ local function check_endings(ending)
 end
 
 local function check_staff(parts)
-  for i, part in ipairs(parts) do
+  for i = 1, #parts do
+    local part = parts[i]
     local what = ("staff %d"):format(i)
     if type(part) ~= "table" then fail(what, 'a list of texts, as { "Art", "A. Name" }', type(part)) end
-    for k, s in ipairs(part) do expect_text(("%s: text %d"):format(what, k), s, true) end
+    for k = 1, #part do expect_text(("%s: text %d"):format(what, k), part[k], true) end
     check_when(what, "the staff", part.when)
   end
 end
@@ -141,7 +146,8 @@ end
 local function check_pages(pages)
   local known = { start = true, replays = true, settings = true }
   for _, name in ipairs(SCREENS) do known[name] = true end
-  for i, p in ipairs(pages) do
+  for i = 1, #pages do
+    local p = pages[i]
     local what = ("page %d"):format(i)
     if type(p) ~= "table" then fail(what, 'a table, as { name = "how to score", show = f }', type(p)) end
     expect_names("argument of a page:", p, { "name", "show" })
@@ -153,7 +159,7 @@ local function check_pages(pages)
 end
 
 local function check_demos(demos)
-  for i, name in ipairs(demos) do expect_text(("demos: %d"):format(i), name, true) end
+  for i = 1, #demos do expect_text(("demos: %d"):format(i), demos[i], true) end
 end
 
 return function(a)

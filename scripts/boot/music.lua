@@ -13,7 +13,8 @@ local FADE <const> = 30 -- frames
 local function check(list)
   local known = {}
   for _, name in ipairs(SCREENS) do known[name] = true end
-  for key, song in pairs(list) do
+  for _, key in ipairs(sys.keys(list)) do
+    local song = list[key]
     if type(key) ~= "number" and not known[key] then
       sys.fail("boot.run", ('unknown screen of music: "%s"%s'):format(tostring(key), sys.hint(tostring(key), SCREENS)))
     end
@@ -36,7 +37,8 @@ local function room(list)
   if list.room and #list > 0 then sys.fail("boot.run", "music: expected room = true or a list of pieces, got both") end
   if list.room then return pieces end
   for _, m in ipairs(pieces) do title[m.name] = m.title end
-  for i, m in ipairs(list) do
+  for i = 1, #list do
+    local m = list[i]
     if type(m) ~= "table" then
       sys.fail("boot.run", ('music %d: expected a table, as { name = "tide" }, got a %s'):format(i, type(m)))
     end

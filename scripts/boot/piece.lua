@@ -13,13 +13,13 @@ end
 
 -- what: stage, and if wanted mark, where it begins, and to, the mark that ends it; or boss, and if wanted phase. Returns
 -- a function that starts that part in a scope owned by `owner` and returns the scope; ended(won) is called when a fight
--- is over. Names of stages, bosses and phases are checked at once, while the game loads; api: whose error it is.
-return function(api, what)
+-- is over. Names of stages, bosses and phases are checked at once, while the game loads; api and of: as of sys.fail.
+return function(api, what, of)
   if what.boss then
-    local f = boss.practice(api, what.boss, what.phase)
+    local f = boss.practice(api, what.boss, what.phase, of)
     return function(owner, ended) return fight(owner, f, ended) end
   end
-  stage.expect(api, what.stage)
+  stage.expect(api, what.stage, of)
   return function(owner)
     if not what.mark then sys.mark("start", "") end -- with a mark, stage.mark says so when the stage is there
     return stage.play(what.stage, owner, what.mark, what.to)

@@ -13,13 +13,13 @@ function records.expect(a)
   if scoring then scoring.expect() end
   if rawget(sys, "missions") then sys.missions.expect(a) end
   if unlocks then return unlocks.expect(a) end
-  local function refuse(api, needs)
-    if needs then sys.unknown(api, "unlock", needs, {}) end
+  local function refuse(api, needs, of)
+    if needs then sys.unknown(api, "unlock", needs, {}, of) end
   end
   for _, list in ipairs { a.players, a.kinds } do
-    for _, kind in ipairs(list) do refuse("player.def", sys.ship(kind).needs) end
+    for _, kind in ipairs(list) do refuse("player.def", sys.ship(kind).needs, kind) end
   end
-  for _, needs in pairs(rawget(sys, "stage_needs") or {}) do refuse("stage.def", needs) end
+  for name, needs in pairs(rawget(sys, "stage_needs") or {}) do refuse("stage.def", needs, name) end
   for _, mode in ipairs(a.modes or {}) do refuse("boot.run", mode.needs) end
   for _, m in ipairs(a.music or {}) do refuse("boot.run", m.needs) end
 end

@@ -56,8 +56,8 @@ end
 -- bg.lua is there if the game declares a background. what: whose it is; nil: the boss's own.
 local function backdrop(b, name, what, at_once)
   what = ('boss "%s": %sbackground'):format(b.name, what and ('phase "%s": '):format(what) or "")
-  if not rawget(sys, "backdrop") then sys.unknown("boss.def", what, name, {}) end
-  return sys.backdrop(name, what, at_once)
+  if not rawget(sys, "backdrop") then sys.unknown("boss.def", what, name, {}, b.name) end
+  return sys.backdrop(name, what, at_once, b.name)
 end
 
 -- Starts what the phase runs; returns the scene of it, and the function that tells when its bars are down. The fight's

@@ -12,8 +12,8 @@ end
 -- True: there is one at least.
 local function check_counts(m, field)
   local there = false
-  for name, n in pairs(m[field] or {}) do
-    if type(name) ~= "string" or math.type(n) ~= "integer" then
+  for _, name in ipairs(sys.keys(m[field] or {})) do
+    if type(name) ~= "string" or math.type(m[field][name]) ~= "integer" then
       fail("%s: expected { NAME = n, .. }, whole numbers", field)
     end
     there = true

@@ -1,11 +1,12 @@
 -- mission/expect.lua - fails unless all that missions name is declared: pieces, ships, difficulties, counts.
 local sys = ...
 
-local function one_of(what, name, list)
+-- of: the mission that names it.
+local function one_of(of, what, name, list)
   for _, known in ipairs(list) do
     if known == name then return end
   end
-  sys.unknown("mission.def", what, name, list)
+  sys.unknown("mission.def", what, name, list, of)
 end
 
 -- What a goal may count, with any of these ships.
@@ -22,16 +23,16 @@ end
 
 return function(list, a)
   for _, m in ipairs(list) do
-    m.start = sys.read("boot/piece")("mission.def", m)
-    if m.ship then one_of("ship", m.ship, a.kinds) end
-    if m.difficulty then one_of("difficulty", m.difficulty, sys.difficulties()) end
+    m.start = sys.read("boot/piece")("mission.def", m, m.name)
+    if m.ship then one_of(m.name, "ship", m.ship, a.kinds) end
+    if m.difficulty then one_of(m.name, "difficulty", m.difficulty, sys.difficulties()) end
     local known = counts(m.ship and { m.ship } or a.kinds)
-    for name in pairs(type(m.goal) == "table" and m.goal or {}) do one_of("count", name, known) end
-    for name in pairs(m.registers or {}) do one_of("register", name, known) end
-    if m.by ~= "time" then one_of("count", m.by, known) end
+    for name in pairs(type(m.goal) == "table" and m.goal or {}) do one_of(m.name, "count", name, known) end
+    for name in pairs(m.registers or {}) do one_of(m.name, "register", name, known) end
+    if m.by ~= "time" then one_of(m.name, "count", m.by, known) end
     if m.needs then
-      if not rawget(sys, "unlock") then sys.unknown("mission.def", "unlock", m.needs, {}) end
-      sys.unlock.closed(m.needs)
+      if not rawget(sys, "unlock") then sys.unknown("mission.def", "unlock", m.needs, {}, m.name) end
+      sys.unlock.closed(m.needs, "mission.def", m.name)
     end
   end
 end

@@ -13,7 +13,8 @@ local function formula(a, field)
 end
 
 local function registers(a, field, kind, expected)
-  for name, v in pairs(a[field] or {}) do
+  for _, name in ipairs(sys.keys(a[field] or {})) do
+    local v = a[field][name]
     if type(name) ~= "string" or (math.type(v) or type(v)) ~= kind then
       fail("%s: expected %s, got %s", field, expected, type(name) == "string" and what(v) or what(name))
     end

@@ -21,7 +21,8 @@ function named.circle(i, n, gap)
 end
 
 local function listed(a)
-  for i, at in ipairs(a.formation) do
+  for i = 1, #a.formation do
+    local at = a.formation[i]
     if type(at) ~= "table" or type(at[1]) ~= "number" or type(at[2]) ~= "number" or #at ~= 2 then
       sys.fail("stage.wave", ("formation: entry %d: expected { x, y }"):format(i))
     end

@@ -1,17 +1,19 @@
 -- unlock/expect.lua - fails unless all that unlocks name is declared, and every unlock that something needs.
 local sys = ...
 
-local function one_of(api, what, name, list)
+-- of: the unlock that names it.
+local function one_of(of, what, name, list)
   for _, n in ipairs(list) do
     if n == name then return end
   end
-  sys.unknown(api, what, name, list)
+  sys.unknown("unlock.def", what, name, list, of)
 end
 
-local function spell_of(name)
+local function spell_of(unlock, name)
   local of, id = name:match("^(.-)/(.*)$")
   if not of then
-    sys.fail("unlock.def", ('spell: expected "boss/id", the name of a boss and of its phase, got "%s"'):format(name))
+    local text = 'spell: expected "boss/id", the name of a boss and of its phase, got "%s"'
+    sys.fail("unlock.def", text:format(name), unlock)
   end
   local bosses, ids = {}, nil
   boss.each(function(b)
@@ -20,8 +22,8 @@ local function spell_of(name)
     ids = {}
     for _, phase in ipairs(b.phases) do ids[#ids + 1] = phase.id end
   end)
-  if not ids then sys.unknown("unlock.def", "boss", of, bosses) end
-  one_of("unlock.def", "phase", id, ids)
+  if not ids then sys.unknown("unlock.def", "boss", of, bosses, unlock) end
+  one_of(unlock, "phase", id, ids)
 end
 
 return function(list, find, a)
@@ -29,21 +31,21 @@ return function(list, find, a)
   for _, m in ipairs(a.modes or {}) do modes[#modes + 1] = m.name end
   for _, u in ipairs(list) do
     local when = type(u.when) == "table" and u.when or {}
-    if type(when.clear) == "string" then stage.expect("unlock.def", when.clear) end
-    if when.mode then one_of("unlock.def", "mode", when.mode, modes) end
-    if when.difficulty then one_of("unlock.def", "difficulty", when.difficulty, sys.difficulties()) end
-    if when.ship then one_of("unlock.def", "player", when.ship, sys.kinds("player")) end
-    if when.spell then spell_of(when.spell) end
+    if type(when.clear) == "string" then stage.expect("unlock.def", when.clear, u.name) end
+    if when.mode then one_of(u.name, "mode", when.mode, modes) end
+    if when.difficulty then one_of(u.name, "difficulty", when.difficulty, sys.difficulties()) end
+    if when.ship then one_of(u.name, "player", when.ship, sys.kinds("player")) end
+    if when.spell then spell_of(u.name, when.spell) end
   end
-  for _, needs in pairs(rawget(sys, "stage_needs") or {}) do find("stage.def", needs) end
+  for name, needs in pairs(rawget(sys, "stage_needs") or {}) do find("stage.def", needs, name) end
   local open = false
   for _, kind in ipairs(a.players) do
     local forms = a.ships and a.ships[kind] and a.ships[kind].forms or { { kind = kind } }
     local needs, any = sys.ship(kind).needs, false
-    if needs then find("player.def", needs) end
+    if needs then find("player.def", needs, kind) end
     for _, f in ipairs(forms) do
       local of_form = sys.ship(f.kind).needs
-      if of_form then find("player.def", of_form) end
+      if of_form then find("player.def", of_form, f.kind) end
       any = any or not of_form
     end
     if not needs and not any then

@@ -493,7 +493,7 @@ static void test_errors(void **state)
     says("pattern.picture {" DOT "dots = 'x\\tx' }",
          "main.lua:2: pattern.picture: dots: expected rows of plain signs, got byte 9");
     says("pattern.line { kind = 'dot', speed = 1, n = 3, width = 9, aim = true }",
-         "main.lua:2: bullet.fire: place: expected x and y, or from (a thing), got neither");
+         "main.lua:2: pattern.line: place: expected x and y, or from (a thing), got neither");
 }
 
 int main(void)

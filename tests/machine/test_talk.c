@@ -601,7 +601,7 @@ static void test_errors(void **state)
     says("say('iri', 'A', { side = 'center' })", "main.lua:2: say: side: expected left or right, got \"center\"");
     says("choose({})", "main.lua:2: choose: list: expected at least one text");
     says("choose { 'A', title = 'T' }",
-         "main.lua:2: choose: list: expected texts, got \"title\": settings stand in a second table");
+         "main.lua:2: choose: list: expected texts, got \"title\": settings go in a second table");
     says("choose({ 'A', 2 })", "main.lua:2: choose: list: 2: expected a text, got a number");
     says("choose({ 'A' }, { chosen = 2 })", "main.lua:2: choose: chosen: expected a number from 1 to 1, got 2");
     says("talk.run(function() end, { hold = 'al' })",

@@ -4,6 +4,7 @@
  */
 #include "../../src/board/api/api_parts.h"
 #include "rig.h"
+#include "../../src/board/api/eval.h"
 
 static const char kinds[] =
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } }) shot.def('bolt', { sprite = 'dot', hit = { circle = 3 "
@@ -663,6 +664,510 @@ static void test_players(void **state)
     }
 }
 
+/* ---- whose mistake it is ---- */
+
+/* A board on which all of the library can be called, and a line for it. */
+struct blame {
+    struct rig rig;
+    char line[2048];
+    size_t n;
+    bool loading; /* the line runs while scripts load */
+    int lines;
+    uint32_t seed;
+};
+
+static const char scene[] =
+    "motion.def { name = 'way', { wait = 1 } } bg.def('sky', function() end) value.def('heat') "
+    "bomb.def('bang', { over = 9, run = function() end }) "
+    "talk.def('iri', { name = 'Iri', faces = { calm = 'dot' } }) score.rule { name = 'chain', points = 3 } "
+    "unlock.def('more', { when = { clear = true } }) game.def { registers = { heat = 3 } } "
+    "boss.def('king', { title = 'K', kind = 'foe', x = 9, y = 9, phases = { { id = 'a', hp = 1, time = 9, run = "
+    "function() end } } }) "
+    "stage.def('one', function() wait(forever) end) "
+    "mission.def('first', { title = 'F', stage = 'one', clear = true }) "
+    "string.sys.join(1, 'ship') "
+    "task.go(function() stage.play('one') string.dead = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 1 } "
+    "string.dead:remove() wait(1) string.item = item.drop { kind = 'gem', x = 9, y = 9 } "
+    "string.item = query.near { what = 'item', x = 9, y = 9, radius = 20 }[1] "
+    "string.foe = enemy.spawn { kind = 'foe', x = 50, y = 50 } end)\n";
+
+static void put(struct blame *t, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    t->n += (size_t)vsnprintf(t->line + t->n, sizeof t->line - t->n, format, args);
+    va_end(args);
+    assert_true(t->n < sizeof t->line);
+}
+
+/* What can be given for text and tables, by the entry and the parameter. */
+static const struct {
+    const char *entry, *param, *text;
+} fitting[] = {
+    { "boss.def", "kind", "'foe'" },
+    { "boss.def", "phases", "{ { id = 'b', hp = 1, time = 9, run = print } }" },
+    { "boss.fight", "name", "'king'" },
+    { "boss.history", "name", "'king'" },
+    { "boss.history", "id", "'a'" },
+    { "stage.mark", "name", "'here'" },
+    { "bg.show", "name", "'sky'" },
+    { "score.count", "name", "'chain'" },
+    { "score.tally", "list", "{ { label = 'A', value = 'score', points = 1 } }" },
+    { "unlock.def", "when", "{ clear = true }" },
+    { "unlock.has", "name", "'more'" },
+    { "mission.best", "name", "'first'" },
+    { "mission.def", "goal", "{ kills = 3 }" },
+    { "say", "who", "'iri'" },
+    { "choose", "list", "{ 'YES', 'NO' }" },
+    { "path.def", "list", "{ { x = 1, y = 1 }, { x = 9, y = 9, over = 3 } }" },
+    { "boot.run", "players", "{ 'ship' }" },
+    { "boot.run", "stages", "{ 'one' }" },
+    { "by_difficulty", "values", "{ 1 }" },
+    { "game.def", "registers", "{ power = 3 }" },
+    { "motion.def", "steps", "{ { wait = 1 } }" },
+    { "pattern.points", "list", "{ { 1, 2 } }" },
+    { "pattern.picture", "dots", "'# #'" },
+    { "stage.wave", "path", "string.route" },
+    { "board.difficulty", "name", "'normal'" },
+    { "board.live", "chip", "'bullets'" },
+    { "board.refused", "chip", "'bullets'" },
+    { "palette.load", "name", "'other'" },
+    { "rom.text", "path", "'words.txt'" },
+};
+
+static const char *fits(const struct api_entry *e, const struct api_param *p)
+{
+    static const char *const texts[] = {
+        [A_DIR] = "90",
+        [A_STR] = "'x'",
+        [A_BOOL] = "true",
+        [A_FUNC] = "function() end",
+        [A_TABLE] = "{}",
+        [A_ANY] = "1",
+        [A_SPAN] = "{ 1, 2 }",
+        [A_ROUTE] = "string.route",
+        [A_HIT] = "{ circle = 2 }",
+        [A_MOTION] = "'way'",
+        [A_BULLET_KIND] = "'dot'",
+        [A_SHOT_KIND] = "'bolt'",
+        [A_ENEMY_KIND] = "'foe'",
+        [A_PLAYER_KIND] = "'ship'",
+        [A_SPARK_KIND] = "'glow'",
+        [A_ITEM_KIND] = "'gem'",
+        [A_LASER_KIND] = "'ray'",
+        [A_OPTION_KIND] = "'bead'",
+        [A_SPRITE] = "'dot'",
+        [A_BLEND] = "'none'",
+        [A_FACE] = "'tiny'",
+        [A_MAP] = "'sea'",
+        [A_SOUND] = "'hit'",
+        [A_TUNE] = "'tide'",
+        [A_PAD] = "1",
+    };
+    static char text[64];
+    int words;
+
+    for (size_t i = 0; i < sizeof fitting / sizeof *fitting; i++)
+        if (!strcmp(fitting[i].entry, e->name) && !strcmp(fitting[i].param, p->name))
+            return fitting[i].text;
+    if (api_type_list(p->type, &words)) {
+        snprintf(text, sizeof text, "'%s'", api_type_list(p->type, &words)[0]);
+        return text;
+    }
+    if (p->type == A_THING) {
+        for (int k = 1; k < HANDLES; k++)
+            if ((unsigned)p->lo >> k & 1 && made[k])
+                return made[k];
+        return "string.foe";
+    }
+    if (texts[p->type])
+        return texts[p->type];
+    snprintf(text, sizeof text, "%.0f", p->lo > 1 ? p->lo : p->hi < 1 ? p->hi : 1);
+    return text;
+}
+
+/* Entries that are tables in another's, and a call that has one. */
+static const struct {
+    const char *entry, *call;
+} inner[] = {
+    { "boss.def phase", "boss.def('x', { title = 'x', kind = 'foe', x = 9, y = 9, phases = { %s } })" },
+    { "boss.def talk", "boss.def('x', { title = 'x', kind = 'foe', x = 9, y = 9, phases = { %s, { id = 'a', hp = 1, "
+                       "time = 9, run = print } } })" },
+    { "boss.def clear", "boss.def('x', { title = 'x', kind = 'foe', x = 9, y = 9, phases = { { id = 'a', hp = 1, time "
+                        "= 9, run = print, clear = %s } } })" },
+    { "boss.def cast", "boss.def('x', { title = 'x', cast = { %s, { name = 'b', title = 'B', kind = 'foe', x = 9, y = "
+                       "9 } }, phases = { { id = 'a', hp = 1, time = 9, run = print } } })" },
+    { "path.def point", "path.def { { x = 1, y = 1 }, %s }" },
+    { "score.tally line", "score.tally { %s }" },
+    { "unlock.def when", "unlock.def('y', { when = %s })" },
+    { "boot.run music", "boot.run { players = { 'ship' }, stages = { 'one' }, music = { %s } }" },
+};
+
+/* A call of e, whose parameters are followed by those of fire (or NULL), with all that it needs, and with `value` for
+ * parameter `wrong` (NULL: it is left out). */
+static void put_call(struct blame *t, const struct api_entry *e, const struct api_entry *fire, const char *word,
+                     bool each, int wrong, const char *value)
+{
+    const int n = api_param_count(e, fire);
+    const bool method = e->flags & API_METHOD;
+
+    t->n = 0;
+    for (int k = 1; method && k < HANDLES; k++)
+        if (!strncmp(e->name, api_things[k]->name, strcspn(e->name, ":")) &&
+            !api_things[k]->name[strcspn(e->name, ":")])
+            put(t, "local self = %s ", made[k] ? made[k] : "nil");
+    put(t, "%s%s(", method ? "self:" : "", method ? strchr(e->name, ':') + 1 : e->name);
+    for (int i = method; i < e->plain; i++)
+        put(t, "%s%s", i == method ? "" : ", ", i == wrong ? value ? value : "nil" : fits(e, &e->params[i]));
+    if (n > e->plain)
+        put(t, "%s{ ", e->plain > method ? ", " : "");
+    for (int i = e->plain; i < n; i++) {
+        const struct api_param *p = api_param_at(e, fire, i);
+        const bool often = !p->optional || !strcmp(p->name, "x") || !strcmp(p->name, "y");
+        if (i == wrong ? value != NULL : often)
+            put(t, "%s = %s, ", p->name, i == wrong ? value : fits(e, p));
+    }
+    if (word)
+        put(t, "fire = '%s', ", word);
+    if (each)
+        put(t, "each = function() end ");
+    put(t, n > e->plain ? "})" : ")");
+    for (size_t i = 0; i < sizeof inner / sizeof *inner; i++)
+        if (!strcmp(inner[i].entry, e->name)) {
+            char table[sizeof t->line];
+            snprintf(table, sizeof table, "%.*s", (int)(t->n - strlen(e->name) - 2), t->line + strlen(e->name) + 1);
+            t->n = 0;
+            put(t, inner[i].call, table);
+        }
+}
+
+static bool is_inner(const struct api_entry *e)
+{
+    for (size_t i = 0; i < sizeof inner / sizeof *inner; i++)
+        if (!strcmp(inner[i].entry, e->name))
+            return true;
+    return false;
+}
+
+/* Runs the line as it is, or in a task. Returns what it failed with, or NULL. */
+static const char *failure(struct blame *t, bool task)
+{
+    static char out[EVAL_TEXT], line[sizeof t->line + 40];
+    const uint16_t none[PADS] = { 0 };
+    struct board *b = t->rig.b;
+    const char *said = NULL;
+
+    t->lines++;
+    snprintf(line, sizeof line, task ? "task.go(function() %s end)" : "do %s end", t->line);
+    b->vm.loading = t->loading;
+    if (!board_eval(b, line, out, sizeof out))
+        said = out;
+    b->vm.loading = false;
+    for (int i = 0; task && !said && i < 3; i++)
+        if (board_tick(b, none)->fault) {
+            snprintf(out, sizeof out, "%s", board_last(b)->fault->message);
+            said = strncmp(out, "console:1: ", 11) ? out : out + 11;
+        }
+    rig_restore(&t->rig);
+    return said;
+}
+
+/* A message names the function that was called, and nothing of how it works inside. */
+static void judge(struct blame *t, const struct api_entry *e)
+{
+    const bool both = !t->loading && (rig_long() || e->flags & API_LUA);
+
+    for (int task = 0; task < 1 + both; task++) {
+        const char *said = failure(t, task);
+        if (!said || strstr(said, "only a task can") || !strcmp(said, "mine"))
+            continue;
+        if (strstr(said, "@std") || strstr(said, "attempt to") || strstr(said, "bad argument") ||
+            strncmp(said, e->name, strcspn(e->name, " ")) != 0)
+            fail_msg("%s: %s", t->line, said);
+    }
+}
+
+/* e with each argument left out, of a wrong type, and beyond its ends. */
+static void mistake_all(struct blame *t, const struct api_entry *e, const struct api_entry *fire, const char *word,
+                        bool each)
+{
+    static const char *const junk[] = { NULL,
+                                        "true",
+                                        "'zz'",
+                                        "{}",
+                                        "{ 1 }",
+                                        "{ { } }",
+                                        "{ 'a' }",
+                                        "{ a = 1 }",
+                                        "{ [2.5] = 1 }",
+                                        "{ nil, 3 }",
+                                        "print",
+                                        "function() return {} end",
+                                        "function() error('mine') end",
+                                        "0/0",
+                                        "1e300",
+                                        "-1e300",
+                                        "math.maxinteger",
+                                        "math.mininteger",
+                                        "0",
+                                        "-1",
+                                        "0.5",
+                                        "''",
+                                        "'a\\0b'",
+                                        "('x'):rep(300)",
+                                        "string.dead",
+                                        "string.foe",
+                                        "player.get(1)",
+                                        "player.get(2)" };
+    const int n = sizeof junk / sizeof *junk;
+
+    for (int wrong = e->flags & API_METHOD ? 1 : 0; wrong < api_param_count(e, fire); wrong++)
+        for (int k = 0; k < n; k++) {
+            const bool few = word && (strcmp(word, "bullet") != 0 || each);
+            if (!rig_long() && k > 0 && (wrong + k) % (few ? 12 : 3))
+                continue;
+            put_call(t, e, fire, word, each, wrong, junk[k]);
+            judge(t, e);
+        }
+}
+
+static void test_blame(void **state)
+{
+    static const char *const words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" };
+    struct blame t = { 0 };
+    struct manifest m = rig_manifest();
+    char script[8192];
+
+    (void)state;
+    m.items = m.lines = m.lasers = 8;
+    m.curve_points = 64;
+    m.options = 4;
+    m.bullet_values = 1;
+    m.frozen = m.meet = m.bg = m.bodies = m.pierce = m.sound = m.around = 1;
+    m.lua_kib = 512;
+    snprintf(script, sizeof script, "%s%s", kinds, scene);
+    rig_with_sys(&g, &m, script);
+    rig_maps(&g);
+    rig_sounds(&g);
+    rig_power(&t.rig, &g, NULL);
+    rig_run(&t.rig, 3);
+    rig_save(&t.rig);
+    for (int i = 0; i < api_count(); i++) {
+        const struct api_entry *e = api_entry(i);
+        t.loading = e->flags & API_LOAD || is_inner(e);
+        if ((e->flags & API_SYS && !is_inner(e)) || api_off(&m, e->name))
+            continue;
+        for (int f = 0; e->flags & API_FIRE && f < FIRES; f++)
+            for (int each = 0; each < 2; each++)
+                mistake_all(&t, e, api_fire[f], words[f], each);
+        if (!(e->flags & API_FIRE))
+            mistake_all(&t, e, NULL, NULL, false);
+    }
+    assert_true(t.lines > 5000);
+    rig_free(&t.rig);
+    rig_game_free(&g);
+}
+
+/* ---- which of many mistakes ---- */
+
+/* Twenty keys that nobody knows. Lua's own order of them differs between runs, and the first is hardly ever "za". */
+#define MANY                                                                                                           \
+    "zt = 1, zs = 1, zr = 1, zq = 1, zp = 1, zo = 1, zn = 1, zm = 1, zl = 1, zk = 1, za = 1, zb = 1, zc = 1, zd = 1, " \
+    "ze = 1, zf = 1, zg = 1, zh = 1, zi = 1, zj = 1"
+
+static void test_first_key(void **state)
+{
+    static const struct {
+        const char *text, *words;
+    } of[] = {
+        { "motion.def { { " MANY " } }", "motion.def: step 1: unknown argument \"za\"" },
+        { "motion.def { { " MANY ", [true] = 1, [print] = 1 } }",
+          "motion.def: step 1: expected named arguments ({ name = value }), got one at true" },
+        { "motion.def { { wait = 1 }, " MANY " }", "motion.def: unknown argument \"za\" (it takes name, fine)" },
+        { "motion.def { { emit = { " MANY " } } }", "motion.def: step 1: emit: unknown argument \"za\"" },
+        { "motion.def { { wait_for = { " MANY " } } }",
+          "motion.def: step 1: wait_for: unknown argument \"za\" (it takes x, y, near, tag, limit)" },
+        { "bullet.def('x', { sprite = 'dot', hit = { " MANY " } })", "got one with \"za\"" },
+        { "bullet.def('x', { sprite = 'dot', hit = { circle = 1, box = { 1, 1 }, capsule = { 1, 1 }, circles = {} } })",
+          "got one with \"circle\" and \"box\"" },
+        { "laser.def('x', { strip = 'dot', width = 1, hit = { " MANY " } })", "got one with \"za\"" },
+        { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { " MANY " } } })",
+          "player.def: registers.a: unknown argument \"za\"" },
+        { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { zc = {}, zd = true, za = -1, zb = -1, "
+          "ze = '', zf = '' } })",
+          "player.def: registers.za: expected a whole number" },
+        { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, options = { " MANY " } })",
+          "player.def: options: unknown argument \"za\"" },
+        { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, options = { kind = 'bead', levels = { { " MANY
+          " } } } })",
+          "player.def: options.levels[1]: unknown argument \"za\" (it takes at, n, wide, close)" },
+        { "enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { ze = 1, zd = 1, zc = 1, zb = 1, za = 1 } })",
+          "enemy.def: pictures.za: expected a sprite's name, got 1" },
+        { "enemy.def('x', { sprite = 'dot', hit = 'none', drops = { " MANY " } })",
+          "enemy.def: drops: expected at most 18 names, got 20" },
+        { "item.def('x', { sprite = 'dot', radius = 1, gives = { ze = '', zd = '', zc = '', zb = '', za = '' } })",
+          "item.def: gives.za: expected a whole number" },
+        { "boss.def('x', { title = 'x', cast = { { name = 'a', title = 'A', kind = 'foe', x = 1, y = 1 }, { name = "
+          "'b', "
+          "title = 'B', kind = 'foe', x = 1, y = 1 } }, phases = { { id = 'p', time = 9, run = print, hp = { " MANY
+          " } } } })",
+          "boss.def: phase \"p\": hp: nobody of the cast is \"za\"" },
+        { "bullet.def('x', { " MANY " })", "bullet.def: unknown argument \"za\"" },
+        { "score.rule { name = 'x', gain = { ze = '', zd = '', zc = '', zb = '', za = '' } }",
+          "score.rule: gain: expected { REGISTER = n, .. }, whole numbers, got \"\"" },
+        /* a name with \0 is no name, whatever stands before that */
+        { "bullet.def('x', { sprite = 'dot', hit = 'none', ['bank\\0'] = 3 })",
+          "bullet.def: unknown argument \"bank\"" },
+    };
+    char script[4096];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        snprintf(script, sizeof script, "%s%s", kinds, of[i].text);
+        const char *all = said(script, 1);
+        if (!strstr(all, of[i].words) || strncmp(all, "main.lua:2: ", 12) != 0)
+            fail_msg("%s: %s", of[i].text, all);
+    }
+}
+
+/* ---- what is meant ---- */
+
+static void test_meant(void **state)
+{
+    (void)state;
+    SAYS("bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1, angle = 3 }",
+         "main.lua:2: bullet.fire: unknown argument \"angle\" (did you mean \"dir\"?)");
+    SAYS("bullet.fire { kind = 'dot', x = 1, y = 1, velocity = 1 }",
+         "main.lua:2: bullet.fire: unknown argument \"velocity\" (did you mean \"speed\"?)");
+    SAYS("bullet.fire { kind = 'dot', x = 1, y = 1, color = 1 }",
+         "main.lua:2: bullet.fire: unknown argument \"color\" (did you mean \"bank\"?)");
+    SAYS("motion.def { { angle = 3 } }",
+         "main.lua:2: motion.def: step 1: unknown argument \"angle\" (did you mean \"dir\"?)");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } print(b.colour)",
+         "main.lua:2: a bullet has no property \"colour\" (did you mean \"bank\"?)");
+    /* the call's own arguments alone are counted */
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:move(9, 9, 30)",
+         "main.lua:2: enemy:move: expected a table of named arguments, enemy:move { ... }, got 3 arguments");
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:move({}, 9)",
+         "main.lua:2: enemy:move: expected at most 1 argument, got 2");
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:shift(1, 2, 3)",
+         "main.lua:2: enemy:shift: expected at most 2 arguments, got 3");
+    SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:remove(3)",
+         "main.lua:2: enemy:remove: expected no arguments, got 1");
+    SAYS("board.frame(3)", "main.lua:2: board.frame: expected no arguments, got 1");
+    /* a pattern's place is the pattern's */
+    SAYS("pattern.ring { n = 3, kind = 'dot', speed = 1, from = nil }",
+         "main.lua:2: pattern.ring: place: expected x and y, or from (a thing), got neither");
+    SAYS("pattern.scatter { n = 3, spread = 3, speed_to = 1, kind = 'dot', speed = 1, from = nil }",
+         "main.lua:2: pattern.scatter: place: expected x and y, or from (a thing), got neither");
+    SAYS("pattern.star { n = 10, points = 5, kind = 'dot', speed = 1, x = 1, from = p }",
+         "main.lua:2: pattern.star: place: expected either x and y, or from");
+    SAYS("pattern.whip { n = 3, speed_to = 2, bend = 9, kind = 'dot', x = 1, y = 1, each = print }",
+         "main.lua:2: pattern.whip: speed: expected a number of px/frame, got nil");
+    SAYS("pattern.stack { n = 3, speed_to = 2, kind = 'dot', x = 1, y = 1, each = print }",
+         "main.lua:2: pattern.stack: speed: expected a number of px/frame, got nil");
+    /* only what despawned has a hint */
+    SAYS("local t = {} print(t.x + 1)", "main.lua:2: attempt to perform arithmetic on a nil value (field 'x')");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b:remove() print(b.x)\n"
+         "local t = {} print(t.x + 1)",
+         "main.lua:3: attempt to perform arithmetic on a nil value (field 'x')");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b:remove() print(b.x + 1)",
+         "main.lua:2: attempt to perform arithmetic on a nil value (field 'x') (a thing that has despawned gives nil "
+         "for x; check its alive first)");
+    /* a global that is none */
+    SAYS("local counter = 1 print(conter)", "main.lua:2: undeclared global \"conter\" (did you mean \"counter\"?)");
+    SAYS("local counter = 1 conter = counter", "main.lua:2: undeclared global \"conter\" (did you mean \"counter\"?)");
+    SAYS("count = 0", "main.lua:2: undeclared global \"count\": there are no new globals (write \"local count\")");
+    SAYS("print(bulet)", "main.lua:2: undeclared global \"bulet\" (did you mean \"bullet\"?)");
+    /* player 1 where none is given */
+    assert_string_equal(
+        said("player.def('ship', { sprite = 'dot', hit = { circle = 2 } }) score.rule { name = 'chain', "
+             "points = 3 } string.sys.join(1, 'ship') task.go(function() score.count('chain', 2) "
+             "print(player.get(1).score) end)",
+             9),
+        "6\n");
+}
+
+/* A kind that is misspelt, where rows of the list of kinds have no name: a cloud's, a picture's. */
+static void test_nameless(void **state)
+{
+    (void)state;
+    assert_string_equal(said("bullet.def('orb', { sprite = 'dot', hit = { circle = 3 }, cloud = 'dot' }) "
+                             "bullet.def('rice', { sprite = 'dot', hit = { circle = 3 } }) "
+                             "task.go(function() bullet.fire { kind = 'ricee', x = 1, y = 1, speed = 1 } end)",
+                             9),
+                        "main.lua:1: bullet.fire: bullet kind \"ricee\" is not declared (did you mean \"rice\"?)");
+    assert_string_equal(said("enemy.def('fly', { sprite = 'dot', hit = 'none', pictures = { hurt = 'dot' } }) "
+                             "task.go(function() enemy.spawn { kind = 'flyy', x = 1, y = 1 } end)",
+                             9),
+                        "main.lua:1: enemy.spawn: enemy kind \"flyy\" is not declared (did you mean \"fly\"?)");
+}
+
+/* Every word that the help offers is one that the function takes, and so is every default. */
+static void test_words(void **state)
+{
+    (void)state;
+    assert_string_equal(said("spark.def('a', { sprite = 'dot', life = 9, layer = 'back' })", 1),
+                        "main.lua:1: spark.def: layer: expected middle or front, got \"back\"");
+    for (int i = 0; i < api_count(); i++)
+        for (int k = 0; k < api_entry(i)->count; k++) {
+            const struct api_param *p = &api_entry(i)->params[k];
+            struct api_value v = { 0 };
+            int n;
+            const char *const *words = api_type_list(p->type, &n);
+            if (!words || !p->def)
+                continue;
+            api_fill_default(p, &v);
+            if (v.i >= n || strcmp(words[v.i], p->def) != 0)
+                fail_msg("%s: %s: \"%s\" is %s", api_entry(i)->name, p->name, p->def, words[v.i]);
+        }
+}
+
+/* ---- mistakes that are found when the game starts ---- */
+
+static void test_late(void **state)
+{
+    static const struct {
+        const char *text, *words;
+    } of[] = {
+        { "score.rule { on = 'graze', points = 'powr' }", "score.rule: register \"powr\" is not declared (did" },
+        { "score.rule { on = 'graze', gain = { powr = 1 } }", "score.rule: register \"powr\" is not declared (did" },
+        { "score.tally { { label = 'A', value = 'powr', points = 3 } }",
+          "score.tally: register \"powr\" is not declared (did" },
+        { "stage.def('two', print, { needs = 'x' })", "stage.def: unlock \"x\" is not declared (there is none)" },
+        { "player.def('two', { sprite = 'dot', hit = { circle = 1 }, needs = 'x' })",
+          "player.def: unlock \"x\" is not declared (there is none)" },
+        { "unlock.def('u', { when = { clear = 'onee' } })", "unlock.def: stage \"onee\" is not declared (did" },
+        { "unlock.def('u', { when = { ship = 'shi' } })", "unlock.def: player \"shi\" is not declared (did" },
+        { "unlock.def('u', { when = { spell = 'king/a' } })", "unlock.def: boss \"king\" is not declared (there is" },
+        { "unlock.def('u', { when = { clear = true } }) stage.def('two', print, { needs = 'x' })",
+          "stage.def: unlock \"x\" is not declared (there is u)" },
+        { "mission.def('m', { title = 'M', stage = 'onee', clear = true })",
+          "mission.def: stage \"onee\" is not declared (did" },
+        { "mission.def('m', { title = 'M', stage = 'one', clear = true, needs = 'x' })",
+          "mission.def: unlock \"x\" is not declared (there is none)" },
+        { "mission.def('m', { title = 'M', stage = 'one', goal = { powr = 3 } })",
+          "mission.def: count \"powr\" is not declared (did" },
+        { "item.def('a', { sprite = 'dot', radius = 1, gives = { powr = 3 } })",
+          "item.def: item \"a\": no ship has a register \"powr\"" },
+    };
+    char script[4096];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        char want[200];
+        snprintf(script, sizeof script,
+                 "%s\n%s\nstage.def('one', print)\nboot.run { players = { 'ship' %s }, stages = { 'one' } }\n"
+                 "string.sys.join(1, 'ship')",
+                 kinds, of[i].text, strstr(of[i].text, "'two', {") ? ", 'two'" : "");
+        snprintf(want, sizeof want, "main.lua:3: %s", of[i].words);
+        const char *all = said(script, 1);
+        if (strncmp(all, want, strlen(want)) != 0)
+            fail_msg("%s: %s", of[i].text, all);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -682,6 +1187,12 @@ int main(void)
         cmocka_unit_test(test_pieces),
         cmocka_unit_test(test_manual),
         cmocka_unit_test(test_each),
+        cmocka_unit_test(test_first_key),
+        cmocka_unit_test(test_meant),
+        cmocka_unit_test(test_nameless),
+        cmocka_unit_test(test_words),
+        cmocka_unit_test(test_late),
+        cmocka_unit_test(test_blame),
     };
 
     return cmocka_run_group_tests_name("told", tests, NULL, NULL);
