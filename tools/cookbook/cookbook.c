@@ -4,9 +4,8 @@
  *
  *     PAGE HASH BULLETS LASERS WORK MOST LEAST
  *
- * the state's hash after FRAMES frames; bullets and lasers at most; and the work of Lua's calls of the engine in a
- * frame, mean, most and least, but for the first two frames, in which the book writes its words: a hundred a call, more
- * where it does much. (It depends a little on addresses, as the order does in which pairs() finds
+ * the state's hash after FRAMES frames; bullets and lasers at most; and the work of a frame (vm.h), mean, most and
+ * least, but for the first two frames, in which the book writes its words. (It depends a little on addresses, as the order does in which pairs() finds
  * what it sorts.) With -o, the field as it is in three frames, FRAME (300) and two more, STEP (40) frames from each
  * other, goes to DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says standard error.
  *

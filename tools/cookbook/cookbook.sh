@@ -49,7 +49,7 @@ run() {
 }
 
 table() {
-    echo "# page  pictures  hash after $frames frames  bullets, lasers at most  work of calls: mean, most, least"
+    echo "# page  pictures  hash after $frames frames  bullets, lasers at most  work: mean, most, least"
     run "$@"
 }
 
@@ -60,7 +60,7 @@ price() { # NAME
     awk -v page="$1" -v book="$(book_work)" '$1 == page {
         if ($4) s = s "at most " $4 " bullet" ($4 > 1 ? "s" : "") "; "
         if ($5) s = s "at most " $5 " laser" ($5 > 1 ? "s" : "") "; "
-        printf "%s%.1f calls a frame, at most %.0f\n", s, ($6 - book) / 100, ($7 - book) / 100 }' $table | comma
+        printf "%s%.0f units of work a frame, at most %.0f\n", s, $6 - book, $7 - book }' $table | comma
 }
 
 page() {
@@ -76,9 +76,9 @@ A file returns a task: \`f(e, p)\`, of an enemy \`e\`, with the player \`p\`. So
 \`run\`, and \`ship\` or others besides; what they fire and who flies stands in
 [kinds.lua](../roms/cookbook/kinds.lua). [The manual](manual.md) explains what they are written in.
 
-Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how often it
-calls the engine in a frame, on average and at most; one that does much counts as several. A call is about a
-microsecond, as one that fires a bullet is. What flies, hits and is drawn is not in that number:
+Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how much work it
+is in a frame, on average and at most. A unit is about one instruction of Lua, and a call of the engine is 100 or more;
+a frame may have 200,000,000. What flies, hits and is drawn comes on top:
 [chapter 20](manual.md#20-capacities-and-prices) has the prices. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do
