@@ -496,8 +496,8 @@ int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_RE
 int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 
 /* A wait of the running task is passed over, if the task is on its way to a practice mark (TASK_SKIPS); else nothing
- * happens. After MAX_SKIPS in one turn it is a fault, or, under PRACTICE_LIST, the task is stopped so that the others
- * go on. */
+ * happens. After MAX_SKIPS in one turn it is a fault. Under PRACTICE_LIST the task is stopped then, or after half of a
+ * tick's work, so that the others continue. */
 int api_pass_wait(lua_State *L, struct board *b);
 
 /* A palette was loaded; if it is another one, the tables of the plane's fog and of a fade's black follow. */

@@ -13,11 +13,11 @@ static const struct api_param frames[] = { { "n", A_COUNT, REQ, 0, 1e9, "frames"
 
 int api_pass_wait(lua_State *L, struct board *b)
 {
-    bool skips = tasks_skipping(&b->tasks);
+    const bool lists = board_lists(b), spent = lists && b->vm.work > b->vm.limit / 2;
 
-    if (!skips || ++b->tasks.skipped <= MAX_SKIPS)
+    if (!tasks_skipping(&b->tasks) || (++b->tasks.skipped <= MAX_SKIPS && !spent))
         return 0;
-    if (!board_lists(b) || !lua_isyieldable(L))
+    if (!lists || !lua_isyieldable(L))
         return api_error(L, "wait",
                          "more than %d waits on the way to a mark: does it wait for what is passed over there?",
                          MAX_SKIPS);
