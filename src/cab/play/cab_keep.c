@@ -542,7 +542,7 @@ void cab_retry_last(struct cab *cab)
 
     if (u->left_run && !u->runs && cab->session.now)
         cab_keep_left(cab);
-    if (!all || u->left_run)
+    if ((!all || u->left_run) && cab->result == RESULT_DONE)
         cab->result = RESULT_HOST;
     unsaved_free(&u->files);
     while (u->runs) {
