@@ -40,6 +40,7 @@ torture   tests/nightly.sh          torture screens
 ubsan     tests/nightly.sh          asan ubsan
 uninstall tests/cli/install.sh      makes uninstall
 valgrind  tests/nightly.sh          msan valgrind
+web       ports/web/test.sh         --web -o
 END
 }
 run_by() { # GOAL: that line is true

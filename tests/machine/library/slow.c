@@ -92,7 +92,7 @@ int main(int argc, char **argv)
         return 1;
     how.rom = read_file(argv[1], &how.rom_size);
     play(&how, &quiet);
-    printf("# %.60s\n", quiet.fault);
+    printf("# %.*s\n", (int)strcspn(quiet.fault, "\n"), quiet.fault);
     failed |= check("it ends as it must",
                     strncmp(quiet.fault, argv[2], strlen(argv[2])) == 0 && (argv[2][0] != 0 || quiet.fault[0] == 0));
     signal(SIGALRM, ring);
