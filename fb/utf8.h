@@ -18,9 +18,9 @@ enum {
  * and its value is the code. */
 bool utf8_read(const char **s, const char *end, uint32_t *code);
 
-/* May text of others contain it where it is shown? False for all that controls instead of being seen: control characters
- * (C0, DEL, C1), line and paragraph separators, what turns the direction of text, annotations and tags, halves of pairs
- * and what is no character. Every place where text is shown, from the terminal to a page, asks this function. */
+/* May other people's text show this character? False for what controls instead of being seen: control characters (C0,
+ * DEL, C1), line and paragraph separators, marks that turn the direction of text, annotations and tags, surrogates and
+ * codes that are no character. Every place where text is shown, from the terminal to a page, asks this function. */
 bool utf8_may_show(uint32_t code);
 
 /* Blanks in place what may not be shown, but tabs, and newlines where they are kept; a byte that is no part of UTF-8

@@ -175,7 +175,7 @@ bool plat_dropped(char *path, size_t size);
  * while it is plugged in. The default knows of none: each is there, unknown, without a name, and never goes. */
 bool plat_controller(int i, struct plat_controller *controller);
 
-/* Writes what is printed on a key, in UTF-8, by the layout that the host has now: "w" on the key of usage 29 of a French
+/* Writes what is printed on a key, in UTF-8, in the keyboard layout in use: "w" on the key of usage 29 of a French
  * keyboard. False, the default: not known, or a key that prints no character, and it is called as on a US keyboard. */
 bool plat_key_label(unsigned usage, char *text, size_t size);
 
