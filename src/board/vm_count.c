@@ -5,8 +5,8 @@
  * work, and the hook cannot see which ones have run, so it weighs what they had to work on: the registers and upvalues
  * of the function that runs. Comparing long texts, reading numbers out of them, walking a chain of __index or copying
  * many arguments takes long only where such things are at hand; there each instruction counts as several. Memory that
- * was allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no operation
- * takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
+ * was allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no
+ * operation takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
  *
  * A look charges STEP instructions, and the number of instructions before it is drawn from 1 to 2 * STEP: no loop can
  * keep its costly instructions between looks, and a thread whose turns are all shorter than a step is charged too. The

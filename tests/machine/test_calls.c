@@ -1,7 +1,7 @@
 /*
  * test_calls.c - the cabinet and the program by calls, for a host that has the loop: 40 opened and closed in the middle
- * leave nothing on the heap, two at once are as each alone, an endless loop is found, a crash is told of the cabinet that
- * it happened in.
+ * leave nothing on the heap, two at once are as each alone, an endless loop is found, a crash is told of the cabinet
+ * that it happened in.
  *
  * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
  */

@@ -132,8 +132,8 @@ static void of_author(void **state)
     end(&g, &r);
 }
 
-/* Every frame's hash is the one without, and so is its work, but for where Lua's stacks grow; also through a reset, which
- * gives the board another heap, and with turns inside of turns. */
+/* Every frame's hash is the one without, and so is its work, but for where Lua's stacks grow; also through a reset,
+ * which gives the board another heap, and with turns inside of turns. */
 static void changes_nothing(void **state)
 {
     static const char script[] =

@@ -5,9 +5,10 @@
  *     PAGE HASH BULLETS LASERS WORK MOST LEAST
  *
  * the state's hash after FRAMES frames; bullets and lasers at most; and the work of a frame (vm.h), mean, most and
- * least, but for the first two frames, in which the book writes its words. (It depends a little on addresses, as the order does in which pairs() finds
- * what it sorts.) With -o, the field as it is in three frames, FRAME (300) and two more, STEP (40) frames from each
- * other, goes to DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says standard error.
+ * least, but for the first two frames, in which the book writes its words. (It depends a little on addresses, as the
+ * order does in which pairs() finds what it sorts.) With -o, the field as it is in three frames, FRAME (300) and two
+ * more, STEP (40) frames from each other, goes to DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says
+ * standard error.
  *
  * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then, and when it was hit.
  * floor: tools

@@ -18,7 +18,8 @@ enum {
  * board.reset comes with the end of the next tick.
  *
  * out (size bytes, size >= 1) gets what it printed, then its values, lines ending in \n. False: it did not compile,
- * failed, or ran for too long; out is one sentence, and RAM can only be restored. On a board with a fault it always fails. */
+ * failed, or ran for too long; out is one sentence, and RAM can only be restored. On a board with a fault it always
+ * fails. */
 bool board_eval(struct board *b, const char *line, char *out, size_t size);
 
 /* The same; its values go into v (values.h), and out gets a sentence only where it fails. What it prints is dropped. */

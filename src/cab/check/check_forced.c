@@ -1,7 +1,7 @@
 /*
  * check_forced.c - runs that bring a game where nobody comes by flying well: each ship at each difficulty loses lives,
- * bombs and pauses; every section is played for a while at the easiest and the hardest; whole games are played from the title, by
- * one and by two, with continues, to a game over and to the end, in each language and with each switch.
+ * bombs and pauses; every section is played for a while at the easiest and the hardest; whole games are played from
+ * the title, by one and by two, with continues, to a game over and to the end, in each language and with each switch.
  *
  * Buttons are pressed as a function of the frame and of what the board tells, so a run is the same each time. What no
  * button brings about for sure, force_run does. Menus of the library's kind are gone through by pressing fire; a game

@@ -34,8 +34,8 @@ const char *files_absent(const char *name, const char *what, char *err, size_t e
 bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
                 size_t err_size);
 
-/* Removes UTF-8's byte order mark, which some editors write, from the front of a text with a 0 after it. Every reader of
- * text files that people may edit does so. */
+/* Removes UTF-8's byte order mark, which some editors write, from the front of a text with a 0 after it. Every reader
+ * of text files that people may edit does so. */
 void files_drop_mark(void *text, size_t *size);
 
 /* files_read of a text, without the mark. */

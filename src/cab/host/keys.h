@@ -108,8 +108,8 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
 void keys_hand(struct keys *k, int player, enum keys_hand hand);
 
 /* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is
- * printed on their controller ("cross") or on a key ("w", "enter"); or the first there is, a controller's spelled; or "none". For
- * an action of the cabinet, of what was used last by anybody. */
+ * printed on their controller ("cross") or on a key ("w", "enter"); or the first there is, a controller's spelled; or
+ * "none". For an action of the cabinet, of what was used last by anybody. */
 void keys_first(const struct keys *k, const char *action, char *out, size_t size);
 
 /* True when there is such an action. The functions above and below take one that is known. */

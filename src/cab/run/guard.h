@@ -31,8 +31,8 @@ bool guard_again(struct guard *g, const struct board_start *start, char *err, si
 /* board_tick, which the past remembers. */
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS]);
 
-/* Ticks once for a caller that has a snapshot and restores it: the past does not remember this tick, and nobody measures
- * its phases. False: the tick ended in a fault. */
+/* Ticks once for a caller that has a snapshot and restores it: the past does not remember this tick, and nobody
+ * measures its phases. False: the tick ended in a fault. */
 bool guard_ahead(struct guard *g, const uint16_t pads[PADS]);
 
 /* Forgets the past: call it after board_restore or anything else that changed the board between frames. */

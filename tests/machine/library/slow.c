@@ -1,6 +1,7 @@
 /*
- * slow.c - slow ROM FAULT: a game whose frames take long. Whatever the host does meanwhile, it has the same run and ends
- * in the fault that begins with FAULT, "" for none; its states and its demo are of that run, and load in another board.
+ * slow.c - slow ROM FAULT: a game whose frames take long. Whatever the host does meanwhile, it has the same run and
+ * ends in the fault that begins with FAULT, "" for none; its states and its demo are of that run, and load in another
+ * board.
  */
 #include <signal.h>
 #include <sys/time.h>
