@@ -2,8 +2,9 @@
 """ase_make.py DIR: games that have a sprite twice, once from an .ase and once from a PNG on which this program has put
 what it must become.
 
-The layers are merged here a second time, with the blend modes in fractions, as books have them, and Aseprite's rounding;
-each game's palette has just the colours that come of it. DIR/NAME has sprites `a` and `b`, which are to become the same lump.
+The layers are merged here a second time, with the blend modes in fractions, as books have them, and Aseprite's
+rounding; each game's palette has just the colours that come of it. DIR/NAME has sprites `a` and `b`, which are to
+become the same lump.
 """
 import os
 import random

@@ -26,7 +26,8 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     shift
     got=$("$curtain" check "$@" 2>&1)
     got="$got exit $?"
-    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?, [0-9]+ forced runs?; sampled [0-9]+ frames? for contrast'
+    local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?, [0-9]+ forced runs?'
+    played="$played; sampled [0-9]+ frames? for contrast"
     local lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
     check "$name ($got)" grep -Eq \
         "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
@@ -422,7 +423,8 @@ printf '\n\nprint(bullet.fier, x' >s/stages/two.lua
 printf '\33Lua' >s/stages/three.lua
 echo 'return {}' >'s/stages/my file.lua'
 echo 'return {}' >s/std/nothing.lua
-printf 'require "stages/one"\nrequire "stages/noen"\nrequire "stages/two.lua"\nrequire "stages.two"\nprint(hud.own)\n' >>s/main.lua
+printf '%s\n' 'require "stages/one"' 'require "stages/noen"' 'require "stages/two.lua"' 'require "stages.two"' \
+    'print(hud.own)' >>s/main.lua
 finds 'syntax errors in several files, and the others still read' s <<'END'
 main.lua:3: require: there is no stages/noen.lua in the game
 main.lua:4: require: there is no stages/two.lua.lua in the game; write require "stages/two"
@@ -611,8 +613,9 @@ same 'and nothing else' '1 problem' "$(tail -n +2 <<<"$got")"
 sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
 fine 'the same with more room' m
 sed -i 's/262 do/26200 do/;s/wait(2)//' m/main.lua
-finds 'out of Lua RAM is one finding' m <<'END'
-main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua), most of it taken in one frame: an endless loop? Is a wait missing?
+at_once='most of it taken in one frame: an endless loop? Is a wait missing?'
+finds 'out of Lua RAM is one finding' m <<END
+main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua), $at_once
 1 problem
 END
 
@@ -836,7 +839,8 @@ player() { # standard input: a script of a game with two ships and two difficult
     rm -rf forced
     cp -R "$repo/examples/first" forced
     sed -i 's/^return {/return { difficulties = { "easy", "hard" }, players = 2,/' forced/rom.lua
-    sed -i 's/^boot.run.*/require "more"\nplayer.def("other", { sprite = "ship", hit = { circle = 2 } })\n/' forced/main.lua
+    sed -i 's/^boot.run.*/require "more"\nplayer.def("other", { sprite = "ship", hit = { circle = 2 } })\n/' \
+        forced/main.lua
     echo 'boot.run { stages = { "one" }, players = { "ship", "other" }, continues = 2 }' >>forced/main.lua
     cat >forced/more.lua
 }
@@ -866,8 +870,9 @@ more.lua:2: a player has no property "second"
 END
 cp -R "$repo/examples/first" unstarted
 sed -i '/^boot.run/d' unstarted/main.lua
-finds 'a game that nobody can start' unstarted <<'END'
-main.lua: boot.run is not called, so nobody can play: it should end in boot.run { stages = { "one" }, players = { "ship" } }
+line='boot.run { stages = { "one" }, players = { "ship" } }'
+finds 'a game that nobody can start' unstarted <<END
+main.lua: boot.run is not called, so nobody can play: it should end in $line
 1 problem
 END
 echo 'print("dot", "dart", ("x"):rep(3))' | game idle

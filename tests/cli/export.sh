@@ -244,7 +244,8 @@ same 'it has the name of its game' 'Sun & <Sea> @ROM@ ' "$(called ./lanterns_lib
 same 'and one without a game its own' 'Curtain rom' "$(called "$core")"
 says 'a core is replaced' 0 '' "$tool" export lanterns --libretro
 touch mine.info
-bad 'beside files of somebody' 'mine.info: is already there: remove it, or name another file with -o' export lanterns --libretro -o mine.so
+bad 'beside files of somebody' 'mine.info: is already there: remove it, or name another file with -o' \
+    export lanterns --libretro -o mine.so
 bad 'what is none is not replaced' 'run.demo.so: is already there, and is no exported core: remove it first' \
     export lanterns --libretro -o "$(cp run.demo run.demo.so && echo run.demo.so)"
 bad 'a name that front ends pass over' '--libretro: expected -o with a name that ends in .so, got "lanterns.core"' \

@@ -59,7 +59,8 @@ ln -s . here
 ln -s r.x link
 bad 'two files by a folder that is a link' '--page: here/r.x is what --junit writes: name another file' \
     test g --junit r.x --page here/r.x
-bad 'two files by a link to none' '--page: link is what --junit writes: name another file' test g --junit r.x --page link
+bad 'two files by a link to none' '--page: link is what --junit writes: name another file' \
+    test g --junit r.x --page link
 check 'all of them are as they were' eval 'diff -r g kept && cmp g.rom kept.rom && cmp a.demo kept.demo'
 
 # ---- what nobody named is not written over, either ----
@@ -79,7 +80,8 @@ bad 'survive: its picture and its map in one file' '-o: ./map.png is what --map 
 cp -r g h
 mv h/art/bullets.png h/art/000001.png
 sed -i 's|art/bullets.png|art/000001.png|' h/rom.lua
-bad 'render: a frame in place of a picture of the game' '-o: h/art/000001.png is a file of the game: name another folder' \
+bad 'render: a frame in place of a picture of the game' \
+    '-o: h/art/000001.png is a file of the game: name another folder' \
     render h --frames 1 -o h/art
 check 'it is as it was' cmp bullets.kept h/art/000001.png
 rm -r h

@@ -284,7 +284,8 @@ text='local s = ("x"):rep(65535) local n = 0'
 beside=' (one beside a text of 65535 bytes counts as 16)'
 verdict '11 million turns of a loop beside a long text' "$text for i = 1, 11000000 do n = n + 1 end" \
     "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
-verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
+verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" \
+    "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
 verdict '5 million turns beside a long text' "$text for i = 1, 5000000 do n = n + 1 end" 'exit 0'
 verdict 'nearly as many turns of a loop as a frame may have' 'for i = 1, 190000000 do end' 'exit 0'
 verdict 'a few more' 'for i = 1, 201000000 do end' "main.lua:1: $LOOP$TASK"$'\nexit 2'

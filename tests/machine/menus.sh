@@ -83,7 +83,8 @@ for key in $F1 $F2; do
     shows at_once $key
     for from in $ESCAPE $F1 $F2 $F8; do
         shows menu $from $key
-        [ $from = $key ] || same "key $key opens its screen from that of key $from" "$(tail -1 at_once)" "$(tail -1 menu)"
+        [ $from = $key ] ||
+            same "key $key opens its screen from that of key $from" "$(tail -1 at_once)" "$(tail -1 menu)"
     done
     shows closed $ESCAPE $key $key
     shows menu $ESCAPE $ESCAPE
