@@ -84,18 +84,18 @@ help:
 	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
 	@echo "make torture  snapshot, spoil RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
-	@echo "make accuracy measure docs/accuracy.md anew             make sound  measure docs/sound.md anew"
-	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/determinism.md"
+	@echo "make accuracy measure docs/measured/accuracy.md anew             make sound  measure docs/measured/sound.md anew"
+	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/internals/determinism.md"
 	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
-	@echo "make pacing   measure docs/pacing.md anew"
-	@echo "make bulletml documents of other games on the board and in libbulletml: docs/bulletml.md"
-	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/survive.md, docs/game.md"
-	@echo "make patterns what Glass Tide fires, in words and pictures: docs/patterns.md"
+	@echo "make pacing   measure docs/measured/pacing.md anew"
+	@echo "make bulletml documents of other games on the board and in libbulletml: docs/measured/bulletml.md"
+	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/measured/survive.md, docs/measured/game.md"
+	@echo "make patterns what Glass Tide fires, in words and pictures: docs/measured/patterns.md"
 	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
-	@echo "make bench    measure docs/speed.md anew              make deps   make format   make clean"
+	@echo "make bench    measure docs/measured/speed.md anew              make deps   make format   make clean"
 	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
-	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/library.md"
+	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/internals/library.md"
 	@echo "make web GAME=DIR   the game as one HTML file, for browsers and phones: build/web/NAME.html"
 	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
 
@@ -235,7 +235,7 @@ $(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
 		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@
 
-# ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/porting.md ----
+# ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/internals/porting.md ----
 
 # As Debian compiles Lua, with tools/cross/wasi in place of setjmp. Its sources are fetched once.
 WEB_CC    ?= clang
@@ -451,7 +451,7 @@ cookbook: deps-play
 	@$(MAKE) --no-print-directory $(OUT)/cookbook
 	@OUT=$(OUT) tools/cookbook/cookbook.sh
 
-# The patterns of Glass Tide with their pictures, docs/patterns.md; of the demos that make demos records.
+# The patterns of Glass Tide with their pictures, docs/measured/patterns.md; of the demos that make demos records.
 patterns: deps-play
 	@$(MAKE) --no-print-directory build/curtain-null $(OUT)/lively
 	@OUT=$(OUT) python3 tools/patterns.py
@@ -460,7 +460,7 @@ patterns: deps-play
 docs: deps-docs
 	@tools/docs/docs.sh -o build/curtain.html
 
-# What can be survived, of Glass Tide and the cookbook, and how hard it is; docs/survive.md, docs/game.md.
+# What can be survived, of Glass Tide and the cookbook, and how hard it is; docs/measured/survive.md, docs/measured/game.md.
 survive: deps-play
 	@$(MAKE) --no-print-directory build/curtain-null
 	@tools/survive.sh
@@ -470,7 +470,7 @@ survive: deps-play
 REPORT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/report/*.c))
 $(OUT)/tools/report/report.o: ALL_C += '-DREPORT_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
 
-# ---- the lab: what each choice costs, measured; docs/accuracy.md ----
+# ---- the lab: what each choice costs, measured; docs/measured/accuracy.md ----
 
 LAB_SRC := $(wildcard tools/lab/*.c)
 LAB_OBJ := $(LAB_SRC:%.c=$(OUT)/%.o)
@@ -484,7 +484,7 @@ accuracy: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(OUT)/lab
 	@$(OUT)/lab
 
-# ---- the ear: how good sound is, measured; docs/sound.md ----
+# ---- the ear: how good sound is, measured; docs/measured/sound.md ----
 
 EAR_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/sound/*.c))
 
@@ -496,7 +496,7 @@ sound: deps-play
 	@$(MAKE) --no-print-directory -j2 $(OUT)/ear
 	@$(OUT)/ear
 
-# ---- pacing: frames, screens, and the way from a switch to the picture; docs/pacing.md. It has a port of its own ----
+# ---- pacing: frames, screens, and the way from a switch to the picture; docs/measured/pacing.md. It has a port of its own ----
 
 PACING_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/pacing/*.c))
 
@@ -508,7 +508,7 @@ pacing: deps-play
 	@$(MAKE) --no-print-directory -j2 $(OUT)/pacing
 	@$(OUT)/pacing
 
-# ---- the bench: what a frame costs; docs/speed.md. ARGS="crowd battle" prints these sections only ----
+# ---- the bench: what a frame costs; docs/measured/speed.md. ARGS="crowd battle" prints these sections only ----
 
 BENCH_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bench/*.c))
 
@@ -525,7 +525,7 @@ compare: deps-null
 	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" TABLE="$(TABLE)" \
 		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
 
-# ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/bulletml.md ----
+# ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/measured/bulletml.md ----
 
 CXX       ?= c++
 BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
@@ -573,7 +573,7 @@ prove: deps-test
 	@$(MAKE) --no-print-directory -j2 $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
 
-# ---- other machines; docs/determinism.md. ARGS="s390x armhf" tries these builds only ----
+# ---- other machines; docs/internals/determinism.md. ARGS="s390x armhf" tries these builds only ----
 
 cross: deps-play-cross
 	@tools/cross/run.sh $(ARGS)

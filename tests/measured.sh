@@ -1,14 +1,14 @@
-# measured.sh - tap.sh, and what the tests of pages with measured figures ask of each: docs/NAME.md, which shows the
-# plots in docs/NAME.
+# measured.sh - tap.sh, and what the tests of pages with measured figures ask of each: docs/measured/NAME.md, which
+# shows the plots in docs/measured/NAME.
 #
 #     measured=NAME
 #     . "$(dirname "$0")/../measured.sh"
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"
-page=docs/$measured.md
+page=docs/measured/$measured.md
 
 shown() { grep -o "]($measured/[a-z0-9_-]*\.svg)" "$1" | sed 's/.*\///; s/)//' | sort; }
 all_shown() { # PAGE HOW_MANY: those there are, and so many at least
-    diff <(shown "$1") <(basename -a "docs/$measured"/* | sort) && [ "$(shown "$1" | wc -l)" -ge "$2" ]
+    diff <(shown "$1") <(basename -a "docs/measured/$measured"/* | sort) && [ "$(shown "$1" | wc -l)" -ge "$2" ]
 }
 well_formed() { # HOW_MANY ELEMENT FILE...: each has so many of them at least
     python3 -c '
@@ -25,10 +25,10 @@ plots_hold() {
     check "every plot is shown, and every plot shown is there" all_shown "$page" "$1"
     grep -v "]($measured/$last)" "$page" >"$scratch/unshown.md"
     refuse "planted: a plot that is not shown" "> $last" all_shown "$scratch/unshown.md" "$1"
-    check "plots are well-formed and hold their lines" well_formed "$2" "$3" "docs/$measured"/*.svg
-    sed "s/<$3 .*//" "docs/$measured/$last" >"$scratch/$last"
+    check "plots are well-formed and hold their lines" well_formed "$2" "$3" "docs/measured/$measured"/*.svg
+    sed "s/<$3 .*//" "docs/measured/$measured/$last" >"$scratch/$last"
     refuse "planted: a plot without its lines" "$last: 0 of $3" well_formed "$2" "$3" "$scratch/$last"
-    sed '$d' "docs/$measured/$last" >"$scratch/$last"
+    sed '$d' "docs/measured/$measured/$last" >"$scratch/$last"
     refuse "planted: a plot that ends too early" "no element found" well_formed "$2" "$3" "$scratch/$last"
 }
 

@@ -128,7 +128,7 @@ block() { # FILE: runs it as its kind says
         "$bench/build/curtain" test "$game" >"$scratch/found" && return 1
         sed -n '2s/^ *//p' "$scratch/found" | diff - "${file%.*}.says"
         ;;
-    *.yaml) # for a CI service: its commands run curtain as the manual says
+    *.yaml) # for a CI service: its commands run curtain as the guide says
         python3 "$pages/ci_file.py" "$file"
         ;;
     *.file)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# apidoc.sh - writes docs/api.md from the API table that the board itself uses: every entry with its parameters.
+# apidoc.sh - writes docs/reference/api.md from the API table that the board itself uses: every entry with its
+# parameters.
 #
-#     tools/apidoc.sh [CURTAIN] > docs/api.md
+#     tools/apidoc.sh [CURTAIN] > docs/reference/api.md
 set -euo pipefail
 cd "$(dirname "$0")/.."
 curtain=${1:-build/curtain-null}

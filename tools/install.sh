@@ -23,11 +23,8 @@ list() {
     for size in 48 128 256; do
         echo "644 share/icons/$size.png share/icons/hicolor/${size}x$size/apps/curtain.png"
     done
-    for page in README.md CHANGELOG.md LICENSE docs/*.md docs/*.txt; do
-        echo "644 $page $doc/${page##*/}"
-    done
+    find README.md CHANGELOG.md CONTRIBUTING.md LICENSE docs -type f | sort | sed "s,.*,644 & $doc/&,"
     echo "644 build/curtain.html $doc/curtain.html"
-    find docs/accuracy docs/images docs/sound docs/speed -type f | sort | sed "s,^docs/\(.*\),644 & $doc/\1,"
     find examples roms -type f | sort | sed "s,.*,644 & $data/&,"
 }
 

@@ -234,8 +234,8 @@ curtain survive mygame \-\-stage one \-\-frames 300 \-o best.demo
 .RE
 .fi
 .SH SEE ALSO
-The manual, the Lua functions and the file formats are in
-.IR share/doc/curtain ;
+The guide, the Lua reference and the file formats are in
+.IR share/doc/curtain/docs ;
 .B curtain help lua
 lists the functions.
 END

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """music.py - checks the music of a game against what is declared beside it, and how loud all of it is.
 
-    tools/music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/music.md)
+    tools/music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/measured/music.md)
     tools/music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness, peaks, loops
     tools/music.py [--curtain PROGRAM] --sounds GAME [NAME...]  the sounds: length, peak, level
-    tools/music.py [--curtain PROGRAM] --page GAME              docs/music.md
+    tools/music.py [--curtain PROGRAM] --page GAME              docs/measured/music.md
 
 Prints a line of figures for each piece, and a sentence for each fault; exit code 1: there was one. Notes come from
 `curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
@@ -75,7 +75,7 @@ class Declared:
                 self.read(line[2:].split(), f"{path}:{n}")
         for what, got in (("key", self.key), ("tempo", self.tempo), ("form", self.form), ("tracks", self.roles)):
             if not got:
-                raise Bad(f'{path}: expected a line ";= {what}" (docs/music.md)')
+                raise Bad(f'{path}: expected a line ";= {what}" (docs/measured/music.md)')
         for name in self.form:
             if self.section(name) is None:
                 raise Bad(f'{path}: the form has {name}, and there is no line ";= {name}" of chords')
@@ -504,10 +504,10 @@ def check_sounds(curtain, game, names):
 
 PAGE = """# The music of Glass Tide
 
-Made by `tools/music.py --page roms/glasstide >docs/music.md`; [music.sh](../tests/cli/music.sh) checks it.
+Made by `tools/music.py --page roms/glasstide >docs/measured/music.md`; [music.sh](../../tests/cli/music.sh) checks it.
 
-{count} pieces and {sounds} sounds, all of them MML: [music](../{game}/music) and
-[sfx](../{game}/sfx). One motif goes through all pieces, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
+{count} pieces and {sounds} sounds, all of them MML: [music](../../{game}/music) and
+[sfx](../../{game}/sfx). One motif goes through all pieces, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
 falls back, and rises less.
 
 | piece | title | where | key | tempo | form, and bars | seconds |

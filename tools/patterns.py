@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/patterns.md: what Glass Tide fires, stage by stage, in words and pictures. The order is that of the whole
-games in tests/demos/glasstide; the words are a phase's `text`, or the comment above its function; the pictures, in
-docs/images/patterns, are the frames in which most is about, on normal and on abyss."""
+"""Writes docs/measured/patterns.md: what Glass Tide fires, stage by stage, in words and pictures. The order is that of
+the whole games in tests/demos/glasstide; the words are a phase's `text`, or the comment above its function; the
+pictures, in docs/images/patterns, are the frames in which most is about, on normal and on abyss."""
 import glob
 import os
 import re
@@ -188,7 +188,7 @@ def best_games():
 
 
 def pictures(stage, kind, name, shown):
-    return " ".join("![%s, %s](images/patterns/%s.png)" % ((name or stage).replace("/", ", "), d,
+    return " ".join("![%s, %s](../images/patterns/%s.png)" % ((name or stage).replace("/", ", "), d,
                                                          file_name(stage, kind, name, d)) for d in shown)
 
 
@@ -201,7 +201,7 @@ def page(files, games):
 
 Written by `make patterns`: the patterns of *Glass Tide*, stage by stage, as they come. Each has its words from the
 script, and two pictures, of a whole game on normal and of one on abyss, from the frame in which most was about
-(`tests/demos/glasstide`; a bot plays, and is not hit). How patterns are written is in the [cookbook](cookbook.md).
+(`tests/demos/glasstide`; a bot plays, and is not hit). How patterns are written is in the [cookbook](../cookbook.md).
 """
     for stage in stages:
         yield "\n## %s\n" % stage.title()
@@ -236,10 +236,11 @@ def main():
     for name in os.listdir(IMAGES): # what no line of the page shows
         if "images/patterns/%s)" % name not in text:
             os.remove(os.path.join(IMAGES, name))
-    with open("docs/patterns.md", "w", encoding="utf-8") as f:
+    with open("docs/measured/patterns.md", "w", encoding="utf-8") as f:
         f.write(re.sub(r"\n{3,}", "\n\n", text) + "\n")
     total = sum(os.path.getsize(os.path.join(IMAGES, name)) for name in os.listdir(IMAGES))
-    print("docs/patterns.md: %s, %d pictures, %d kB" % (text.splitlines()[-1], len(os.listdir(IMAGES)), total // 1000))
+    last = text.splitlines()[-1]
+    print("docs/measured/patterns.md: %s, %d pictures, %d kB" % (last, len(os.listdir(IMAGES)), total // 1000))
 
 
 if __name__ == "__main__":

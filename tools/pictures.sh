@@ -17,7 +17,7 @@ python3 tools/pictures.py 2 docs/images/backgrounds.png "$at"/scenes/*.png
 "$curtain" render examples/sandbox --stage lasers --invincible --frames 75,150,330 -o "$at/lasers"
 python3 tools/pictures.py 1 docs/images/lasers.png "$at"/lasers/*.png
 
-# What docs/start.md comes to: the game that `curtain new` writes, and its boss after the page's edits.
+# What docs/tutorial/1-first-game.md comes to: the game that `curtain new` writes, and its boss after the page's edits.
 "$curtain" render examples/shooter --frames 150 -o "$at/start"
 "$curtain" render examples/shooter --stage river --press fire --invincible --frames 1250 -o "$at/start"
 "$curtain" render examples/shooter --stage keeper/feast --press fire --invincible --frames 420 -o "$at/start2"

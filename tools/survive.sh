@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What can be survived, and how hard it is: `curtain survive` in every stage and every phase of Glass Tide at every
 # difficulty, and on every page of the cookbook; and bots that fly through all of Glass Tide, for its curves. Writes
-# docs/survive.md, docs/game.md, and the demo of each phase in tests/demos/phases. JOBS at a time (4);
+# docs/measured/survive.md, docs/measured/game.md, and the demo of each phase in tests/demos/phases. JOBS at a time (4);
 # ONLY='crab queen' looks at these alone and writes no page.
 #
 #     tools/survive.sh --pages FOLDER     the pages once more, of what an earlier run left there

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes docs/survive.md and docs/game.md with its curves, docs/images/game-*.svg, of what tools/survive.sh left in a
-folder: `survive_pages.py FOLDER`."""
+"""Writes docs/measured/survive.md and docs/measured/game.md with its curves, docs/images/game-*.svg, of what
+tools/survive.sh left in a folder: `survive_pages.py FOLDER`."""
 import glob
 import json
 import os
@@ -103,7 +103,7 @@ def survive_page(folder):
     yield """# What can be survived
 
 Written by `make survive`: what `curtain survive` finds in every stage and every phase of a boss of *Glass Tide*, at
-every difficulty, and on every page of the cookbook. [Chapter 29 of the manual](manual.md#29-can-it-be-survived) says
+every difficulty, and on every page of the cookbook. [The guide](../guide/28-survive.md) says
 what the columns mean, and what they cannot say. Each run that was found is a demo that `curtain verify` was given;
 those of phases are in `tests/demos/phases`. [game.md](game.md) has the curves.
 
@@ -252,7 +252,7 @@ def game_page(folder):
 Written by `make survive`, with [survive.md](survive.md): *Glass Tide* in the order in which a game meets it, a curve a
 difficulty. Dots on the whole lines are phases of bosses, those on the dotted ones the parts of stages between them.
 
-![Hits a minute, a curve for each difficulty, over the sections of the game](images/game-curve.svg)
+![Hits a minute, a curve for each difficulty, over the sections of the game](../images/game-curve.svg)
 
 **The measure is hits a minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`): eight
 stand somewhere, twelve wander about, twelve dodge with a reaction of a fifth of a second. What hits them costs nothing,
@@ -278,5 +278,5 @@ one before it ended. The caravan and the boss rush stand apart, and are to rise 
 
 
 if __name__ == "__main__":
-    write("docs/survive.md", survive_page(sys.argv[1]))
-    write("docs/game.md", game_page(sys.argv[1]))
+    write("docs/measured/survive.md", survive_page(sys.argv[1]))
+    write("docs/measured/game.md", game_page(sys.argv[1]))

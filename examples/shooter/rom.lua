@@ -1,4 +1,4 @@
--- rom.lua - what the game is made of: docs/manual.md, chapter 21.
+-- rom.lua - what the game is made of: docs/reference/rom.md.
 return {
   id = "shooter", title = "Lantern Night", author = "You", version = 1,
   board = { bullets = 2048, shots = 256, enemies = 64, sparks = 2048, sprites = 64, motions = 64, tasks = 256,
@@ -42,7 +42,7 @@ return {
     sky   = { tiles = "art/night.png", bank = 13, file = "maps/sky.csv" },
     river = { tiles = "art/night.png", bank = 13, file = "maps/river.csv" },
   },
-  sounds = { -- most of these names play by themselves: chapter 25
+  sounds = { -- most of these names play by themselves: docs/guide/25-sound.md
     shot    = { mml = "t300 @pulse E0,14,0,6 o6 V70 {c<a}32", priority = 0, limit = 1 },
     graze   = { mml = "t300 @fm E0,25,0,10 o7 V60 e32", priority = 1 },
     chip    = { mml = "t300 @fm E0,11,0,6 o6 V80 a64", priority = 0, limit = 1 },

@@ -398,7 +398,7 @@ return {
     the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V80 c64r64c64", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
-  music = { -- each file says its key, chords and form; docs/music.md
+  music = { -- each file says its key, chords and form; docs/measured/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
     opening = { file = "music/opening.mml", volume = 0.71 },
     -- stages

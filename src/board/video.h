@@ -22,7 +22,8 @@ struct draw_target {
     bool soft;              /* whoever is hurt blinks softly */
 };
 
-/* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured: docs/speed.md. */
+/* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured:
+ * docs/measured/speed.md. */
 enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 
 /* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */

@@ -121,7 +121,7 @@ static enum result run(struct program *p, int argc, char **argv)
     }
 }
 
-/* The exit codes that the manual promises. */
+/* The exit codes of docs/reference/command-line.md. */
 static int exit_code(enum result result)
 {
     static const int codes[] = {

@@ -1,4 +1,5 @@
-"""annotations.py - compares `curtain help lua --annotations` with docs/api.md, the other page made of the API table.
+"""annotations.py - compares `curtain help lua --annotations` with docs/reference/api.md, the other page made of the
+API table.
 
     annotations.py ANNOTATIONS API.md      fails and says what differs
     annotations.py --planted ANNOTATIONS API.md     plants twenty differences, one by one: each must be found

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # annotations.sh - `curtain help lua --annotations`: it is Lua, it keeps to LuaLS's grammar, and it says of every entry,
-# field, type, range and default what docs/api.md says, which is made of the same table (tests/house/docs.sh). And what
-# does not go with the option.
+# field, type, range and default what docs/reference/api.md says, which is made of the same table
+# (tests/house/docs.sh). And what does not go with the option.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 file=$scratch/curtain.lua
@@ -9,12 +9,12 @@ file=$scratch/curtain.lua
 write() { "$curtain" help lua --annotations >"$file" && [ "$(wc -l <"$file")" -gt 2000 ]; }
 check "the file is written" write
 check "it is Lua" "${LUAC:-luac5.4}" -p "$file"
-check "it says what the table says" python3 tests/cli/annotations.py "$file" docs/api.md
+check "it says what the table says" python3 tests/cli/annotations.py "$file" docs/reference/api.md
 check "planted differences are found, each by itself" \
-    python3 tests/cli/annotations.py --planted "$file" docs/api.md
+    python3 tests/cli/annotations.py --planted "$file" docs/reference/api.md
 sed 's/@return bullet/@return/' "$file" >"$scratch/bad.lua"
 refuse "planted, for this script: a type is missing" '"#" is no type' \
-    python3 tests/cli/annotations.py "$scratch/bad.lua" docs/api.md
+    python3 tests/cli/annotations.py "$scratch/bad.lua" docs/reference/api.md
 full() { "$curtain" help lua --annotations >/dev/full; }
 refuse "a disk that is full" "standard output cannot be written" full
 refuse "without lua" "--annotations: expected curtain help lua --annotations" "$curtain" help --annotations

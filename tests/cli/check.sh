@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check.sh - curtain check: every kind of finding, planted, with its file, line and words, and exit code 1; what is no
-# game's folder, exit code 2; and what is fine is let through: the games and examples here, and what the manual shows.
+# game's folder, exit code 2; and what is fine is let through: the games and examples here, and those of the guide.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
@@ -61,8 +61,11 @@ game everything <"$repo/tests/cli/everything.lua"
 sed -i 's/shots = 32/shots = 64/' everything/rom.lua # two ships fire
 fine 'a game that uses everything' everything
 mkdir -p pages
-python3 "$repo/tests/cli/snippets.py" "$repo/docs/manual.md" pages
-for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without the stages that have kinds of their own
+for page in "$repo"/docs/guide/*.md "$repo"/docs/reference/{rom,mml}.md; do
+    mkdir -p "pages/$(basename "$page" .md)"
+    python3 "$repo/tests/cli/snippets.py" "$page" "pages/$(basename "$page" .md)"
+done
+for file in pages/*/*.lua pages/*/*.task; do # as tests/pages.sh runs them, without the stages that declare kinds
     rm -rf page
     cp -r "$repo/examples/sandbox" page
     (cd page && rm glow.lua looks.lua moves.lua treasure.lua words.lua scenes.lua rays.lua heard.lua duel.lua)
@@ -77,7 +80,7 @@ for file in pages/*.lua pages/*.task; do # as tests/pages.sh runs them, without 
     *.task) { echo 'return function(e, p)' && cat "$file" && echo 'end'; } >page/try.lua ;;
     *) cp "$file" page/try.lua ;;
     esac
-    fine "docs/manual.md:$(basename "$file")" page
+    fine "$file" page
 done
 
 good 'locals, upvalues, methods, labels, attribs' <<'LUA'
@@ -741,9 +744,9 @@ demos/idle.demo: a demo of another game ("probe", this is "other")
 1 problem
 END
 
-# ---- the manual's example ----
+# ---- an example of the guide ----
 
-sample() { sed -n '/^A game with more to say about it:$/,/^|/s/^    //p' "$repo/docs/manual.md"; }
+sample() { sed -n '/^A game with more to say about it:$/,/^|/s/^    //p' "$repo/docs/guide/19-errors.md"; }
 cp -r "$repo/examples/first" mygame
 python3 - mygame <<'PY'
 import sys
@@ -776,7 +779,7 @@ png mygame/art/palette.png 16 16 ffffff
 png mygame/art/draft.png 8 8 ffffff
 png mygame/art/bullets.png 32 32 ffffff 20 3 ff00aa \
     $(for x in {0..15}; do echo "$((x % 8)) $((4 + x / 8)) ff00aa"; done)
-finds 'what the manual shows' mygame < <(sample)
+finds 'what the guide shows' mygame < <(sample)
 
 # ---- hit shapes larger than pictures ----
 

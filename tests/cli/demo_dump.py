@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Prints a demo of format 4 or 5 byte by byte with what each byte is, as docs/demos.md has it: `demo_dump.py DEMO`."""
+"""Prints a demo of format 4 or 5 byte by byte with what each byte is, as docs/reference/demo-format.md has it:
+`demo_dump.py DEMO`."""
 import struct
 import sys
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Reads a demo as docs/demos.md describes it, and nothing else of Curtain; prints all that is in it, a line each.
+"""Reads a demo as docs/reference/demo-format.md describes it, and nothing else of Curtain; prints all that is in it, a
+line each.
 
     demo_read.py DEMO            or, as a module: demo = read(bytes)
 

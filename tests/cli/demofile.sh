@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# demofile.sh - docs/demos.md is true: a reader made from it alone reads every demo, agrees with what Curtain computes,
-# and refuses what Curtain refuses; the demo taken apart on the page is the one in the repository.
+# demofile.sh - docs/reference/demo-format.md is true: a reader made from it alone reads every demo, agrees with what
+# Curtain computes, and refuses what Curtain refuses; the demo taken apart on the page is the one in the repository.
 #
 #     tests/cli/demofile.sh --page    puts the dump on the page anew
 . "$(dirname "$0")/../tap.sh"
@@ -19,13 +19,13 @@ print(block.sub(lambda m: m[1] + dump(m[2]) + m[3], text), end="")
 END
 }
 if [ "${1:-}" = --page ]; then
-    page docs/demos.md >"$scratch/page" && cp "$scratch/page" docs/demos.md
+    page docs/reference/demo-format.md >"$scratch/page" && cp "$scratch/page" docs/reference/demo-format.md
     exit
 fi
 current() { page "$1" | diff "$1" -; }
-check 'the demo taken apart on the page' current docs/demos.md
-check 'has been taken apart' grep -q '^0000  43 44 45 4d ' docs/demos.md
-sed 's/player 1: 11/player 1: 10/' docs/demos.md >"$scratch/demos.md"
+check 'the demo taken apart on the page' current docs/reference/demo-format.md
+check 'has been taken apart' grep -q '^0000  43 44 45 4d ' docs/reference/demo-format.md
+sed 's/player 1: 11/player 1: 10/' docs/reference/demo-format.md >"$scratch/demos.md"
 refuse 'planted: a byte that is not so' 'player 1: 11' current "$scratch/demos.md"
 
 # What the reader finds against what Curtain computes: rows and prints are the hashes of every frame, the pads are what

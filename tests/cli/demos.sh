@@ -74,7 +74,7 @@ holds() { # CORE DEMO ROM FRAMES HASH
     got=$(last_hash "$3" "$2" "$4")
     if [ "$got" != "$5" ]; then
         echo "core version $core: ${2##*/} ended in $got, the table says $5: the tick changed: raise CORE_VERSION" \
-            "and say in docs/determinism.md which tick differs"
+            "and say in docs/internals/determinism.md which tick differs"
         return 1
     fi
     line=$("$program" verify "$3" "$2") || { echo "$line" && return 1; }
@@ -123,7 +123,7 @@ versions() { # PAGE CORE
     local v
     for ((v = 1; v <= $2; v++)); do
         sed -n '/^## Core versions/,/^## [^C]/p' "$1" | grep -Eq "^\| $v \| .+ \|$" ||
-            { echo "docs/determinism.md has no line for core version $v" && return 1; }
+            { echo "docs/internals/determinism.md has no line for core version $v" && return 1; }
     done
 }
 format_of() { od -An -tu4 -j4 -N4 "$1" | tr -d ' '; }
@@ -151,7 +151,7 @@ done <tests/demos/table
 check 'the table has rows' [ $rows -gt 4 ]
 check 'every core version is frozen' frozen "$core" tests/demos/table
 for demo in $(demos); do check "$demo is listed" listed "$demo" tests/demos/table; done
-check 'every core version says what changed' versions docs/determinism.md "$core"
+check 'every core version says what changed' versions docs/internals/determinism.md "$core"
 read -r oldest newest \
     < <(sed -n 's/.*DEMO_FORMAT = \([0-9]*\).*/\1/p;s/.*DEMO_OLDEST = \([0-9]*\).*/\1/p' src/cab/demo/demo.h |
     sort -n | xargs)
@@ -189,7 +189,7 @@ grep -v frozen-2 tests/demos/table >"$scratch/table"
 refuse 'planted: a demo that is not listed' 'tests/demos/frozen-2.demo is not in tests/demos/table' listed \
     tests/demos/frozen-2.demo "$scratch/table"
 refuse 'planted: a core version without its line' "no line for core version $((core + 1))" versions \
-    docs/determinism.md $((core + 1))
+    docs/internals/determinism.md $((core + 1))
 refuse 'planted: a core version that is not frozen' "core version $((core + 1)) is not frozen" frozen $((core + 1)) \
     tests/demos/table
 refuse 'planted: a format without a demo' 'no demo of format 2' formats 2 3 tests/demos/frozen-3.demo

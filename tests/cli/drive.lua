@@ -1,4 +1,4 @@
--- drive.lua - the main.lua under which an example of the manual is run: it spawns the enemies the example declares,
+-- drive.lua - the main.lua under which an example of the guide is run: it spawns the enemies the example declares,
 -- fights its bosses, holds fire, spares the player, and hurts what can be hurt, so that every function of the example
 -- gets called.
 require "kinds"

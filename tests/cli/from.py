@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""from.py - looks up every name of Curtain in the tables of docs/from.md: from.py PAGE CURTAIN
+"""from.py - looks up every name of Curtain in the tables of docs/guide/34-coming-from.md: from.py PAGE CURTAIN
 
 A table whose second column is headed Curtain has Curtain's names in the code of that column. A name with a dot or a
 colon is an entry of the API, or a property or verb of the kind of thing that its letter stands for; a word by itself is

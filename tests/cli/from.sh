@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# from.sh - docs/from.md: its examples run, and every name of Curtain in its tables is one.
+# from.sh - docs/guide/34-coming-from.md: its examples run, and every name of Curtain in its tables is one.
 . "$(dirname "$0")/../pages.sh"
 
-blocks docs/from.md
+blocks docs/guide/34-coming-from.md
 there() { tests/cli/from.py "$1" "$OUT/curtain-null"; }
-check "every name in its tables is Curtain's" there docs/from.md
+check "every name in its tables is Curtain's" there docs/guide/34-coming-from.md
 planted() { # WORDS IN WHAT
-    sed "s|$2|$3|" docs/from.md >"$scratch/from.md"
-    ! cmp -s docs/from.md "$scratch/from.md" || { echo "nothing is planted"; return 0; }
+    sed "s|$2|$3|" docs/guide/34-coming-from.md >"$scratch/from.md"
+    ! cmp -s docs/guide/34-coming-from.md "$scratch/from.md" || { echo "nothing is planted"; return 0; }
     there "$scratch/from.md"
 }
 while read -r want was is; do

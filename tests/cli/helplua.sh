@@ -51,7 +51,8 @@ check "the names by task are all there" real $(tasks)
 # shellcheck disable=SC2046
 refuse "planted: one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
 whole() { # what follows is the list of all, from its first entry on
-    [ "$("$curtain" help lua | sed '1,/^  All there is:/d' | grep -c '^[^ ]')" = "$(grep -c '^### ' docs/api.md)" ]
+    [ "$("$curtain" help lua | sed '1,/^  All there is:/d' | grep -c '^[^ ]')" = \
+        "$(grep -c '^### ' docs/reference/api.md)" ]
 }
 check "behind them stands the list of all" whole
 finish

@@ -32,7 +32,7 @@ check 'of which the installed program makes a page' \
     "$installed" export roms/testcard --web -o "$scratch/page.html"
 check 'the program is there' "$installed" version
 check 'so is the one with a window' test -x "$scratch/root/usr/bin/curtain"
-check 'so are the documents' test -s "$scratch/root/usr/share/doc/curtain/manual.md"
+check 'so are the documents' test -s "$scratch/root/usr/share/doc/curtain/docs/guide/03-bullets.md"
 for dir in examples/first examples/sandbox examples/shooter roms/glasstide; do
     check "$dir is installed, whole" diff -r "$dir" "$share/$dir"
 done

@@ -11,7 +11,8 @@ declared() { sed '/^## Levels/,$d' "$1"; } # what follows is measured, and is an
 
 (cd "$repo" && music --page roms/glasstide) >page 2>faults
 same "pieces are what their files declare; levels are equal, unclipped, centred, without a click" "" "$(cat faults)"
-same "the page has what the files declare, and what is played" "$(declared page)" "$(declared "$repo/docs/music.md")"
+same "the page has what the files declare, and what is played" "$(declared page)" \
+    "$(declared "$repo/docs/measured/music.md")"
 same "seventeen pieces" 17 "$(grep -c '^| `' page)"
 check "forty-four sounds at least" [ "$(sed -n '/^## Sounds/,/^## What/p' page | grep -c '^| [a-z]')" -ge 44 ]
 

@@ -34,7 +34,7 @@ refuse "planted: a boss that nobody beats" "wings: it can be beaten" "$curtain" 
 check "without --from it is the shooter" "$curtain" new plain
 check "as with it" diff <(plain shooter) <(plain plain)
 check "the API is beside it, for editors" diff <("$curtain" help lua --annotations) plain/.curtain.lua
-check "and what they read first, as the manual's chapter 27 has it" python3 - "$repo/docs/manual.md" <<'PY'
+check "and what they read first, as the guide has it" python3 - "$repo/docs/guide/26-editors.md" <<'PY'
 import json, re, sys
 text = re.findall(r"```\n(\{.*?\})\n```", open(sys.argv[1], encoding="utf-8").read(), re.S)
 assert json.load(open("plain/.luarc.json")) in [json.loads(t) for t in text]

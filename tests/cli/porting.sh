@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# porting.sh - docs/porting.md: its commands run, the seam's functions are all named. (The template: ../template.sh.)
+# porting.sh - docs/internals/porting.md: its commands run, the seam's functions are all named. (The template:
+# ../template.sh.)
 . "$(dirname "$0")/../pages.sh"
 
-blocks docs/porting.md
+blocks docs/internals/porting.md
 
 seam() {
     grep -oE "^[a-z0-9_ ]+ plat_[a-z_]+\(" platform/platform.h | grep -v inline | grep -oE "plat_[a-z_]+" | sort -u
@@ -17,7 +18,7 @@ named() { # PAGE
 count() { [ "$(seam | wc -l)" = 31 ]; }
 check "the seam has 31 functions" count
 check "README names them all" named README.md
-check "the page on porting names them all" named docs/porting.md
+check "the page on porting names them all" named docs/internals/porting.md
 grep -v plat_icon README.md >"$scratch/bad.md"
 refuse "planted: a function left out" "plat_icon" named "$scratch/bad.md"
 finish

@@ -2,7 +2,7 @@
 """snippets.py - takes the code blocks out of a Markdown page, so that a test can run them.
 
     snippets.py PAGE OUT        writes OUT/LINE.KIND (and OUT/LINE.says) for every block; LINE is where it starts
-    snippets.py --cover PAGE    reads `curtain help lua` on stdin; fails when an entry stands in no Lua block
+    snippets.py --cover PAGE... reads `curtain help lua` on stdin; fails when an entry is in no Lua block of the pages
 
 KIND is what follows the three backquotes: lua (a script), lua task (the body of a task), lua main (main.lua), lua rom
 (rom.lua), lua = PATH (the text of a file of the repository), mml (a piece of music), sh (commands), none (plain text).
@@ -53,8 +53,9 @@ def write(page, out):
             f.write(text)
 
 
-def cover(page):
-    lua = "".join(text for _, kind, text in blocks(page) if kind.startswith("lua") and kind not in WRONG)
+def cover(pages):
+    lua = "".join(text for page in pages for _, kind, text in blocks(page)
+                  if kind.startswith("lua") and kind not in WRONG)
     missing = []
     for line in sys.stdin:
         name = re.match(r"[a-z_]+(?:([.:])([a-z_]+))?", line)
@@ -64,10 +65,10 @@ def cover(page):
         if not re.search(r"(?<![\w.])" + word + r"\b" if name.group(1) != ":" else word + r"\b", lua):
             missing.append(name.group(0))
     for name in missing:
-        print(f"{page}: no example uses {name}")
+        print(f"no example uses {name}")
     sys.exit(bool(missing))
 
 
 if sys.argv[1] == "--cover":
-    cover(sys.argv[2])
+    cover(sys.argv[2:])
 write(sys.argv[1], sys.argv[2])

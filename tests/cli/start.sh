@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# start.sh - docs/start.md, gone through as a reader does: its commands run in their order, its edits are made in the
-# game they made, the slip says what the page says, and at the end there is a GIF of the boss that was written.
+# start.sh - docs/tutorial/1-first-game.md, gone through as a reader does: its commands run in their order, its edits
+# are made in the game they made, the slip says what the page says, and at the end there is a GIF of the boss that was
+# written.
 #
 #     start.sh [--made DIR]      the game that comes of it goes to DIR, for tools/pictures.sh
 . "$(dirname "$0")/../tap.sh"
-page=$repo/docs/start.md
+page=$repo/docs/tutorial/1-first-game.md
 sandbox
 mkdir bin
 cat >bin/curtain <<END

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# accuracy.sh - docs/accuracy.md says what the lab measures: every figure and plot that does not depend on the machine
-# is computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
+# accuracy.sh - docs/measured/accuracy.md says what the lab measures: every figure and plot that does not depend on the
+# machine is computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
 measured=accuracy
 . "$(dirname "$0")/../measured.sh"
 lab=$OUT/lab
@@ -12,13 +12,13 @@ same_plot() { diff -q "$1" "$scratch/new/accuracy/$(basename "$1")"; }
 
 mkdir "$scratch/new"
 check "the figures bear out what the engine does" "$lab" --exact --out "$scratch/new"
-check "docs/accuracy.md has the figures the lab finds" same_page "$page"
+check "docs/measured/accuracy.md has the figures the lab finds" same_page "$page"
 
 # Without times the lab draws only what is exact; the rest of what the page shows has to be there.
 plots() {
     local f ok=0
     for f in "$scratch"/new/accuracy/*.svg; do
-        same_plot "docs/accuracy/$(basename "$f")" || ok=1
+        same_plot "docs/measured/accuracy/$(basename "$f")" || ok=1
     done
     return $ok
 }
@@ -33,7 +33,7 @@ planted "another default" "▶ Q11.20" '/^| Q11.20/s/Q11.20/▶ Q11.20/' same_pa
 sed -E 's/≈[0-9.,]+/≈1.23/' "$page" >"$scratch/planted.md"
 timed() { ! cmp -s "$page" "$scratch/planted.md" && same_page "$scratch/planted.md"; }
 check "other times are no difference" timed
-sed '0,/cx="\([0-9]*\)\.[0-9]"/s//cx="\1.77"/' docs/accuracy/drift.svg >"$scratch/drift.svg"
+sed '0,/cx="\([0-9]*\)\.[0-9]"/s//cx="\1.77"/' docs/measured/accuracy/drift.svg >"$scratch/drift.svg"
 refuse "planted: another plot" "differ" same_plot "$scratch/drift.svg"
 
 # An engine that is not what the tables justify: hits are not swept. It is built beside the one there is.

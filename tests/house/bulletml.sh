@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# bulletml.sh - docs/bulletml.md is a whole page of `make bulletml`: every document of the list is in its table, and
-# none is out. libbulletml is not needed for this; what single elements do is tested by tests/machine/test_answers.c.
+# bulletml.sh - docs/measured/bulletml.md is a whole page of `make bulletml`: every document of the list is in its
+# table, and none is out. libbulletml is not needed for this; what single elements do is tested by
+# tests/machine/test_answers.c.
 measured=bulletml
 . "$(dirname "$0")/../measured.sh"
 list=tools/bulletml/documents.list
@@ -28,7 +29,7 @@ whole() { # PAGE
     n=$(part Speed "$1" | grep -cE '^\| .* \| [0-9,]+ \|')
     [ "$n" = 24 ] || { echo "times are missing"; return 1; }
 }
-check "docs/bulletml.md has all documents, all within 1/16 px, and all times" whole "$page"
+check "docs/measured/bulletml.md has all documents, all within 1/16 px, and all times" whole "$page"
 planted "a document that is missing" "< noiz2sa/boss/beewinder" '/^| noiz2sa\/boss\/beewinder /d' whole
 planted "a document that is out" "a document is out" 's/^\(| noiz2sa\/boss\/bit .*|\)  |$/\1 **out**: too far |/' whole
 planted "fewer that are alike" "not all of 218" 's/218 of 218/217 of 218/' whole

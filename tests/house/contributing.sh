@@ -107,8 +107,8 @@ machine() {
 }
 check "its test of a board passes" machine
 shell() {
-    mkdir -p "$scratch/shell/tests/house" "$scratch/shell/docs"
-    cp tests/tap.sh "$scratch/shell/tests/" && cp docs/api.md "$scratch/shell/docs/" &&
+    mkdir -p "$scratch/shell/tests/house" "$scratch/shell/docs/reference"
+    cp tests/tap.sh "$scratch/shell/tests/" && cp docs/reference/api.md "$scratch/shell/docs/reference/" &&
         block sh 3 >"$scratch/shell/tests/house/first.sh" &&
         bash "$scratch/shell/tests/house/first.sh"
 }

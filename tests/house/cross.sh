@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# cross.sh - docs/determinism.md has a build for each machine, and the last hashes of all of them are what this build
-# computes; a build that diverges is found out; make cross does not begin without its compilers. The builds for other
-# machines themselves are too much for a test: make cross makes them.
+# cross.sh - docs/internals/determinism.md has a build for each machine, and the last hashes of all of them are what
+# this build computes; a build that diverges is found out; make cross does not begin without its compilers. The builds
+# for other machines themselves are too much for a test: make cross makes them.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 demos() { ls roms/*/demos/*.demo tests/demos/*.demo; }
@@ -44,7 +44,7 @@ same_hashes() { # PAGE: a column for each demo and no other, every row of it wha
         { frames[$(NF - 1)]; pictures[$NF]; rows++ }
         END { exit bad || rows < 6 || length(frames) != 1 || length(pictures) != 1 }'
 }
-check "the page's last hashes are this build's" same_hashes docs/determinism.md
+check "the page's last hashes are this build's" same_hashes docs/internals/determinism.md
 
 machines() { # PAGE
     local want bad=0
@@ -66,11 +66,11 @@ END
     grep -qE '^out: `keys\.demo: frames? [0-9].* differs?`' "$1" || { echo "no build that was found out"; bad=1; }
     return $bad
 }
-check "the page has all machines, two releases of Lua, two compilers" machines docs/determinism.md
+check "the page has all machines, two releases of Lua, two compilers" machines docs/internals/determinism.md
 
 planted() { # NAME WORDS CHECK SED
-    sed "$4" docs/determinism.md >"$scratch/planted.md"
-    if cmp -s docs/determinism.md "$scratch/planted.md"; then
+    sed "$4" docs/internals/determinism.md >"$scratch/planted.md"
+    if cmp -s docs/internals/determinism.md "$scratch/planted.md"; then
         not_ok "planted: $1" "nothing was planted"
         return
     fi

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# docs.sh - the manual's API section is what the program says, and the program's help covers what it offers. README has
-# the figures of docs/proof.txt, says what is not there yet, and offers no key for it.
+# docs.sh - docs/reference/api.md is what the program says, and the program's help covers what it offers. README has
+# the figures of docs/measured/proof.txt, says what is not there yet, and offers no key for it.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
 current() { tools/apidoc.sh "$curtain" | diff "$1" -; }
-check "docs/api.md is what tools/apidoc.sh writes" current docs/api.md
-sed 's/required/needed/' docs/api.md >"$scratch/api.md"
+check "docs/reference/api.md is what tools/apidoc.sh writes" current docs/reference/api.md
+sed 's/required/needed/' docs/reference/api.md >"$scratch/api.md"
 refuse "planted: an old page" "(required)" current "$scratch/api.md"
 
 # Every function the library hands to games has its help.
 entries() { "$curtain" help lua | grep -c '^[^ ]'; }
-headings() { [ "$(grep -c '^### ' docs/api.md)" = "$(entries)" ] && [ "$(entries)" -gt 90 ]; }
+headings() { [ "$(grep -c '^### ' docs/reference/api.md)" = "$(entries)" ] && [ "$(entries)" -gt 90 ]; }
 check "every entry has its place on the page" headings
 unknown() { "$curtain" help lua bullet.fyre; }
 refuse "help for what is not there is refused" "bullet.fyre" unknown
@@ -24,10 +24,10 @@ commands() {
 }
 check "every command has its help" commands
 
-# As docs/proof.txt says it: "prove: 24 functions, 124238115279 inputs, 0 misrounded", with commas.
+# As docs/measured/proof.txt says it: "prove: 24 functions, 124238115279 inputs, 0 misrounded", with commas.
 figures() { # README
     local said
-    said=$(sed -n 's/^prove: //p' docs/proof.txt | sed -E ':a; s/([0-9])([0-9]{3})($|[ ,])/\1,\2\3/; ta')
+    said=$(sed -n 's/^prove: //p' docs/measured/proof.txt | sed -E ':a; s/([0-9])([0-9]{3})($|[ ,])/\1,\2\3/; ta')
     tr '\n' ' ' <"$1" | grep -qF "$said" || { echo "$1 does not say: $said"; return 1; }
 }
 check "README has the proofs' figures" figures README.md
@@ -48,9 +48,9 @@ glossary() {
         [ -f "$file" ] || { echo "there is no $file"; return 1; }
     done
 }
-check "every word of the glossary lives in a file" glossary docs/design.md
-sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/design.md >"$scratch/design.md"
+check "every word of the glossary lives in a file" glossary docs/internals/design.md
+sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/internals/design.md >"$scratch/design.md"
 refuse "planted: a word without a file" "there is no fb/gone.h" glossary "$scratch/design.md"
-sed 's/^| demo |/| zebra |/' docs/design.md >"$scratch/design.md"
+sed 's/^| demo |/| zebra |/' docs/internals/design.md >"$scratch/design.md"
 refuse "planted: words out of order" "disorder" glossary "$scratch/design.md"
 finish

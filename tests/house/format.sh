@@ -11,7 +11,7 @@ refuse "planted: a badly formatted line" "clang-format-violations" formatted "$s
 
 clean() {
     local found
-    found=$(grep -nIE $'[ \t]+$|\r' "$@"; grep -nI $'\t' "$@" | grep -vE '^(Makefile|docs/porting.md):')
+    found=$(grep -nIE $'[ \t]+$|\r' "$@"; grep -nI $'\t' "$@" | grep -vE '^(Makefile|docs/internals/porting.md):')
     echo "$found"
     [ -z "$found" ]
 }

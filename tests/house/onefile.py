@@ -84,7 +84,8 @@ def main():
               if not re.match("https?:", link) and (link[:1] != "#" or link[1:] not in known)]
     wrong += [f"the style fetches {url}" for url in re.findall(r"url\((?!data:)[^)]*\)|@import[^;]*", text)]
     pictures = 0
-    for path in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] + sorted(glob.glob("docs/*.md", root_dir=root)):
+    pages = sorted(glob.glob("docs/**/*.md", recursive=True, root_dir=root))
+    for path in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] + pages:
         page = reader.pages.get(path)
         if not page:
             wrong.append(f"{path} is not in it")

@@ -10,33 +10,38 @@ check "it is made" "$pages" -o "$made"
 check "all pages, headings, pictures and links are there" "$look" "$made"
 "$pages" -o "$scratch/again.html" >/dev/null
 check "the same pages give the same bytes" cmp "$made" "$scratch/again.html"
-check "each page says its file" grep -q 'data-file="docs/porting.md"' "$made"
+check "each page says its file" grep -q 'data-file="docs/internals/porting.md"' "$made"
 coloured() { grep -qF "<span class=\"kd\">local</span>" "$made" || grep -qF '<span class="k">local</span>' "$made"; }
 check "code is coloured" coloured
 named() {
-    grep -qE 'href="#api/patternring"><span' "$made" && ! grep -qE 'href="#api/wait">[^(]*</a> *(<[^>]*>)*=' "$made"
+    grep -qE 'href="#reference-api/patternring"><span' "$made" &&
+        ! grep -qE 'href="#reference-api/wait">[^(]*</a> *(<[^>]*>)*=' "$made"
 }
 check "names in code lead to their entries, keys of tables do not" named
 
 # Pages that say what is not so.
 site() { # a small site in $scratch/site, with more on its page
     rm -rf "$scratch/site"
-    mkdir -p "$scratch/site/docs/images"
-    printf '# Curtain\n\n[there](docs/one.md#a-part)\n' >"$scratch/site/README.md"
+    mkdir -p "$scratch/site/docs/images" "$scratch/site/docs/guide"
+    printf '# Curtain\n\n[there](docs/guide/one.md#a-part)\n' >"$scratch/site/README.md"
     printf '# Changes\n\n## 1.2.3 (today)\n' >"$scratch/site/CHANGELOG.md"
     cp docs/images/testcard.png "$scratch/site/docs/images/"
-    printf '# One\n\n## A part\n\n![a](images/testcard.png)\n\n%s\n' "$1" >"$scratch/site/docs/one.md"
-    "$pages" --root "$scratch/site" -o "$scratch/site.html"
+    printf '# One\n\n## A part\n\n![a](../images/testcard.png)\n\n%s\n' "$1" >"$scratch/site/docs/guide/one.md"
+    remake
 }
-check "a page that no list names is there" site 'Words.'
-refuse "planted: a link to no section" 'docs/one.md:7: a link to "#b-part": docs/one.md has no section "b-part"' \
+remake() { "$pages" --root "$scratch/site" -o "$scratch/site.html"; }
+check "a small site is made" site 'Words.'
+lost() { site 'Words.' >"$scratch/said" && echo '# Two' >"$scratch/site/docs/two.md" && remake; }
+refuse "planted: a page in no group" "docs/two.md: no group" lost
+refuse "planted: a link to no section" \
+    'docs/guide/one.md:7: a link to "#b-part": docs/guide/one.md has no section "b-part"' \
     site '[b](#b-part)'
-refuse "planted: a link to no page" 'docs/one.md:8: a link to "two.md": there is no docs/two.md' \
+refuse "planted: a link to no page" 'docs/guide/one.md:8: a link to "two.md": there is no docs/guide/two.md' \
     site 'Words,
 and [b](two.md).'
-refuse "planted: a picture that is not there" 'docs/one.md:7: there is no picture docs/images/b.png' \
-    site '![b](images/b.png)'
-refuse "planted: HTML with another" 'there is no picture docs/c.png' site '<img src="c.png" alt="c">'
+refuse "planted: a picture that is not there" 'docs/guide/one.md:7: there is no picture docs/images/b.png' \
+    site '![b](../images/b.png)'
+refuse "planted: HTML with another" 'there is no picture docs/guide/c.png' site '<img src="c.png" alt="c">'
 
 # Files that are not what the pages say.
 spoilt() { # SED-EXPRESSION
@@ -44,10 +49,10 @@ spoilt() { # SED-EXPRESSION
     ! cmp -s "$made" "$scratch/spoilt.html" || { echo "nothing is spoilt"; return 0; }
     "$look" "$scratch/spoilt.html"
 }
-refuse "planted: a heading without its id" 'a link to "#manual/9-bosses", which is not there' \
-    spoilt 's,<h2 id="manual/9-bosses">,<h2>,'
-refuse "planted: two of one id" 'the id "manual/9-bosses" is there twice' \
-    spoilt 's,<h2 id="manual/8-stages">,<h2 id="manual/9-bosses">,'
+refuse "planted: a heading without its id" 'a link to "#guide-09-bosses/bosses", which is not there' \
+    spoilt 's,<h1 id="guide-09-bosses/bosses">,<h1>,'
+refuse "planted: two of one id" 'the id "guide-09-bosses/bosses" is there twice' \
+    spoilt 's,<h1 id="guide-08-stages/stages">,<h1 id="guide-09-bosses/bosses">,'
 refuse "planted: a picture from elsewhere" '<img> fetches https://example.org/a.png' \
     spoilt 's,loading="lazy" src="data:image/svg[^"]*",src="https://example.org/a.png",'
 refuse "planted: half a picture" 'a picture is not whole' \
@@ -55,8 +60,10 @@ refuse "planted: half a picture" 'a picture is not whole' \
 refuse "planted: a script from elsewhere" '<script> fetches' \
     spoilt 's,^<script>$,<script src="https://example.org/a.js">,'
 refuse "planted: an open tag" 'is not closed' spoilt 's,</main>,,'
-refuse "planted: a page is missing" 'docs/speed.md is not in it' spoilt 's,data-file="docs/speed.md",data-file="x",'
-refuse "planted: a heading is missing" 'docs/manual.md: ' spoilt 's,<h2 id="manual/9-bosses">,<p id="manual/9-bosses">,'
+refuse "planted: a page is missing" 'docs/measured/speed.md is not in it' \
+    spoilt 's,data-file="docs/measured/speed.md",data-file="x",'
+refuse "planted: a heading is missing" 'docs/guide/09-bosses.md: ' \
+    spoilt 's,<h1 id="guide-09-bosses/bosses">,<p id="guide-09-bosses/bosses">,'
 
 if [ -n "${CURTAIN_LONG:-}" ]; then
     browse() { tests/house/onefile_browser.py "$1" "$scratch/pictures"; }

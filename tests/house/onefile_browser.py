@@ -69,17 +69,18 @@ def links(b):
 
 
 def search(b, url, folder):
-    for words, want in [("bullet.fire", "#api/bulletfire"), ("motion programs", "#manual/4-motion-programs"),
+    for words, want in [("bullet.fire", "#reference-api/bulletfire"),
+                        ("motion programs", "#guide-04-motion/motion-programs"),
                         ("homing shots", "#cookbook/homing-shots"), ("GRAZE line", None),
-                        ("sizes", "#manual/sizes")]:
+                        ("sizes", "#guide-03-bullets/sizes")]:
         b.go(url + "#readme")
         b.js("document.getElementById('words').value = ''; document.activeElement.blur()")
         got = first(b, words)
         same(f'"{words}" is found', want or got or "something", got)
     b.picture(os.path.join(folder, "search.png"))
     b.type("enter")
-    same("Enter goes there", "manual", b.settled(NOW + "return a.id === 'manual' && a.id"))
-    same("the contents show where", "3. Bullets", b.settled(
+    same("Enter goes there", "guide-03-bullets", b.settled(NOW + "return a.id === 'guide-03-bullets' && a.id"))
+    same("the contents show where", "Bullets", b.settled(
         "const n = document.querySelector('#contents a.now'); return n && n.textContent === 'Sizes' &&"
         "n.closest('ul').parentElement.querySelector('a').textContent"))
     same("what was looked for is marked", True, b.js("return CSS.highlights.get('found').size > 0"))
@@ -101,7 +102,7 @@ def search(b, url, folder):
 def looks(b, url, folder):
     shade = "return getComputedStyle(document.body).backgroundColor"
     b.theme("dark")
-    b.go(url + "#manual/5-patterns")
+    b.go(url + "#guide-05-patterns")
     dark = b.js(shade)
     b.picture(os.path.join(folder, "dark.png"))
     b.theme("light")

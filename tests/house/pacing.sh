@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# pacing.sh - docs/pacing.md is a whole page of `make pacing`. What is simulated is computed again and compared; of what
-# it costs the tables are there, for each machine has its own times.
+# pacing.sh - docs/measured/pacing.md is a whole page of `make pacing`. What is simulated is computed again and
+# compared; of what it costs the tables are there, for each machine has its own times.
 . "$(dirname "$0")/../tap.sh"
 pacing=$OUT/pacing
 
@@ -8,10 +8,10 @@ mkdir "$scratch/new"
 check "screens and switches are simulated" "$pacing" --exact --out "$scratch/new" screens latency
 simulated() { sed '/^## What it costs/,$d' "$1"; }
 same_figures() { diff -B <(simulated "$1") <(simulated "$scratch/new/pacing.md"); }
-check "docs/pacing.md has these figures" same_figures docs/pacing.md
-sed '0,/| 59.94 Hz | yes | 36,000 |/s//| 59.94 Hz | yes | 35,964 |/' docs/pacing.md >"$scratch/a.md"
+check "docs/measured/pacing.md has these figures" same_figures docs/measured/pacing.md
+sed '0,/| 59.94 Hz | yes | 36,000 |/s//| 59.94 Hz | yes | 35,964 |/' docs/measured/pacing.md >"$scratch/a.md"
 refuse "planted: another number of ticks" "35,964" same_figures "$scratch/a.md"
-sed '0,/ ms | [0-9.]* |$/s// ms | 0.10 |/' docs/pacing.md >"$scratch/a.md"
+sed '0,/ ms | [0-9.]* |$/s// ms | 0.10 |/' docs/measured/pacing.md >"$scratch/a.md"
 refuse "planted: another latency" "0.10" same_figures "$scratch/a.md"
 
 # On a screen that is waited for there are 60 ticks a second, to a frame or two of ten minutes, and next to no refresh
@@ -25,8 +25,8 @@ even() {
         }
         END { exit bad || rows != 6 }' "$1"
 }
-check "60 ticks a second on six screens, without a refresh too many or too few" even docs/pacing.md
-sed 's/| 75 Hz | yes | 36,00. |/| 75 Hz | yes | 45,000 |/' docs/pacing.md >"$scratch/a.md"
+check "60 ticks a second on six screens, without a refresh too many or too few" even docs/measured/pacing.md
+sed 's/| 75 Hz | yes | 36,00. |/| 75 Hz | yes | 45,000 |/' docs/measured/pacing.md >"$scratch/a.md"
 refuse "planted: a screen that makes the game faster" "uneven" even "$scratch/a.md"
 
 whole() {
@@ -35,8 +35,8 @@ whole() {
     [ "$n" = 9 ] || { echo "$n windows"; return 1; }
     grep -q '^| roms/glasstide | ' "$1" && grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`' "$1"
 }
-check "what it costs has nine windows and a game" whole docs/pacing.md
-sed '/^| 384 x 448 | 1280/d' docs/pacing.md >"$scratch/a.md"
+check "what it costs has nine windows and a game" whole docs/measured/pacing.md
+sed '/^| 384 x 448 | 1280/d' docs/measured/pacing.md >"$scratch/a.md"
 refuse "planted: a window that is missing" "8 windows" whole "$scratch/a.md"
 
 # Where every refresh has a tick, the screen says how fast the game is.

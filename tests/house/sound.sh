@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# sound.sh - docs/sound.md says what the ear measures: every figure and plot is computed again.
+# sound.sh - docs/measured/sound.md says what the ear measures: every figure and plot is computed again.
 measured=sound
 . "$(dirname "$0")/../measured.sh"
 ear=$OUT/ear
@@ -9,13 +9,13 @@ same_plots() { diff -r "$1" "$scratch/new/sound"; }
 
 mkdir "$scratch/new"
 check "no figure is below its mark" "$ear" --out "$scratch/new"
-check "docs/sound.md has the figures the ear finds" same_page "$page"
-check "docs/sound has the plots the ear draws" same_plots docs/sound
+check "docs/measured/sound.md has the figures the ear finds" same_page "$page"
+check "docs/measured/sound has the plots the ear draws" same_plots docs/measured/sound
 plots_hold 3 1 polyline
 
 planted "another alias" "-99.9 dB" '/^| alias of a saw/s/-[0-9.]* dB/-99.9 dB/' same_page
 planted "another click" "167" '/taken by another note/s/168/167/' same_page
-cp -r docs/sound "$scratch/plots"
+cp -r docs/measured/sound "$scratch/plots"
 sed -i '0,/ [0-9]*\.[0-9],/s// 1.1,/' "$scratch/plots/limiter.svg"
 refuse "planted: another plot" "limiter" same_plots "$scratch/plots"
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# speed.sh - docs/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No figure is
-# looked at, for each machine has its own. What the bench checks beside its times holds, and it finds an engine that is
-# wrong.
+# speed.sh - docs/measured/speed.md is a whole page of `make bench`: its sections, tables and plots are there. No
+# figure is looked at, for each machine has its own. What the bench checks beside its times holds, and it finds an
+# engine that is wrong.
 measured=speed
 . "$(dirname "$0")/../measured.sh"
 bench=$OUT/bench
@@ -35,7 +35,7 @@ whole() { # PAGE
         [ "$(grep -c "^| $n |" "$1")" -ge 6 ] || { echo "the crowd of $n is not in every table"; return 1; }
     done
 }
-check "docs/speed.md has all sections, targets and crowds" whole "$page"
+check "docs/measured/speed.md has all sections, targets and crowds" whole "$page"
 planted "a section that is missing" "< Pictures" '/^## Pictures/d' whole
 planted "a target that is missing" "26 targets" '/| met |$/{x;s/^/x/;/^x$/{x;d};x}' whole
 planted "a row that is missing" "the crowd of 65,536" '0,/^| 65,536 |/{/^| 65,536 |/d}' whole

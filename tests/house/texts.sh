@@ -19,7 +19,7 @@ refuse "planted: a path of a machine" "shared" speaks "$scratch/a.md" /dev/null
 echo '/* TODO later */' >"$scratch/a.md"
 refuse "planted: work left" "TODO" speaks "$scratch/a.md" /dev/null
 
-# Links of the manual, [text](target), to files that are here.
+# Links of the pages, [text](target), to files that are here.
 links() {
     local page target bad=0
     for page in "$@"; do
@@ -29,7 +29,7 @@ links() {
     done
     return $bad
 }
-check "the manual's links lead somewhere" links $(tree '*.md')
+check "the pages' links lead somewhere" links $(tree '*.md')
 echo '[gone](nowhere.md)' >"$scratch/b.md"
 refuse "planted: a link to nothing" "nowhere.md" links "$scratch/b.md"
 finish

@@ -48,7 +48,8 @@ shown() {
 is_frame() { window_png now.png && cmp <(middle now.png) <(middle "want/$(printf %06d "$1").png"); }
 middle() { convert "$1" -crop 240x288+0+8 +repage -depth 8 rgb:- 2>/dev/null; }
 
-# The frames of a demo's moments but waves and what practice is counted by, from its file (docs/demos.md).
+# The frames of a demo's moments but waves and what practice is counted by, from its file
+# (docs/reference/demo-format.md).
 moments() {
     python3 - "$1" <<'PY'
 import struct, sys

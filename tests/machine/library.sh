@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # library.sh - libcurtain: it has the names of curtain.h and no others, and no variable; C, C++ and another language
-# call it; states, several boards, slow frames; the example of the manual.
+# call it; states, several boards, slow frames; the example of docs/internals/library.md.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 cc=${CC:-cc}

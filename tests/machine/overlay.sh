@@ -153,13 +153,13 @@ same 'but to it, and on as before' "$(tail -1 direct)" "$(tail -1 out)"
 KEYS_PPM=$(wc -l <script) ./player play g --demo straight.demo <script >out 2>err
 check 'in a playback nothing can be kept' says 'nothing can be kept'
 
-# ---- the manual ----
+# ---- the guide ----
 
-sed -n '/^### Looking inside/,/^## /s/^    //p' "$repo/docs/manual.md" >session
+sed -n '/^## Looking inside/,/^## [^L]/s/^    //p' "$repo/docs/guide/17-trying-things.md" >session
 { keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done
     keys 1; } >script
 mapfile -t want < <(cut -c1-50 session)
 KEYS_PPM=$(wc -l <script) ./player play "$repo/examples/sandbox" --stage try --seed 0 <script >out 2>err
-same 'the manual has lines to try' 6 "$(grep -c '^> ' session)"
-check 'what the manual shows is what comes' says "${want[@]}" 'kept: the demo is touched'
+same 'the guide has lines to try' 6 "$(grep -c '^> ' session)"
+check 'what the guide shows is what comes' says "${want[@]}" 'kept: the demo is touched'
 finish

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# ports.sh - the short part of each port's test (make ports: all of it), and that docs/ports.md names every port.
+# ports.sh - the short part of each port's test (make ports: all of it), and that docs/measured/ports.md names every
+# port.
 . "$(dirname "$0")/../tap.sh"
 
 # part COMMAND...: its TAP is a part of this one
@@ -30,7 +31,7 @@ listed() { # PAGE
     done
     return $bad
 }
-check 'docs/ports.md has a row of each port' listed docs/ports.md
-grep -v ports/web docs/ports.md >"$scratch/bad.md"
+check 'docs/measured/ports.md has a row of each port' listed docs/measured/ports.md
+grep -v ports/web docs/measured/ports.md >"$scratch/bad.md"
 refuse 'planted: one is missing' 'no row of ports/web' listed "$scratch/bad.md"
 finish

@@ -1,7 +1,7 @@
 /*
  * test_leave.c - things that leave the field in the frame in which they touch something, against a model of a whole
  * frame that shares nothing with the engine: it knows what was there before the frame, moves it, asks the reference in
- * 128 bits (hits.h) about every pair, and applies the manual's order of events. What handlers are told, in which order,
+ * 128 bits (hits.h) about every pair, and applies the guide's order of events. What handlers are told, in which order,
  * what they can read and whether it is alive, which slot a bullet gets that a handler fires, and what is left after the
  * frame must be the same.
  */

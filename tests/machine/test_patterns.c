@@ -2,7 +2,7 @@
  * test_patterns.c - patterns put every bullet where a formula says: directions and speeds of figures, places of points
  * and pictures, what is left out, what is drawn by chance, and what else than bullets they fire.
  *
- * The formulas are written anew here, in doubles and with the C library, from what the manual says.
+ * The formulas are written anew here, in doubles and with the C library, from what the guide says.
  */
 #include <math.h>
 #include "rig.h"

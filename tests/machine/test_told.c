@@ -567,9 +567,9 @@ static void test_pieces(void **state)
     rig_game_free(&g);
 }
 
-/* ---- what chapter 10 of the manual says of places, grazes and hits ---- */
+/* ---- what docs/guide/10-players.md says of places, grazes and hits ---- */
 
-static void test_manual(void **state)
+static void test_guide(void **state)
 {
     (void)state;
     SAYS("p.x = -50 print(p.x) wait(1) print(p.x, p.y < rom.field.h - 8) p.y = 9999 wait(1) print(p.y == rom.field.h - "
@@ -1185,7 +1185,7 @@ int main(void)
         cmocka_unit_test(test_places),
         cmocka_unit_test(test_places_in_library),
         cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_manual),
+        cmocka_unit_test(test_guide),
         cmocka_unit_test(test_each),
         cmocka_unit_test(test_first_key),
         cmocka_unit_test(test_meant),

@@ -1,8 +1,8 @@
 /*
  * main.c - BulletML documents on the board, beside libbulletml.
  *
- *     bulletml [--out FOLDER] [SECTION...]                   the page docs/bulletml.md; with sections they are printed
- *     bulletml one DOCUMENT [RANK [SEED [FRAMES [loop]]]]    one document
+ *     bulletml [--out FOLDER] [SECTION...]                   the page docs/measured/bulletml.md; with sections they
+ *     are printed bulletml one DOCUMENT [RANK [SEED [FRAMES [loop]]]]    one document
  *     bulletml answers [TEXT]                                what libbulletml makes of those in tests/bulletml
  */
 #include <signal.h>

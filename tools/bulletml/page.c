@@ -1,5 +1,6 @@
 /*
- * page.c - docs/bulletml.md: every document beside libbulletml, what the last bit of a double decides, times, pictures.
+ * page.c - docs/measured/bulletml.md: every document beside libbulletml, what the last bit of a double decides, times,
+ * pictures.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -258,7 +259,7 @@ static void section_sheet(void)
         "each bullet has the colour of its number. The bullets are all that is shown: the documents are their "
         "games'.");
     report_text("![Eight rows of eight small black fields with patterns of coloured dots, each with the name of its "
-                "document under it](images/bulletml.png)");
+                "document under it](../images/bulletml.png)");
 }
 
 /* ---- the command line ---- */

@@ -74,12 +74,12 @@ so that the arrows fly the ship. \`curtain play roms/cookbook --stage flower\` b
 
 A file returns a task: \`f(e, p)\`, of an enemy \`e\`, with the player \`p\`. Some return a table with that task as
 \`run\`, and \`ship\` or others besides; what they fire and who flies stands in
-[kinds.lua](../roms/cookbook/kinds.lua). [The manual](manual.md) explains what they are written in.
+[kinds.lua](../roms/cookbook/kinds.lua). [The guide](README.md) explains what they are written in.
 
 Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how much work it
 is in a frame, on average and at most. A unit is about one instruction of Lua, and a call of the engine is 100 or more;
 a frame may have 200,000,000. What flies, hits and is drawn comes on top:
-[chapter 20](manual.md#20-capacities-and-prices) has the prices. \`make cookbook\` writes this page.
+[The guide](guide/21-capacities.md) has the prices. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do
         if [ "$what" = chapter ]; then

@@ -3,14 +3,14 @@
 # demo of the repository in each build: the same hash of every part at every frame, the same pixels and sound, as on
 # x86-64.
 #
-#     tools/cross/run.sh [BUILD...]      without arguments: all of them, and the page docs/determinism.md
+#     tools/cross/run.sh [BUILD...]      without arguments: all of them, and the page docs/internals/determinism.md
 #
 # Two builds at a time, each made anew in build/cross/BUILD; one line a build. The page is written when all builds agree
 # and nothing but the page differs from the commit. Exit 1: a build could not be made, run, or gave something else.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 export LC_ALL=C
-page=docs/determinism.md
+page=docs/internals/determinism.md
 cross=build/cross
 reference=x86-64
 # Machines by Debian's names; the suite whose Lua they have, if it is not bookworm.

@@ -23,21 +23,16 @@ from pygments.formatters import HtmlFormatter
 from pygments.lexers import get_lexer_by_name
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-# What is read first stands first. A page of docs/ that is not named here comes at the end of its group.
+# A group is a title and its pages, in order; a folder stands for all of its pages by name.
 GROUPS = [
-    ("Making games", ["README.md", "docs/start.md", "docs/manual.md", "docs/cookbook.md", "docs/api.md",
-                      "docs/from.md", "docs/features.md", "docs/music.md"]),
-    ("The engine", ["docs/design.md", "CONTRIBUTING.md", "docs/porting.md", "docs/demos.md", "docs/determinism.md",
-                    "CHANGELOG.md", "LICENSE"]),
-    ("Measured", ["docs/speed.md", "docs/accuracy.md", "docs/pacing.md", "docs/sound.md",
-                  "docs/bulletml.md", "docs/proof.txt"]),
+    ("Start", ["README.md", "docs/README.md", "docs/tutorial"]),
+    ("Guide", ["docs/guide"]),
+    ("Reference", ["docs/reference", "docs/cookbook.md"]),
+    ("Internals", ["CONTRIBUTING.md", "docs/internals", "CHANGELOG.md", "LICENSE"]),
+    ("Measured", ["docs/measured"]),
 ]
-NAMES = {"README.md": "Curtain", "docs/manual.md": "The manual", "docs/api.md": "The Lua API",
-         "docs/from.md": "From other engines", "docs/features.md": "What authors expect",
-         "docs/music.md": "The music of Glass Tide", "docs/design.md": "Design", "docs/demos.md": "Demo files",
-         "docs/determinism.md": "Same run everywhere", "docs/accuracy.md": "Accuracy", "docs/pacing.md": "Pacing",
-         "docs/bulletml.md": "BulletML",
-         "docs/speed.md": "Speed", "docs/sound.md": "Sound", "docs/proof.txt": "The proofs", "LICENSE": "Licence"}
+NAMES = {"README.md": "Curtain", "docs/README.md": "Contents", "LICENSE": "Licence",
+         "docs/measured/proof.txt": "Proofs"}
 TYPES = {".png": "image/png", ".svg": "image/svg+xml", ".gif": "image/gif"}
 LEXERS = {"lua": "lua", "c": "c", "sh": "bash", "make": "make"}
 
@@ -58,7 +53,7 @@ class Page:
 
     def __init__(self, root, path):
         self.root, self.path = root, path
-        self.id = os.path.splitext(posixpath.basename(path))[0].lower()
+        self.id = re.sub("^docs/(?!readme)", "", os.path.splitext(path)[0].lower()).replace("/", "-")
         with open(os.path.join(root, path), encoding="utf-8") as f:
             self.text = f.read()
         self.name = NAMES.get(path)
@@ -86,9 +81,9 @@ class Writer:
 
     def __init__(self, root, pages):
         self.root, self.pages, self.wrong = root, {page.path: page for page in pages}, []
-        api = self.pages.get("docs/api.md")
+        api = self.pages.get("docs/reference/api.md")
         # A function's name leads to its entry. Anchors have no dots, names have.
-        self.api = {words: f"api/{anchor}" for level, anchor, words in (api.headings if api else []) if level == 3}
+        self.api = {words: f"{api.id}/{anchor}" for level, anchor, words in (api.headings if api else []) if level == 3}
         self.formatter = HtmlFormatter(nowrap=True)
         self.lexers = {name: get_lexer_by_name(lexer, stripnl=False) for name, lexer in LEXERS.items()}
         self.page, self.line = None, 0
@@ -277,12 +272,22 @@ def sections(page):
     return ("<ul>" + "".join(out) + "</ul></li></ul>").replace("<ul></ul>", "")
 
 
+def pages_of(root, path):
+    """The Markdown and text pages of a folder by name, or the file itself."""
+    if not os.path.isdir(os.path.join(root, path)):
+        return [path] if os.path.exists(os.path.join(root, path)) else []
+    return [f"{path}/{name}" for name in sorted(os.listdir(os.path.join(root, path))) if name.endswith((".md", ".txt"))]
+
+
 def gather(root):
-    """The pages by group: those that GROUPS names and that are there, then what else docs/ has."""
-    there = sorted(f"docs/{name}" for name in os.listdir(os.path.join(root, "docs")) if name.endswith(".md"))
-    named = [path for _, paths in GROUPS for path in paths]
-    groups = [(title, [path for path in paths if os.path.exists(os.path.join(root, path))]) for title, paths in GROUPS]
-    groups[0][1].extend(path for path in there if path not in named)
+    """The pages by group. A page of docs/ that no group names is an error."""
+    groups = [(title, [page for path in paths for page in pages_of(root, path)]) for title, paths in GROUPS]
+    named = {page for _, pages in groups for page in pages}
+    for folder, _, names in sorted(os.walk(os.path.join(root, "docs"))):
+        for name in sorted(names):
+            path = posixpath.join(os.path.relpath(folder, root), name)
+            if name.endswith(".md") and path not in named:
+                raise Wrong(f"{path}: no group of tools/docs/docs.py has this page")
     return [(title, [Page(root, path) for path in paths]) for title, paths in groups]
 
 

@@ -123,11 +123,11 @@
     return n;
   }
 
-  // Pages for authors come before those of measurements and of the engine's own matters.
-  const weight = { manual: 6, start: 6, api: 5, readme: 4, from: 3, cookbook: 3, features: 1 };
+  // Pages for authors rank above pages on the engine's internals and its measurements.
+  const weight = { tutorial: 6, guide: 6, reference: 5, readme: 4, cookbook: 3 };
 
   function score(s, wanted) {
-    let sum = weight[s.article.id] || 0;
+    let sum = weight[s.article.id.split('-')[0]] || 0;
     for (const word of wanted) {
       const inHead = s.head.includes(word), n = count(s.low, word);
       if (!inHead && !n && !s.path.some(p => p.toLowerCase().includes(word))) return 0;

@@ -1,5 +1,5 @@
 /*
- * main.c - docs/pacing.md: frames, screens, and the way from a switch to the picture.
+ * main.c - docs/measured/pacing.md: frames, screens, and the way from a switch to the picture.
  */
 #include "../report/report.h"
 #include "pacing.h"

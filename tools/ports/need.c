@@ -1,7 +1,7 @@
 /*
  * need.c - what a machine must have for games, measured: RAM of a board and of what stands beside it, and stack.
  *
- *     need ROM...          tables in Markdown, for docs/ports.md; what a slot costs is of the first ROM
+ *     need ROM...          tables in Markdown, for docs/measured/ports.md; what a slot costs is of the first ROM
  *
  * Each of power-on, ticks, pictures and sound runs on a stack of its own that was filled with a pattern: what is no
  * longer the pattern was used. The frames are those of the game's demo "attract", or 600 without a button.

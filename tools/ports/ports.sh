@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# ports.sh - make ports: tests every port whole, prints a table of them, and writes docs/ports.md.
+# ports.sh - make ports: tests every port whole, prints a table of them, and writes docs/measured/ports.md.
 #
 #     OUT=build/release tools/ports/ports.sh [NAME...]      these; of the others what they said last
 #
@@ -81,5 +81,5 @@ while IFS= read -r line; do
     *) echo "$line" ;;
     esac
 done <tools/ports/page.txt >$into/page
-[ $failed = 0 ] || { echo "docs/ports.md is left as it is: something failed" >&2; exit 1; }
-cp $into/page docs/ports.md
+[ $failed = 0 ] || { echo "docs/measured/ports.md is left as it is: something failed" >&2; exit 1; }
+cp $into/page docs/measured/ports.md

@@ -2,7 +2,7 @@
  * speed.c - what the library costs beside the board itself, in one process and in turns; and what a compressed ROM
  * costs to open.
  *
- *     speed ROM SECTION          ROM compressed; lines in Markdown, for docs/ports.md
+ *     speed ROM SECTION          ROM compressed; lines in Markdown, for docs/measured/ports.md
  *
  * The board runs as the program has it: its tick, picture and sound, endless loops found by an alarm. The library does
  * the same by its calls. Both are in this program, for the library hides its names. The middle one of the turns counts.

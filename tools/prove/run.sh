@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh - make prove: runs the proof programs in full, one after the other, adds up their lines, and keeps what they
-# said in docs/proof.txt.
+# said in docs/measured/proof.txt.
 #
 #     OUT=build/release tools/prove/run.sh PROGRAM...
 #
@@ -37,4 +37,4 @@ summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
     echo "inputs near a tie and the nearest of them, and how the inputs were chosen."
     echo
     cat "$dir/said" "$dir/end"
-} | sed 's/ ([0-9.]* s)$//' >docs/proof.txt
+} | sed 's/ ([0-9.]* s)$//' >docs/measured/proof.txt

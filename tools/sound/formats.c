@@ -12,7 +12,7 @@ void section_formats(void)
         "In a ROM `tune/NAME` and `sound/NAME` are tunes (`src/snd/tune.h`): a header, instruments of %d bytes\n"
         "(`src/snd/inst.h`), markers, waves and curves, tracks of events, and behind a recording's tune its\n"
         "samples (`src/snd/adpcm.h`), those of music in `wave/NAME`. A ROM's tunes are checked whole when it is\n"
-        "opened; what files become samples, chapter 25 of the manual says.",
+        "opened; [the guide](../guide/25-sound.md) says which files become samples.",
         (int)INST_BYTES);
     report_text(
         "A piece of music is in the game hash: a demo of other music is another game's, for scripts follow the\n"

@@ -1,4 +1,4 @@
--- tests/game.lua - what must stay true of the game, whatever is changed. `curtain test .` runs it (manual, chapter 28).
+-- tests/game.lua - what must stay true of the game, whatever is changed. `curtain test .` runs it (docs/guide/27-testing.md).
 local ready = test.run { frames = 120 }
 test.expect(ready.music == "river", "the title has its music")
 

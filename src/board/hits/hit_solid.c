@@ -3,8 +3,8 @@
  * hit_parts.h.
  *
  * No grid: each shot asks every block of bullets at once who ended its move near the shot's path, and tests those. So
- * the price is the number of shots times the number of blocks that have such bullets (manual, chapter 20), and it is
- * counted as work.
+ * the price is the number of shots times the number of blocks that have such bullets (docs/guide/21-capacities.md),
+ * and it is counted as work.
  */
 #include "hit_parts.h"
 #include "../../base/int.h"

@@ -2,9 +2,9 @@
  * demo.h - a recorded game: all that reached a board (its start and the pads), and hashes to check a replay by.
  * floor: cab
  *
- * The file is described byte by byte in docs/demos.md. In short: a header, then a record a second with pads and hashes,
- * a record a marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark (a crash, a full
- * disk) is read as far as it goes, and says so in .complete.
+ * The file is described byte by byte in docs/reference/demo-format.md. In short: a header, then a record a second with
+ * pads and hashes, a record a marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark
+ * (a crash, a full disk) is read as far as it goes, and says so in .complete.
  *
  * Hashes: a whole one of every part each second, a row of the track; and after every frame the low 16 bits of each
  * part's, its checksum, so that a replay that differs is known by frame and part. A sparse demo, which a long one is,

@@ -1,5 +1,5 @@
 /*
- * demo_put.c - a demo as bytes; docs/demos.md has them.
+ * demo_put.c - a demo as bytes; docs/reference/demo-format.md has them.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /*
- * demo_read.c - reading a demo's file; see demo.h, and docs/demos.md for the bytes.
+ * demo_read.c - reading a demo's file; see demo.h, and docs/reference/demo-format.md for the bytes.
  *
  * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are
  * in the file one by one.

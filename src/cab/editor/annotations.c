@@ -4,7 +4,7 @@
  * A table of the API, bullet, is a global whose class is "bulletlib"; a kind of handle is the class "bullet", whose
  * methods stand in a local of the file. Named arguments are a class "bullet.fire.args", those of a method
  * "bullet.clear.self.args", and what stands in a list of arguments has a class of its own, "motion.def.step". A game
- * that declares fields adds them by opening the class again (docs/manual.md).
+ * that declares fields adds them by opening the class again (docs/guide/26-editors.md).
  */
 #include "annotations.h"
 

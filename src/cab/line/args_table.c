@@ -139,7 +139,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND, TEXT(wav),
                      "render: write the sound of all frames up to the last of --frames; sound: of NAME, as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, SWITCH(notes),
-                       "print the notes and settings of one, a line each (docs/music.md)" },
+                       "print the notes and settings of one, a line each (docs/measured/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, SWITCH(play),
                       "hear NAME, in a window that shows the mixer; Escape ends" },
     [OPTION_ATLAS] = { "--atlas", "F.png", FOR_ART, TEXT(atlas),
@@ -181,7 +181,8 @@ const struct option_row args_options[OPTIONS] = {
                           "moments and length are known to be the same; 1: not; 2: not written" },
     [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH | FOR_SURVIVE, SWITCH(json),
                       "verify: print a JSON object a demo, on a line: verdict, score, ship, difficulty, flags, length, "
-                      "moments, hashes (docs/demos.md); list --replays: a JSON object a replay; bench: one of all; "
+                      "moments, hashes (docs/reference/demo-format.md); list --replays: a JSON object a replay; "
+                      "bench: one of all; "
                       "survive: one a section" },
     [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST, SWITCH(replays),
                          "print the runs of the game that are kept: file, date, length, ship, difficulty, points, "

@@ -388,6 +388,6 @@ enum result testing_run(const struct testing *t)
 
 void testing_help(void (*line)(const char *))
 {
-    line("Test scripts, tests/*.lua, are Lua with these beside its own names (manual, chapter 28):");
+    line("Test scripts, tests/*.lua, are Lua with these beside its own names (docs/guide/27-testing.md):");
     trial_help(line);
 }
