@@ -1,24 +1,23 @@
 #!/usr/bin/env bash
-# porting.sh - docs/internals/porting.md: its commands run, the seam's functions are all named. (The template:
+# porting.sh - docs/internals/porting.md: its commands run, every function of the platform API is named. (The template:
 # ../template.sh.)
 . "$(dirname "$0")/../pages.sh"
 
 blocks docs/internals/porting.md
 
-seam() {
+api() {
     grep -oE "^[a-z0-9_ ]+ plat_[a-z_]+\(" platform/platform.h | grep -v inline | grep -oE "plat_[a-z_]+" | sort -u
 }
 named() { # PAGE
     local f bad=0
-    for f in $(seam); do
+    for f in $(api); do
         grep -q "$f" "$1" || { echo "$1: $f is not named"; bad=1; }
     done
     return $bad
 }
-count() { [ "$(seam | wc -l)" = 31 ]; }
-check "the seam has 31 functions" count
-check "README names them all" named README.md
-check "the page on porting names them all" named docs/internals/porting.md
-grep -v plat_icon README.md >"$scratch/bad.md"
+count() { [ "$(api | wc -l)" = 31 ]; }
+check "the platform API has 31 functions" count
+check "the page names them all" named docs/internals/porting.md
+grep -v plat_icon docs/internals/porting.md >"$scratch/bad.md"
 refuse "planted: a function left out" "plat_icon" named "$scratch/bad.md"
 finish

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# contributing.sh - what CONTRIBUTING.md shows works: files it names are there, its function of the API, its chip and
-# its tests compile without a warning and do what is said, and its commit message follows its own rule.
+# contributing.sh - CONTRIBUTING.md and docs/internals/how-to.md are true: the files they name exist; the API function,
+# the chip and the tests compile without a warning and work; the commit message follows its own rule.
 . "$(dirname "$0")/../tap.sh"
-page=CONTRIBUTING.md
+cat CONTRIBUTING.md docs/internals/how-to.md >"$scratch/both.md"
+page=$scratch/both.md
 
 names() { # PAGE: files that are not the examples' own
     local file bad=0
@@ -109,12 +110,12 @@ check "its test of a board passes" machine
 shell() {
     mkdir -p "$scratch/shell/tests/house" "$scratch/shell/docs/reference"
     cp tests/tap.sh "$scratch/shell/tests/" && cp docs/reference/api.md "$scratch/shell/docs/reference/" &&
-        block sh 3 >"$scratch/shell/tests/house/first.sh" &&
+        block sh 4 >"$scratch/shell/tests/house/first.sh" &&
         bash "$scratch/shell/tests/house/first.sh"
 }
 check "its shell test passes" shell
 mutant() {
-    sed -n '/^\*\*Mutant/,/^\*\*Fuzz/s/^    //p' $page >"$scratch/list" && tests/mutants.py check "$scratch/list"
+    sed -n '/^### Mutant/,/^### Fuzz/s/^    //p' $page >"$scratch/list" && tests/mutants.py check "$scratch/list"
 }
 check "its mutant has the list's format" mutant
 subject() {
