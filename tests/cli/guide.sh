@@ -3,7 +3,8 @@
 # entry has an example.
 . "$(dirname "$0")/../pages.sh"
 
-guide="docs/tutorial/2-*.md docs/guide/*.md docs/reference/rom.md docs/reference/mml.md"
+guide="docs/tutorial/2-*.md docs/guide/*.md docs/reference/rom.md docs/reference/mml.md \
+    docs/reference/settings.md"
 for page in $guide; do
     case $page in docs/guide/34-*) ;; *) [ ! -f "$page" ] || blocks "$page" ;; esac # from.sh runs 34
 done
