@@ -746,7 +746,7 @@ END
 
 # ---- an example of the guide ----
 
-sample() { sed -n '/^A game with more to say about it:$/,/^|/s/^    //p' "$repo/docs/guide/19-errors.md"; }
+sample() { sed -n '/^A game with mistakes:$/,/^|/s/^    //p' "$repo/docs/guide/19-errors.md"; }
 cp -r "$repo/examples/first" mygame
 python3 - mygame <<'PY'
 import sys
