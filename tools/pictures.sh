@@ -17,7 +17,7 @@ python3 tools/pictures.py 2 docs/images/backgrounds.png "$at"/scenes/*.png
 "$curtain" render examples/sandbox --stage lasers --invincible --frames 75,150,330 -o "$at/lasers"
 python3 tools/pictures.py 1 docs/images/lasers.png "$at"/lasers/*.png
 
-# What docs/tutorial/1-first-game.md comes to: the game that `curtain new` writes, and its boss after the page's edits.
+# The tutorial: the game that `curtain new` writes, and its boss at the end of each lesson.
 "$curtain" render examples/shooter --frames 150 -o "$at/start"
 "$curtain" render examples/shooter --stage river --press fire --invincible --frames 1250 -o "$at/start"
 "$curtain" render examples/shooter --stage keeper/feast --press fire --invincible --frames 420 -o "$at/start2"
@@ -25,6 +25,12 @@ python3 tools/pictures.py 2 docs/images/start.png "$at"/start/*.png "$at"/start2
 tests/cli/start.sh --made "$at/mygame"
 "$curtain" render "$at/mygame" --stage keeper/mine --press fire --invincible --frames 100,210,320 -o "$at/mine"
 python3 tools/pictures.py 2 docs/images/mine.png "$at"/mine/*.png
+tests/cli/start.sh --made "$at/boss" 2
+"$curtain" render "$at/boss" --stage keeper/moths --press fire --register power=4 --invincible --frames 280 \
+    -o "$at/boss1"
+"$curtain" render "$at/boss" --stage keeper/dawn --press focus,bomb@260 --frames 330 -o "$at/boss2"
+"$curtain" render "$at/boss" --stage river:keeper --frames 330 -o "$at/boss3"
+python3 tools/pictures.py 2 docs/images/boss.png "$at"/boss[123]/*.png
 
 # One frame with both ways of adding light: by the table of all pairs of colours, and by the ramps' rule.
 mkdir "$at/blends"

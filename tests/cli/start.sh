@@ -1,30 +1,30 @@
 #!/usr/bin/env bash
-# start.sh - docs/tutorial/1-first-game.md, gone through as a reader does: its commands run in their order, its edits
-# are made in the game they made, the slip says what the page says, and at the end there is a GIF of the boss that was
-# written.
+# start.sh - follows the lessons of docs/tutorial as a reader does: runs their commands in order, makes their edits in
+# the game that lesson 1 creates, and compares the error messages they show.
 #
-#     start.sh [--made DIR]      the game that comes of it goes to DIR, for tools/pictures.sh
+#     start.sh [--made DIR [LESSON]]   copy the finished game of that lesson, 1 or 2, to DIR, for tools/pictures.sh
 . "$(dirname "$0")/../tap.sh"
-page=$repo/docs/tutorial/1-first-game.md
+first=$repo/docs/tutorial/1-first-game.md
+second=$repo/docs/tutorial/2-boss-fight.md
 sandbox
 mkdir bin
 cat >bin/curtain <<END
 #!/bin/sh
-# There is no window here: play is a run of some seconds with the same start.
+# No window here: play runs 300 frames from the same start.
 [ "\$1" != play ] || { shift; set -- hash "\$@" --frames 300 --every 300; }
-[ "\$1" != export ] || exec "$OUT/curtain" "\$@" # the page's program is the one with a window
+[ "\$1" != export ] || exec "$OUT/curtain" "\$@" # the exported program needs a window
 exec "$curtain" "\$@"
 END
 chmod +x bin/curtain
 PATH=$PWD/bin:$PATH
 
-# Prints "LINE KIND [FILE]" of each block of the page, and writes its text to steps/LINE.
+# Prints "LINE KIND [FILE]" for each code block of the page and writes its text to steps/LINE.
 steps() { # PAGE
     rm -rf steps && mkdir steps
     awk '/^```/ { if (on) { on = 0; next } on = FNR; $1 = substr($1, 4); print on, $0; printf "" >("steps/" on); next }
         on { print >("steps/" on) }' "$1"
 }
-# Takes the one place in FILE that has the text of steps/FIND and puts that of steps/WRITE there.
+# Replaces the text of steps/FIND in FILE by that of steps/WRITE; FILE must have it exactly once.
 edit() { # FILE FIND WRITE
     python3 - "$@" <<'PY'
 import sys
@@ -36,7 +36,7 @@ if text.count(find) != 1:
 open(file, "w", encoding="utf-8").write(text.replace(find, write))
 PY
 }
-slip() { # FILE: with the line of the page in it the game does not begin, and says so
+slip() { # FILE WRITE: makes the edit, saves the error message in said.line, and restores the file
     cp "$1" "$1.good"
     edit "$1" "$found" "$2" || return
     curtain play mygame >said 2>&1
@@ -44,9 +44,10 @@ slip() { # FILE: with the line of the page in it the game does not begin, and sa
     rm "$1.good"
     sed 's/^curtain: //' said >said.line
 }
-walk() { # PAGE: all steps in their order
+# A block is a command (sh), text to find in FILE, its replacement (write), a mistake (slip) whose message is in the
+# next block (said), or a new file.
+walk() { # PAGE LEAST: all blocks in order, at least LEAST of them
     local line kind file found='' n=0
-    rm -rf mygame out ./*.gif ./*.rom said said.line
     while read -r line kind file; do
         kind=$kind${file:+ $file} file=${file#* }
         case $kind in
@@ -54,34 +55,77 @@ walk() { # PAGE: all steps in their order
         "lua find "*) grep -qF -- "$(head -1 "steps/$line")" "$file" && found=$line ||
             { echo "line $line: $file has no such line"; return 1; } ;;
         "lua write "*) edit "$file" "$found" "$line" && found=$line || { echo "line $line"; return 1; } ;;
+        "lua new "*) [ ! -e "$file" ] && cp "steps/$line" "$file" || { echo "line $line: $file exists"; return 1; } ;;
         "lua slip "*) slip "$file" "$line" || return ;;
         said) diff "steps/$line" said.line || return ;;
         *) echo "line $line: a block of an unknown kind: $kind"; return 1 ;;
         esac
         n=$((n + 1))
     done < <(steps "$1")
-    [ $n -gt 12 ] || { echo "only $n blocks"; return 1; }
+    [ $n -ge "$2" ] || { echo "only $n blocks"; return 1; }
+}
+lesson1() { # PAGE
+    rm -rf mygame out ./*.gif ./*.rom said said.line
+    walk "$1" 13
+}
+lesson2() { # PAGE: continues with a copy of lesson 1's game
+    rm -rf mygame out
+    cp -r made1 mygame
+    walk "$1" 50
 }
 if [ "${1:-}" = --made ]; then
-    walk "$page" && cp -r mygame "$2"
+    lesson1 "$first" && cp -r mygame made1 && { [ "${3:-1}" = 1 ] || lesson2 "$second"; } && cp -r mygame "$2"
     exit
 fi
-check "all of the page can be done, in its order" walk "$page"
-check "the boss has the phase that was written" grep -q 'spell = "My First Spell"' mygame/bosses/keeper.lua
-check "there is nothing to say about the game" "$curtain" check mygame
-film() { [ "$(head -c 6 "$1")" = GIF89a ] && [ "$(wc -c <"$1")" -gt 100000 ]; }
-check "there is a GIF" film boss.gif
-"$curtain" capture mygame --stage keeper/feast --invincible --press fire --frames 60:360 -o other.gif
-check "of that phase, and not of another" bash -c '! cmp -s boss.gif other.gif'
-check "and a ROM, which runs" "$curtain" hash mygame.rom --frames 60
-check "and a program, which is that game" grep -q mygame <(out/mygame --help)
 
-sed 's/speed = 4, focus = 1.8, lives/speed = 9, focus = 1.8, lives/' "$page" >bad.md
-refuse "planted: a line that the game has not" "has no such line" walk bad.md
-sed 's/did you mean "speed"/did you mean "spread"/' "$page" >bad.md
-refuse "planted: another message" 'did you mean "spread"' walk bad.md
-sed 's/pattern.rose {/pattern.rosé {/' "$page" >bad.md
-refuse "planted: an edit that does not run" "bosses/keeper.lua" walk bad.md
-sed 's/--stage keeper\/mine/--stage keeper\/yours/' "$page" >bad.md
-refuse "planted: a command that does not" "keeper/yours" walk bad.md
+check "lesson 1: every step works, in order" lesson1 "$first"
+check "the boss has the new phase" grep -q 'spell = "My First Spell"' mygame/bosses/keeper.lua
+check "check finds nothing" "$curtain" check mygame
+film() { [ "$(head -c 6 "$1")" = GIF89a ] && [ "$(wc -c <"$1")" -gt 100000 ]; }
+check "boss.gif is a GIF" film boss.gif
+"$curtain" capture mygame --stage keeper/feast --invincible --press fire --frames 60:360 -o other.gif
+check "it shows the new phase and no other" bash -c '! cmp -s boss.gif other.gif'
+check "mygame.rom runs" "$curtain" hash mygame.rom --frames 60
+check "the exported program is that game" grep -q mygame <(out/mygame --help)
+cp -r mygame made1
+
+sed 's/speed = 4, focus = 1.8, lives/speed = 9, focus = 1.8, lives/' "$first" >bad.md
+refuse "planted: a line that the game does not have" "has no such line" lesson1 bad.md
+sed 's/did you mean "speed"/did you mean "spread"/' "$first" >bad.md
+refuse "planted: a different message" 'did you mean "spread"' lesson1 bad.md
+sed 's/pattern.rose {/pattern.rosé {/' "$first" >bad.md
+refuse "planted: an edit that does not run" "bosses/keeper.lua" lesson1 bad.md
+sed 's/--stage keeper\/mine/--stage keeper\/yours/' "$first" >bad.md
+refuse "planted: a command that fails" "keeper/yours" lesson1 bad.md
+
+check "lesson 2: every step works, in order" lesson2 "$second"
+check "check finds nothing" "$curtain" check mygame
+check "the game's tests hold" "$curtain" test mygame
+for sheet in entrance portrait moths dawn items; do
+    check "out/$sheet.png is a picture" grep -q IHDR "out/$sheet.png"
+done
+# The fight from its mark; all phases but the survival are cut short.
+cat >mygame/tests/fight.lua <<'LUA'
+local fight = test.run { stage = "river:keeper", pads = "fire@0:9999:20", invincible = true, seed = 1 }
+local order = { "wings", "feast", "mine", "moths", "dawn" }
+local spells = { feast = "Thousand Lantern Feast", mine = "My First Spell", moths = "Every Moth Its Flame",
+                 dawn = "The River Takes the Stars" }
+for _, id in ipairs(order) do
+  test.expect(fight:wait(function() return fight:moment("phase", id) end, 1800), id .. " begins")
+  test.equal(fight:moment("phase", id).title, spells[id], "its spell")
+  fight:step(120)
+  if id ~= "dawn" then fight:exec "enemy.each(nil, function(e) if e.kind == 'keeper' then e:hurt(2000) end end)" end
+end
+test.expect(fight:wait(function() return fight:moment("won", "dawn") end, 2000), "the last one is won")
+LUA
+check "the fight reaches its four spells by name" "$curtain" test mygame fight
+rm mygame/tests/fight.lua
+
+plant2() { sed "s/$1/$2/; /^curtain survive/d; /way\.demo\$/d" "$second" >bad.md; } # without the slow search
+plant2 'drops = { charm = 1,' 'drops = { charme = 1,'
+refuse "planted: an item that does not exist" 'charme' lesson2 bad.md
+plant2 'if i % 40 > 10 then' 'if i % 40 > 10 the'
+refuse "planted: a spell with a mistake" "bosses/keeper.lua" lesson2 bad.md
+plant2 '--stage keeper\/dawn --press' '--stage keeper\/dusk --press'
+refuse "planted: a command that fails" "keeper/dusk" lesson2 bad.md
 finish
