@@ -5,7 +5,7 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 local boot = {}
 
 -- Items of the pause menu.
-local PLAYED, PRACTISED = { "GO ON", "START OVER", "SETTINGS", "QUIT" }, { "GO ON", "AGAIN", "SETTINGS" }
+local PLAYED, PRACTISED = { "RESUME", "RESTART", "SETTINGS", "QUIT TO TITLE" }, { "RESUME", "RETRY", "SETTINGS" }
 
 local screens = {} -- a game's own, by name
 local over, left   -- the last player is out; the item of the pause menu by which this game is left
@@ -166,7 +166,7 @@ local function go_round(a)
       sys.mode = nil
       sys.read("boot/mission")(run, host)
     else
-      repeat play(a, run) until left ~= "START OVER"
+      repeat play(a, run) until left ~= "RESTART"
     end
     from = run.mission
     board.difficulty(first)

@@ -110,5 +110,5 @@ end
 return function(run, host)
   local m = sys.missions.get(run.mission)
   local answer
-  repeat answer = try(m, run, host) until answer ~= "again" and answer ~= "START OVER"
+  repeat answer = try(m, run, host) until answer ~= "again" and answer ~= "RESTART"
 end

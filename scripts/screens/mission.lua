@@ -41,7 +41,7 @@ return function(r)
     draw(r, top + 1, age)
     wait(1)
   end
-  local items = { text.lang("AGAIN"), text.lang("MISSIONS") }
+  local items = { text.lang("RETRY"), text.lang("MISSIONS") }
   local i = page.list {
     items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = true, front = true,
   }

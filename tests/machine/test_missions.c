@@ -68,7 +68,7 @@ static void test_done(void **state)
     assert_int_equal(reg("chain"), 7);
     soon("NEW BEST", 30);
     soon("TIME 0.43", 30);
-    soon("AGAIN", 60);
+    soon("RETRY", 60);
     press(PAD_FIRE, 0); /* the list is chosen after what went well */
     soon("2/12", 30);
     soon("BEST: TIME 0.43", 30);
@@ -89,7 +89,7 @@ static void test_ends(void **state)
     press(PAD_FIRE, 0);
     soon("0:01", 10);
     soon("MISSION FAILED", 60);
-    soon("AGAIN", 60);
+    soon("RETRY", 60);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("0/12", 30);
@@ -99,7 +99,7 @@ static void test_ends(void **state)
     soon("MISSION CLEAR", 120);
     assert_int_equal(r.b->enemies.s.live, 0);
     soon("SCORE 100", 30);
-    soon("AGAIN", 60);
+    soon("RETRY", 60);
     press(PAD_FIRE, 0);
     soon("1/12", 30);
     press(PAD_DOWN, 0);

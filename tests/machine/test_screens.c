@@ -245,7 +245,7 @@ static void quit_to(const char *item, int down)
     press(PAD_FIRE, 0);
 }
 
-/* START OVER begins the same game anew, QUIT leaves it without a name. */
+/* RESTART starts the same game again, QUIT TO TITLE leaves it without a name. */
 static void test_leaving(void **state)
 {
     (void)state;
@@ -253,14 +253,14 @@ static void test_leaving(void **state)
     start(1, false);
     soon("STAGE ONE CLEAR", 300);
     press(PAD_START, 0);
-    soon("START OVER", 30);
+    soon("RESTART", 30);
     frames(30);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("000000000", 60);
     soon("STAGE ONE", 5);
     assert_int_equal(r.b->player.score[0], 0);
-    quit_to("QUIT", 3);
+    quit_to("QUIT TO TITLE", 3);
     soon("PRESS START", 60);
     assert_int_equal(r.b->player.in[0], 0);
     close_game();
@@ -394,7 +394,7 @@ static void test_asks(void **state)
     press(PAD_BOMB, 0);
     start(1, false);
     press(PAD_START, 0);
-    soon("START OVER", 30);
+    soon("RESTART", 30);
     const uint32_t clock = r.b->core.clock;
     press(PAD_DOWN, 0);
     press(PAD_DOWN, 0);
