@@ -131,6 +131,9 @@ block() { # FILE: runs it as its kind says
     *.yaml) # for a CI service: its commands run curtain as the guide says
         python3 "$pages/ci_file.py" "$file"
         ;;
+    *.xml) # a BulletML document
+        "$bench/build/curtain" bulletml "$file"
+        ;;
     *.file)
         sed 1d "$file" | diff - "$(head -1 "$file")"
         ;;

@@ -9,7 +9,7 @@ KIND is what follows the three backquotes: lua (a script), lua task (the body of
 Of these the next block is what is said: mml error (a piece that is refused), lua error (the body of a task that
 faults), lua main error (a main.lua that faults where rom.lua gives no room), lua rom error (a rom.lua that is refused),
 lua check (the body of a task in which check finds something), lua tests error (a script of tests/ that fails; lua tests
-is one that holds). yaml is a file of a CI service.
+is one that holds). yaml is a file of a CI service, xml a BulletML document.
 """
 import os
 import re
