@@ -36,9 +36,9 @@ def string(text, quiet=False):
 
 def part(i):
     """Is it of the middle, like those before and after? The first of these shows as dots."""
-    if i == 2:
+    if i == 1:
         print("      ...")
-    return 2 <= i < parts - 2
+    return 1 <= i < parts - 1
 
 
 def header(end):
@@ -58,7 +58,7 @@ def header(end):
         num("i", "= %")
     string("language")
     global parts, sparse
-    sparse = form > 4 and num("B", "prints of rows alone: %")
+    sparse = form > 4 and num("B", "sparse: %")
     parts = num("B", "% parts")
     for i in range(parts):
         string("part %d," % i, part(i))
@@ -78,10 +78,12 @@ def second(end):
         num("H", "   player 1: $")
         num("H", "   player 2: $")
     for f in range(first + 1, first + n):
-        mask = int.from_bytes(data[at:at + (parts + 7) // 8], "little")
-        show((parts + 7) // 8, "frame %d: these parts' prints changed, mask %x" % (f, mask))
+        mask, quiet = int.from_bytes(data[at:at + (parts + 7) // 8], "little"), f > first + 1
+        show((parts + 7) // 8, "frame %d: checksums that changed, mask %x" % (f, mask), quiet)
         for i in range(bin(mask).count("1")):
-            num("H", "   print $")
+            num("H", "   checksum $", quiet)
+        if f == first + 2:
+            print("      ...")
     for i in range((end - at) // 8 if hashed else 0):
         num("Q", "hash of part %d" % i, part(i))
 
@@ -95,9 +97,9 @@ def short(end, runs, hashed):
                 num("H", "   player %d: $" % (player + 1))
     if hashed == 2:
         mask = int.from_bytes(data[at:at + (parts + 7) // 8], "little")
-        show((parts + 7) // 8, "these parts' prints changed, mask %x" % mask)
+        show((parts + 7) // 8, "checksums that changed, mask %x" % mask)
         for i in range(bin(mask).count("1")):
-            num("H", "   print $", i > 3)
+            num("H", "   checksum $", i > 3)
         print("      ...")
     for i in range((end - at) // 8 if hashed == 1 else 0):
         num("Q", "hash of part %d" % i, part(i))
