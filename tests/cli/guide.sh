@@ -3,8 +3,7 @@
 # entry has an example.
 . "$(dirname "$0")/../pages.sh"
 
-guide="docs/guide/*.md docs/reference/rom.md docs/reference/mml.md docs/reference/settings.md"
-for page in $guide; do
+for page in docs/guide/*.md docs/reference/{bulletml,command-line,mml,rom,settings}.md; do
     case $page in docs/guide/34-*) ;; *) blocks "$page" ;; esac # from.sh runs 34
 done
 covers() { "$OUT/curtain-null" help lua | python3 tests/cli/snippets.py --cover "$@"; }
