@@ -48,9 +48,9 @@ glossary() {
         [ -f "$file" ] || { echo "there is no $file"; return 1; }
     done
 }
-check "every word of the glossary lives in a file" glossary docs/internals/design.md
-sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/internals/design.md >"$scratch/design.md"
-refuse "planted: a word without a file" "there is no fb/gone.h" glossary "$scratch/design.md"
-sed 's/^| demo |/| zebra |/' docs/internals/design.md >"$scratch/design.md"
-refuse "planted: words out of order" "disorder" glossary "$scratch/design.md"
+check "every word of the glossary lives in a file" glossary docs/internals/glossary.md
+sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/internals/glossary.md >"$scratch/glossary.md"
+refuse "planted: a word without a file" "there is no fb/gone.h" glossary "$scratch/glossary.md"
+sed 's/^| demo |/| zebra |/' docs/internals/glossary.md >"$scratch/glossary.md"
+refuse "planted: words out of order" "disorder" glossary "$scratch/glossary.md"
 finish
