@@ -190,7 +190,7 @@ lua_of() { # BUILD
 table() {
     local name key keys kind
     keys=$(ls "$cross/$reference/tracks" | grep -v '^keys-')
-    echo "| build | \`file\` | words, bytes | compiler | Lua |"
+    echo "| build | \`file\` | word size, byte order | compiler | Lua |"
     echo "|---|---|---|---|---|"
     for name in $builds; do
         kind=$(file -b "$cross/$name/curtain-null" |
@@ -198,11 +198,11 @@ table() {
         echo "| $name | $kind | $(fact "$name" machine) | $(fact "$name" compiler) | $(lua_of "$name") |"
     done
     echo
-    echo "Each build verified a whole game of *Glass Tide* as well:"
+    echo "Each build also verified one complete game of *Glass Tide*:"
     echo
     for name in $builds; do echo "* $name: $(sed 's,^tests/demos/glasstide/,,' "$cross/$name/clear")"; done
     echo
-    echo "The state's hash after the last frame:"
+    echo "Hash of the state after the last frame:"
     echo
     echo "| build$(for key in $keys; do echo " | $key"; done | tr -d '\n') | frames | pictures |"
     echo "|---$(for key in $keys; do echo "|---"; done | tr -d '\n')|---:|---:|"
@@ -226,11 +226,11 @@ contents() {
     echo
     table
     echo
-    echo "All are equal, at every frame and in every part. So are the bytes of the games they packed, and" \
-        "the digest of all"
-    echo "functions of \`src/base\` (\`tools/prove/digest.c\`). A build of x86-64 whose \`pairs\` keeps" \
-        "Lua's own order is found"
-    echo "out: \`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
+    echo "All builds agree in every frame and part. They also agree on the bytes of the packed games and" \
+        "on the digest of all"
+    echo "functions of \`src/base\` (\`tools/prove/digest.c\`). A build for x86-64 whose \`pairs\` uses" \
+        "Lua's own order is detected:"
+    echo "\`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
 }
 
 write_page() {
