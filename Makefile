@@ -47,6 +47,8 @@ BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/
                          src/board/*/*/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
+# The examples that `curtain help lua NAME` prints.
+EXAMPLES  := $(sort $(wildcard share/help/*.md))
 # What `curtain new` writes.
 TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter bulletml) -type f ! -name '.*' ! -path '*/failed/*'))
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
@@ -146,11 +148,11 @@ $(OUT)/start.is: FORCE
 	@mkdir -p $(@D)
 	@echo '$(TEMPLATES)' | cmp -s - $@ || echo '$(TEMPLATES)' > $@
 
-$(OUT)/gen/std.c: $(STD_LUA) $(TEMPLATES) $(OUT)/start.is $(OUT)/embed
+$(OUT)/gen/std.c: $(STD_LUA) $(TEMPLATES) $(EXAMPLES) $(OUT)/start.is $(OUT)/embed
 	@mkdir -p $(@D)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(patsubst scripts/%.lua,%,$f)=$f) -- \
-		$(foreach f,$(TEMPLATES),$(f:examples/%=%)=$f) > $@
+		$(foreach f,$(TEMPLATES),$(f:examples/%=%)=$f) -- $(foreach f,$(EXAMPLES),$(patsubst share/help/%.md,%,$f)=$f) > $@
 
 $(OUT)/gen/no_rom.c: $(OUT)/embed
 	@mkdir -p $(@D)
@@ -193,7 +195,7 @@ $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 
 WEB     := build/web
 LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
-LIB_C   := -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
+LIB_C   := -DWITHOUT_HELP -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 
 $(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
 	@mkdir -p $(@D)
@@ -240,7 +242,7 @@ $(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 # As Debian compiles Lua, with tools/cross/wasi in place of setjmp. Its sources are fetched once.
 WEB_CC    ?= clang
 WEB_OPT   ?= -Oz -msimd128
-WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -Wno-excess-initializers -ffunction-sections \
+WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -ffunction-sections \
              -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/cross/wasi
 LUA_SRC   := build/cross/lua-bookworm/src
 WEB_LUA   := $(patsubst %,$(WEB)/lua/l%.o,api auxlib baselib code ctype debug do dump func gc lex mathlib mem object \

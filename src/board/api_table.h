@@ -81,6 +81,13 @@ enum api_names {
 
 enum { REQ = 0, OPT = 1 }; /* must it be given? */
 
+/* Text that only `curtain help lua` prints. A build without that command carries none of it. */
+#ifdef WITHOUT_HELP
+#define HELP(text) NULL
+#else
+#define HELP(text) text
+#endif
+
 struct api_param {
     const char *name;
     enum api_type type;
@@ -88,7 +95,14 @@ struct api_param {
     double lo, hi;
     const char *unit; /* may be NULL */
     const char *def;  /* default, as Lua spells it; NULL: none */
+    const char *help; /* its meaning, HELP(); of a function also what it is called with; NULL: none */
 };
+
+/* A row of a list of parameters. */
+#define PARAM(name, type, need, lo, hi, unit, def, help)                                                               \
+    {                                                                                                                  \
+        name, type, need, lo, hi, unit, def, HELP(help)                                                                \
+    }
 
 enum {
     API_CHANGES = 1 << 0, /* can change RAM: folded into the script digest */
@@ -103,13 +117,6 @@ enum {
         1 << 8, /* takes the values declared for what its name begins with, as API_FIRE those of what it fires */
 };
 
-/* What is read only by who asks for help; a build that nobody can ask has none of it. */
-#ifdef WITHOUT_HELP
-typedef const char api_help_text[1];
-#else
-typedef const char *api_help_text;
-#endif
-
 struct api_entry {
     const char *name;                                                      /* "bullet.fire", "bullet:aim", "wait" */
     int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns how many results it pushed */
@@ -118,16 +125,15 @@ struct api_entry {
     uint8_t plain; /* so many are plain arguments; the others stand in one table */
     uint16_t flags;
     const char *returns; /* NULL: nothing */
-    api_help_text help;
+    const char *help;    /* one sentence: what it is for; HELP() */
 };
 
 /* A property of a thing. PROP_LASTS: only read, and of a player even after it is out. */
 enum { PROP_READ = 0, PROP_WRITE = 1, PROP_LASTS = 2 };
 
 struct api_prop {
-    struct api_param value; /* name, type, range, unit */
+    struct api_param value; /* name, type, range, unit, meaning */
     int write;              /* PROP_ */
-    api_help_text help;
 };
 
 /* What a kind of handle can do. get pushes property p of a live thing; set writes it. */

@@ -11,6 +11,7 @@
 #include "../board/board.h"
 #include "../../platform/platform.h"
 #include "editor/annotations.h"
+#include "editor/lua_example.h"
 #include "editor/luacheck.h"
 #include "host/config.h"
 #include "host/keys.h"
@@ -48,8 +49,11 @@ static void print_prose(void (*write)(struct prose *))
 
 static enum result help_lua(const char *name)
 {
-    if (api_help(name, say))
+    if (api_help(name, say)) {
+        if (name)
+            lua_example_print(name);
         return report_stdout(RESULT_DONE);
+    }
     if (api_help_near(name))
         return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (did you mean %s?)", name,
                            api_help_near(name));

@@ -57,6 +57,12 @@ class Types:
             self.names.add(word)
         elif not re.match(r'"|-?\d', word):
             raise ValueError('"%s" is no type' % word)
+            if word == "table" and self.peek() == "<":
+                self.take("<")
+                self.union()
+                self.take(",")
+                self.union()
+                self.take(">")
         while self.text[self.at:self.at + 2] == "[]" or self.text[self.at:self.at + 1] == "?":
             self.at += 2 if self.text[self.at] == "[" else 1
 
@@ -220,7 +226,9 @@ def split_words(text):
 
 
 def bare(words):
-    """What an argument is, without range and default."""
+    """What an argument is, without its meaning, range and default."""
+    if words.endswith("]") and "[" in words:
+        words = words[words.rindex("[") + 1:-1]
     words = re.sub(r" (\(required\)|= [^{}]*)$", "", words)
     words = re.sub(r"^(whole number|whole number or forever|number|\{ first, last \}, whole numbers) "
                    r"from -?[\d.e+]+ to -?[\d.e+]+.*$", r"\1", words)
@@ -228,8 +236,10 @@ def bare(words):
 
 
 def type_of(words, help_text="", name=""):
-    words = bare(words)
+    meaning, words = words, bare(words)
     if words == "function":
+        if name and re.search(r"(?<!\w)%s\([^.)]" % re.escape(name), meaning):
+            help_text = meaning
         called = re.search(r"(?<!\w)%s\(([^.)][^)]*|)\)" % re.escape(name), help_text) if name else None
         if not called:
             return "function"
@@ -252,19 +262,28 @@ def type_of(words, help_text="", name=""):
 
 class Entry:
     def __init__(self, lines):
-        self.first, self.help = lines[0], lines[1].strip() if len(lines) > 1 else ""
+        lines, self.first = list(lines), lines[0]
+        self.help = ""
+        while len(lines) > 1 and re.match(r"  \S", lines[1]):
+            self.help += (" " if self.help else "") + lines.pop(1).strip()
+        if "  Example:" in lines:
+            lines = lines[:lines.index("  Example:")]
         found = re.match(r"([\w.:]+)(?:\(([^)]*)\))?(\{\.\.\.\})?(?: -> (.*))?$", self.first)
         self.name, plain, table, returns = found.groups()
         plain = [p for p in (plain or "").split(", ") if p]
         self.table, self.more = bool(table) or "{...}" in plain, "..." in plain
         self.plain = [p.rstrip("?") for p in plain if p not in ("...", "{...}")]
         self.returns = returns.split(", ") if returns else []
-        self.params, self.parts, self.fires, into = {}, {}, False, None
-        for line in lines[2:]:
-            part = re.match(r"  each (\w+):$", line)
+        self.params, self.parts, self.helps, self.fires, into, part = {}, {}, {}, False, None, None
+        for line in filter(None, lines[1:]):
             param = re.match(r"    (\S+) +(.*)$", line)
-            if part:
-                into = self.parts.setdefault(part.group(1), {})
+            found = re.match(r"  (\w+): (.*)$", line)
+            if found:
+                part = found.group(1)
+                into = self.parts.setdefault(part, {})
+                self.helps[part] = found.group(2)
+            elif line.startswith("      "):
+                self.helps[part] += " " + line.strip()
             elif param.group(1) == "...":
                 self.fires = True
             else:
@@ -274,6 +293,7 @@ class Entry:
 class Page:
     def __init__(self, text):
         self.entries, self.values, self.properties = {}, {}, {}
+        text = re.sub(r"\n {15,}(?=\S)", " ", text)  # wrapped lines
         for section in re.split(r"^## ", text, flags=re.M)[1:]:
             listed = re.search(r"```\nproperties of [^\n]*:\n(.*?)```", section, re.S)
             if listed:
@@ -329,9 +349,11 @@ class Comparison:
             return type_of(words, help_text, name)
         for part in entry.parts:
             if name in (part, part + "s", "list"):
-                one = name == part and not re.search(r"^---one [^\n]*\n---@class %s\.%s$" % (entry.name, part),
-                                                     self.d.text, re.M)
-                return "%s.%s%s|table" % (entry.name, part, "" if one else "[]")
+                kind = "%s.%s" % (entry.name, part)
+                if entry.helps[part].startswith("each "):
+                    return "table<string, %s>|table" % kind
+                one = name == part and not entry.helps[part].startswith("one ")
+                return kind + ("" if one else "[]") + "|table"
         return "table"
 
     def fields(self, name, wanted, entry):
@@ -342,7 +364,7 @@ class Comparison:
             return
         self.same("fields of " + name, list(wanted), list(got))
         for field, words in wanted.items():
-            required = words.endswith("(required)")
+            required = words.endswith("(required)]")
             want = (not required, self.type(entry, words, field, entry.help), words)
             self.same("field %s of %s" % (field, name), want, got.get(field))
 
@@ -366,7 +388,7 @@ class Comparison:
         if e.more:
             want.append(("...", False, "any", ""))
         if e.table:
-            must = e.fires or any(w.endswith("(required)") for p, w in e.params.items() if p not in e.plain)
+            must = e.fires or any(w.endswith("(required)]") for p, w in e.params.items() if p not in e.plain)
             want.append(("args", not must, base + ".args", ""))
         self.same("parameters of " + name, want, params)
         self.same("results of " + name, [(RETURNS.get(r, r), r) for r in e.returns], returns)
@@ -427,7 +449,7 @@ def compare(annotations, api):
 
 
 PLANTED = [
-    ("a function less", r"---it turns by so many degrees\n---@param by number # degrees \(required\)\n"
+    ("a function less", r"---turns it by an angle\n---@param by number # [^\n]*\n"
      r"function a_bullet:turn\(by\) end\n", ""),
     ("a function more", r"\n---@class bulletlib", "\nfunction pad.held() end\n\n---@class bulletlib"),
     ("a function by another name", r"function bullet\.fire\(", "function bullet.shoot("),
@@ -437,7 +459,7 @@ PLANTED = [
     ("a field that must be given", r"@field delay\? integer", "@field delay integer"),
     ("another type", r"@field aim\? boolean", "@field aim? integer"),
     ("a type that nobody declares", r"@field sprite sprite_name", "@field sprite picture_name"),
-    ("another default", r"(@field dir\? number # degrees) = 90", r"\1 = 0"),
+    ("another default", r"(@field dir\? number # .*\[degrees) = 90", r"\1 = 0"),
     ("another range", r"whole number from 0 to 15 = 0", "whole number from 0 to 16 = 0"),
     ("another unit", r"(number from -8191 to 8191) px/frame", r"\1 px"),
     ("a word less", r'"none"\|"first"\|"second"\|"both"', '"none"|"first"|"second"'),

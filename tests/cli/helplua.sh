@@ -17,7 +17,7 @@ lacks() { # WORD NAME
 }
 says() { find_word "$1" | grep -qF -- "$2" || { find_word "$1"; return 1; }; }
 
-check "a method is found, with its line" says turn 'bullet:turn(by)                                it turns by so many'
+check "a method is found, with its line" says turn 'bullet:turn(by)                                turns it by an angle'
 check "a name that is the word stands before texts" before turn lasers:turn angle.difference
 check "and before a name that has it" before aim lasers:aim pattern.aimed
 check "a name that has it stands before texts" before aim pattern.aimed bullet.fire

@@ -73,9 +73,9 @@ static void check_field(lua_State *L, const char *entry, int at, const struct ap
 /* Alone it has its own kind and place; with a cast, each of that has. */
 static void check_alone(lua_State *L, int boss, bool alone)
 {
-    static const struct api_param own[] = { { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
-                                            { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                            { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL } };
+    static const struct api_param own[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("x", A_NUM, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                            PARAM("y", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "") };
 
     for (int i = 0; i < 3; i++)
         if (alone)
@@ -272,8 +272,8 @@ static void read_cut_in(struct reading *r, int at, const char *id)
 /* In place of the entry on top: the phase, checked. Talks before it stand in its `talk`. */
 static void read_phase(struct reading *r, int i)
 {
-    static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL },
-                                  run = { "run", A_FUNC, REQ, 0, 0, NULL, NULL };
+    static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL, NULL },
+                                  run = { "run", A_FUNC, REQ, 0, 0, NULL, NULL, NULL };
     lua_State *L = r->L;
     const int at = lua_gettop(L);
 
@@ -352,7 +352,7 @@ static void read_phases(struct reading *r)
     lua_setfield(L, r->boss, "phases");
 }
 
-static const struct api_param table_req[] = { { "boss", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param table_req[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
 /* What sys.check made of boss.def's arguments becomes the boss. Has it a last phase? */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
@@ -381,11 +381,11 @@ static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 enum { H_BOSS, H_ID, H_ADD, H_DIFFICULTY, H_SHIP };
 enum { ADD_NOTHING, ADD_TRY, ADD_CAPTURE };
 
-static const struct api_param history[] = { { "boss", A_STR, REQ, 0, 0, NULL, NULL },
-                                            { "id", A_STR, REQ, 0, 0, NULL, NULL },
-                                            { "add", A_INT, REQ, ADD_NOTHING, ADD_CAPTURE, NULL, NULL },
-                                            { "difficulty", A_STR, OPT, 0, 0, NULL, NULL },
-                                            { "ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL } };
+static const struct api_param history[] = { PARAM("boss", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("id", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("add", A_INT, REQ, ADD_NOTHING, ADD_CAPTURE, NULL, NULL, ""),
+                                            PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                            PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "") };
 
 static uint64_t name_hash(uint64_t h, const char *name)
 {
@@ -459,8 +459,8 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean",
-      "checks a boss's cast and phases; is one a last one?" },
+      HELP("checks a boss's cast and phases; is one a last one?") },
     { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
-      "how often a spell was tried and captured; add 1: a try, 2: a capture" },
+      HELP("how often a spell was tried and captured; add 1: a try, 2: a capture") },
 };
 const struct api_module api_boss = { entries, sizeof entries / sizeof *entries };

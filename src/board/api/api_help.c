@@ -88,13 +88,47 @@ void api_param_words(const struct api_param *p, char *out, size_t size)
     snprintf(out, size, "%s%s%s", p->type == A_THING ? thing : type_words(p), range, def);
 }
 
+enum { HELP_COLUMNS = 100 };
+
+/* Words in brackets stay together if they fit. */
+void api_help_wrapped(const char *text, int indent, void (*line)(const char *))
+{
+    char out[HELP_COLUMNS + 400];
+    int n = snprintf(out, sizeof out, "%s", text), left = 0;
+
+    for (const char *at = text; n > HELP_COLUMNS; n = snprintf(out, sizeof out, "%*s%s", left, "", at)) {
+        const char *bracket = strstr(out + left, " [");
+        int end = HELP_COLUMNS;
+        while (end > indent && out[end] != ' ')
+            end--;
+        if (bracket && bracket - out > indent && n - (bracket - out) <= HELP_COLUMNS - indent) /* it fits on a line */
+            end = (int)(bracket - out);
+        if (end <= indent) /* one long word */
+            break;
+        at += end + 1 - left;
+        left = indent;
+        while (out[end - 1] == ' ')
+            end--;
+        out[end] = '\0';
+        line(out);
+    }
+    line(out);
+}
+
+enum {
+    HELP_NAME = 15 /* columns up to the meaning of an argument, HELP_PROPERTY of a property */,
+    HELP_PROPERTY = 21,
+    HELP_LIST = 47
+};
+
 void api_help_param(const struct api_param *p, void (*line)(const char *))
 {
-    char text[320], words[280];
+    char text[1024], words[280];
 
     api_param_words(p, words, sizeof words);
-    snprintf(text, sizeof text, "    %-10s %s", p->name, words);
-    line(text);
+    snprintf(text, sizeof text, "    %-10s %s%s[%s]", p->name, p->help ? p->help : "", p->help && p->help[0] ? " " : "",
+             words);
+    api_help_wrapped(text, HELP_NAME, line);
 }
 
 static void help_signature(const struct api_entry *e, char *out, size_t size)
@@ -122,14 +156,15 @@ static void help_signature(const struct api_entry *e, char *out, size_t size)
 static void help_parts(const struct api_entry *e, void (*line)(const char *))
 {
     size_t n = strlen(e->name);
-    char text[160];
+    char text[1024];
 
     for (int i = 0; i < api_count(); i++) {
         const struct api_entry *part = api_entry(i);
         if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
             continue;
-        snprintf(text, sizeof text, "  each %s:", part->name + n + 1);
-        line(text);
+        line("");
+        snprintf(text, sizeof text, "  %s: %s", part->name + n + 1, part->help);
+        api_help_wrapped(text, 6, line);
         for (int k = 0; k < part->count; k++)
             api_help_param(&part->params[k], line);
     }
@@ -137,21 +172,24 @@ static void help_parts(const struct api_entry *e, void (*line)(const char *))
 
 void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const char *))
 {
-    char text[400], signature[200];
+    const int first = e->flags & API_METHOD ? 1 : 0;
+    char text[800], signature[200];
 
     help_signature(e, signature, sizeof signature);
     if (!whole) {
         snprintf(text, sizeof text, "%-46s %s", signature, e->help);
-        line(text);
+        api_help_wrapped(text, HELP_LIST, line);
         return;
     }
     line(signature);
     snprintf(text, sizeof text, "  %s%s", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
-    line(text);
-    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->count; i++)
+    api_help_wrapped(text, 2, line);
+    if (e->count > first || e->flags & API_FIRE)
+        line("");
+    for (int i = first; i < e->count; i++)
         api_help_param(&e->params[i], line);
     if (e->flags & API_FIRE)
-        line("    ...        and every argument of bullet.fire, or shot.fire");
+        line("    ...        and every argument of what it fires: bullet.fire, shot.fire or laser.NAME");
     help_parts(e, line);
 }
 
@@ -159,29 +197,32 @@ void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const ch
 static const struct {
     const char *name, *help;
 } values[] = {
-    { "forever", "accepted where a count of frames or times is asked" },
-    { "print(...)", "writes to the log, for the author's eyes" },
+    { "forever", HELP("accepted where a count of frames or times is asked") },
+    { "print(...)", HELP("writes to the log, for the author's eyes") },
     { "require(name)",
-      "runs a script of the game once and returns what it returned: require \"stages/one\"; at load only" },
-    { "game.stage", "name of the stage being played, or nil" },
-    { "game.mode", "name of the mode of boot.run, or nil" },
-    { "game.continues", "how often players went on, in this game" },
-    { "game.frames", "frames since the game began" },
-    { "hud.banks", "palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm" },
-    { "hud.low", "rows that stay free below the registers at the field's lower edge, for main.lua to set" },
-    { "hud.shy", "px: what stands there goes while a craft is so near to it, for main.lua to set" },
-    { "hud.gone", "by player: is what stands there gone so? For what a game shows there itself" },
-    { "hud.graze", "the word before the number of grazes, for main.lua to set; false: a star" },
-    { "hud.cols", "cells of the screen in a row, of 8 px each" },
-    { "hud.rows", "rows of cells of the screen" },
-    { "hud.banner(lines?, frames?)", "shows a list of texts in the middle of the field; without lines, ends that" },
-    { "hud.centre(row, text, bank?, first?, cols?)", "puts a text, in the run's language, in the middle of the screen, "
-                                                     "or of cols cells from first on; returns the row "
-                                                     "below" },
-    { "talk.look", "how talks look, for main.lua to set: dim, bank, font" },
-    { "rom.title", "the game's title" },
-    { "rom.field", "the playfield: x y w h, px; x and y on the screen" },
-    { "rom.screen", "the screen: w h, px" },
+      HELP("runs a script of the game once and returns what it returned: require \"stages/one\"; at load only") },
+    { "game.stage", HELP("name of the stage being played, or nil") },
+    { "game.mode", HELP("name of the mode of boot.run, or nil") },
+    { "game.continues", HELP("how often players went on, in this game") },
+    { "game.frames", HELP("frames since the game began") },
+    { "hud.banks",
+      HELP("palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm") },
+    { "hud.low", HELP("rows that stay free below the registers at the field's lower edge, for main.lua to set") },
+    { "hud.shy", HELP("px: what stands there goes while a craft is so near to it, for main.lua to set") },
+    { "hud.gone", HELP("by player: is what stands there gone so? For what a game shows there itself") },
+    { "hud.graze", HELP("the word before the number of grazes, for main.lua to set; false: a star") },
+    { "hud.cols", HELP("cells of the screen in a row, of 8 px each") },
+    { "hud.rows", HELP("rows of cells of the screen") },
+    { "hud.banner(lines?, frames?)",
+      HELP("shows a list of texts in the middle of the field; without lines, ends that") },
+    { "hud.centre(row, text, bank?, first?, cols?)",
+      HELP("puts a text, in the run's language, in the middle of the screen, "
+           "or of cols cells from first on; returns the row "
+           "below") },
+    { "talk.look", HELP("how talks look, for main.lua to set: dim, bank, font") },
+    { "rom.title", HELP("the game's title") },
+    { "rom.field", HELP("the playfield: x y w h, px; x and y on the screen") },
+    { "rom.screen", HELP("the screen: w h, px") },
 };
 
 enum { VALUES = sizeof values / sizeof *values };
@@ -203,7 +244,7 @@ static bool help_values(const char *name, size_t n, void (*line)(const char *))
         if (n && strncmp(values[i].name, name, n))
             continue;
         snprintf(text, sizeof text, "%-46s %s", values[i].name, values[i].help);
-        line(text);
+        api_help_wrapped(text, HELP_LIST, line);
         any = true;
     }
     return any;
@@ -282,7 +323,7 @@ void api_property_words(const struct api_prop *p, char *out, size_t size)
 static bool help_thing(int kind, void (*line)(const char *))
 {
     const struct api_thing *t = api_things[kind];
-    char text[400], words[200];
+    char text[1024], words[200];
 
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
@@ -292,8 +333,8 @@ static bool help_thing(int kind, void (*line)(const char *))
         const struct api_prop *p = &t->props[i];
         api_property_words(p, words, sizeof words);
         snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->value.name, p->write == PROP_WRITE ? "write" : "read",
-                 p->help, words);
-        line(text);
+                 p->value.help, words);
+        api_help_wrapped(text, HELP_PROPERTY, line);
     }
     return true;
 }

@@ -7,9 +7,14 @@
 enum { ARG_FIRST, ARG_SECOND, ARG_CLEAR, ARG_SPARK, ARG_ALL, ARG_ON_MEET };
 
 const struct api_param api_meet_params[MEET_PARAMS] = {
-    { "first", A_STR, REQ, 0, 0, NULL, NULL },    { "second", A_STR, REQ, 0, 0, NULL, NULL },
-    { "clear", A_MEET, OPT, 0, 0, NULL, "none" }, { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },  { "on_meet", A_FUNC, OPT, 0, 0, NULL, NULL },
+    PARAM("first", A_STR, REQ, 0, 0, NULL, NULL, "tag of the first bullet of a pair"),
+    PARAM("second", A_STR, REQ, 0, 0, NULL, NULL, "tag of the second bullet of a pair"),
+    PARAM("clear", A_MEET, OPT, 0, 0, NULL, "none", "which of the two is removed"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+          "spark a removed bullet leaves; that of its kind if left out; needs clear"),
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too; needs clear"),
+    PARAM("on_meet", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_meet(a, b): called with the first and the second bullet, before one is removed"),
 };
 
 _Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET are numbered so that they are MEET_ flags");

@@ -223,7 +223,9 @@ void api_add_space(lua_State *L, const char *name);
  * not there. */
 void api_no_field(lua_State *L, const char *of, const char *name);
 
-/* Parts of the help: an argument, and an entry with its arguments or (not whole) on a line. */
+/* Parts of the help: a line, wrapped, its later lines indented; an argument; an entry with its arguments or (not whole)
+ * on a line. */
+void api_help_wrapped(const char *text, int indent, void (*line)(const char *));
 void api_help_param(const struct api_param *p, void (*line)(const char *));
 void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const char *));
 
@@ -311,7 +313,7 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
 /* A method's row. */
 #define API_VERB(name, run, params, plain, returns, help)                                                              \
     {                                                                                                                  \
-        name, run, PARAMS(params), plain, API_CHANGES | API_METHOD, returns, help                                      \
+        name, run, PARAMS(params), plain, API_CHANGES | API_METHOD, returns, HELP(help)                                \
     }
 
 /* The rows of the functions that do. `noun` names one of the things. */
@@ -322,10 +324,10 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
       1,                                                                                                               \
       API_CHANGES,                                                                                                     \
       "group",                                                                                                         \
-      "every living " noun " with that tag (without one: all) as one thing to write to" },                             \
+      HELP("returns a handle to every live " noun " with a tag; a write or a verb applies to each") },                 \
     {                                                                                                                  \
         noun ".each", each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                             \
-            "calls f(" noun ") for each with that tag (nil: all), in slot order; f cannot wait"                        \
+            HELP("calls f(" noun ") for each live " noun " with a tag, in slot order")                                 \
     }
 
 /* Pushes the group of things with the tag that is given, or of all. */
@@ -348,19 +350,15 @@ struct api_region {
 /* Shape words stand behind those of PLACE, in this order. */
 enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
 #define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \
-    {                                                                                                                  \
-        "radius", A_FX, must, 0, most, "px", NULL                                                                      \
-    }
+    PARAM("radius", A_FX, must, 0, most, "px", NULL, "radius of a circle around the position")
 #define SHAPE_BOX_PARAMS(must)                                                                                         \
-    { "w", A_FX, must, 0, 32767, "px", NULL },                                                                         \
-    {                                                                                                                  \
-        "h", A_FX, must, 0, 32767, "px", NULL                                                                          \
-    }
+    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centered on the position; needs h"),                  \
+        PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centered on the position; needs w")
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
-    { "to_x", A_FX, must, -WORLD, WORLD, "px", NULL }, { "to_y", A_FX, must, -WORLD, WORLD, "px", NULL },              \
-    {                                                                                                                  \
-        "width", A_FX, must, 0, WORLD, "px", NULL                                                                      \
-    }
+    PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
+          "horizontal end of a line from the position; needs to_y and width"),                                         \
+        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "vertical end of a line from the position"),              \
+        PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
 
 /* Reads REGION_PARAMS values. False: the thing it is placed by is dead, so it is nowhere. */
 bool api_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r);

@@ -177,18 +177,21 @@ enum {
 
 /* What all clears take, of bullets and of lasers. */
 #define CLEAR_PARAMS_OF_ALL                                                                                            \
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL }, { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },                           \
-        { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL }, SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                            \
-        { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL }, { "from", A_THING, OPT, PLACES, 0, NULL, NULL },             \
-        { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" }, { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },                  \
-        SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT), { "all", A_BOOL, OPT, 0, 0, NULL, "false" },                    \
-    {                                                                                                                  \
-        "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL                                                                    \
-    }
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only those with this tag"),                                    \
+        PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position of the shape; give x and y, or from"),   \
+        PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the shape"),                            \
+        SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
+        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),        \
+        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used in place of x and y"),        \
+        PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),           \
+        PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from"),           \
+        SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT),                                                                 \
+        PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too"),                     \
+        PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into")
 
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
     CLEAR_PARAMS_OF_ALL,
-    { "lasers", A_BOOL, OPT, 0, 0, NULL, "true" },
+    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "remove lasers that the shape touches too; not those of players"),
 };
 
 /* ---- lasers ---- */
@@ -263,9 +266,9 @@ int api_clear(lua_State *L, struct board *b, struct api_value *v)
 enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, ARG_PLACE = SELF_ITEMS, ARG_ALL = ARG_PLACE + REGION_PARAMS, ARG_ITEMS };
 
 const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
-    { "self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    PARAM("self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL, "the thing itself"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
 };
 
 int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
@@ -285,14 +288,14 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
 }
 
 const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
-    { "self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
-    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into"),
 };
 
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
@@ -310,9 +313,8 @@ int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
 /* ---- laser.clear ---- */
 
 #define EVERY_PARAM                                                                                                    \
-    {                                                                                                                  \
-        "every", A_FX, OPT, 1, LASER_LONGEST, "px", "12"                                                               \
-    }
+    PARAM("every", A_FX, OPT, 1, LASER_LONGEST, "px", "12",                                                            \
+          "distance along the laser between the sparks or items it leaves")
 
 const struct api_param api_laser_clear_params[LASER_CLEAR_PARAMS] = {
     CLEAR_PARAMS_OF_ALL,
@@ -333,9 +335,9 @@ int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
 }
 
 const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
-    { "self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL, "the laser itself"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
     EVERY_PARAM,
 };
 
@@ -347,14 +349,14 @@ int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
 }
 
 const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = {
-    { "self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
+    PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
-    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into"),
     EVERY_PARAM,
 };
 

@@ -7,10 +7,10 @@
 
 enum { ARG_KEY = 0, ARG_DEFAULT = 1, ARG_VALUE = 1 };
 
-static const struct api_param save_get[] = { { "key", A_STR, REQ, 1, NV_KEY, NULL, NULL },
-                                             { "default", A_ANY, OPT, 0, 0, NULL, NULL } };
-static const struct api_param save_set[] = { { "key", A_STR, REQ, 1, NV_KEY, NULL, NULL },
-                                             { "value", A_ANY, OPT, 0, 0, NULL, NULL } };
+static const struct api_param save_get[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
+                                             PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param save_set[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
+                                             PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
 
 static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -80,8 +80,8 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "save.get", save_get_run, PARAMS(save_get), 2, API_CHANGES, "value", "what is kept under key, or default" },
+    { "save.get", save_get_run, PARAMS(save_get), 2, API_CHANGES, "value", HELP("what is kept under key, or default") },
     { "save.set", save_set_run, PARAMS(save_set), 2, API_CHANGES, NULL,
-      "keeps a number, string or boolean between runs; nil forgets" },
+      HELP("keeps a number, string or boolean between runs; nil forgets") },
 };
 const struct api_module api_save = { entries, sizeof entries / sizeof *entries };

@@ -116,7 +116,7 @@ static bool search_plain(const char *word, enum rank rank, void (*line)(const ch
     for (int i = 0; (name = api_plain(i, &help)); i++)
         if (rank_of(name, help, word) == rank) {
             snprintf(text, sizeof text, "%-46s %s", name, help);
-            line(text);
+            api_help_wrapped(text, 47, line);
             any = true;
         }
     return any;
@@ -130,13 +130,14 @@ static bool search_properties(const char *word, enum rank rank, void (*line)(con
     for (int kind = 1; kind < HANDLES; kind++)
         for (int i = 0; i < api_things[kind]->n; i++) {
             const struct api_prop *p = &api_things[kind]->props[i];
-            if (rank_of(p->value.name, p->help, word) != rank)
+            if (rank_of(p->value.name, p->value.help, word) != rank)
                 continue;
             if (rank == RANK_NAME)
-                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->help);
+                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->value.help);
             else
-                snprintf(text, sizeof text, "property %s of %s: %s", p->value.name, api_thing_names[kind], p->help);
-            line(text);
+                snprintf(text, sizeof text, "property %s of %s: %s", p->value.name, api_thing_names[kind],
+                         p->value.help);
+            api_help_wrapped(text, 4, line);
             any = true;
         }
     return any;

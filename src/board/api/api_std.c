@@ -3,275 +3,241 @@
  */
 #include "../api.h"
 
-#define N                                                                                                              \
-    {                                                                                                                  \
-        "n", A_INT, REQ, 0, 65535, "bullets", NULL                                                                     \
-    }
-#define NF                                                                                                             \
-    {                                                                                                                  \
-        "n", A_COUNT, REQ, 0, 65535, "times", NULL                                                                     \
-    }
-#define EVERY                                                                                                          \
-    {                                                                                                                  \
-        "every", A_INT, REQ, 0, 65535, "frames", NULL                                                                  \
-    }
-#define SPEED_TO                                                                                                       \
-    {                                                                                                                  \
-        "speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL                                                \
-    }
-#define TURNS                                                                                                          \
-    {                                                                                                                  \
-        "turns", A_BOOL, OPT, 0, 0, NULL, "false"                                                                      \
-    }
+#define N        PARAM("n", A_INT, REQ, 0, 65535, "bullets", NULL, "")
+#define NF       PARAM("n", A_COUNT, REQ, 0, 65535, "times", NULL, "")
+#define EVERY    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, "")
+#define SPEED_TO PARAM("speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "")
+#define TURNS    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "")
 /* What every pattern has. */
 #define PATTERN                                                                                                        \
-    { "skip", A_SPAN, OPT, -65535, 65535, NULL, NULL }, { "fire", A_FIRE, OPT, 0, 0, NULL, "bullet" },                 \
-    {                                                                                                                  \
-        "each", A_FUNC, OPT, 0, 0, NULL, NULL                                                                          \
-    }
-#define NAME                                                                                                           \
-    {                                                                                                                  \
-        "name", A_STR, REQ, 1, 31, NULL, NULL                                                                          \
-    }
-#define LIMIT                                                                                                          \
-    {                                                                                                                  \
-        "limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL                                                            \
-    }
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, ""), PARAM("fire", A_FIRE, OPT, 0, 0, NULL, "bullet", ""),   \
+        PARAM("each", A_FUNC, OPT, 0, 0, NULL, NULL, "")
+#define NAME  PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "")
+#define LIMIT PARAM("limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL, "")
 
 static const struct api_param trail[] = {
-    { "kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL },  { "follow", A_THING, REQ, PLACES, 0, NULL, NULL },
-    { "every", A_INT, OPT, 1, 65535, "frames", "4" }, { "over", A_COUNT, OPT, 1, INT32_MAX, "frames", "forever" },
-    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+    PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, ""),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", ""),
+    PARAM("over", A_COUNT, OPT, 1, INT32_MAX, "frames", "forever", ""),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
 };
-static const struct api_param wait_until[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL }, LIMIT };
+static const struct api_param wait_until[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, ""), LIMIT };
 static const struct api_param ring[] = { N, PATTERN };
-static const struct api_param fan[] = { N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
-static const struct api_param arc[] = { N, { "sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
+static const struct api_param fan[] = { N, PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL, ""), PATTERN };
+static const struct api_param arc[] = { N, PARAM("sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL, ""), PATTERN };
 static const struct api_param stack[] = { N, SPEED_TO, PATTERN };
-static const struct api_param line[] = { N, { "width", A_NUM, REQ, -WORLD, WORLD, "px", NULL }, PATTERN };
-static const struct api_param polygon[] = { N, { "sides", A_INT, REQ, 3, 65535, NULL, NULL }, PATTERN };
-static const struct api_param star[] = {
-    N, { "points", A_INT, REQ, 2, 32767, NULL, NULL }, { "inner", A_NUM, OPT, 0, 1, "of speed", "0.5" }, PATTERN
-};
-static const struct api_param ellipse[] = {
-    N, SPEED_TO, { "tilt", A_NUM, OPT, -32767, 32767, "degrees", "0" }, PATTERN
-};
-static const struct api_param rose[] = { N, { "petals", A_INT, REQ, 1, 65535, NULL, NULL }, SPEED_TO, PATTERN };
-static const struct api_param whip[] = { N, SPEED_TO, { "bend", A_NUM, REQ, -32767, 32767, "degrees", NULL }, PATTERN };
-static const struct api_param scatter[] = {
-    N, { "spread", A_NUM, REQ, -32767, 32767, "degrees", NULL }, SPEED_TO, PATTERN
-};
-static const struct api_param figure[] = {
-    { "list", A_TABLE, REQ, 0, 0, NULL, NULL }, { "scale", A_NUM, OPT, -WORLD, WORLD, NULL, "1" }, TURNS, PATTERN
-};
-static const struct api_param picture[] = {
-    { "dots", A_STR, REQ, 1, 4096, NULL, NULL }, { "gap", A_NUM, OPT, 0, WORLD, "px", "8" }, TURNS, PATTERN
-};
-static const struct api_param spiral[] = { NF,
-                                           { "step", A_NUM, REQ, -32767, 32767, "degrees", NULL },
-                                           EVERY,
-                                           { "arms", A_INT, OPT, 1, 65535, "bullets", "1" },
-                                           PATTERN };
-static const struct api_param aimed[] = { NF, EVERY, { "lock", A_BOOL, OPT, 0, 0, NULL, "false" }, PATTERN };
-static const struct api_param points[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param point[] = { { "x", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
-                                          { "y", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
-                                          { "over", A_INT, OPT, 1, 65535, "frames", NULL },
-                                          { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
-                                          { "wait", A_INT, OPT, 0, 65535, "frames", NULL } };
-static const struct api_param path_run[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
-                                             { "route", A_ROUTE, REQ, 0, 0, NULL, NULL },
-                                             { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" } };
-static const struct api_param bg_def[] = { NAME, { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
-static const struct api_param stage_def[] = { NAME,
-                                              { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
-                                              { "needs", A_STR, OPT, 1, 31, NULL, NULL },
-                                              { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
-static const struct api_param stage_at[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
-static const struct api_param wave[] = { { "n", A_INT, REQ, 0, 4096, "enemies", NULL },
+static const struct api_param line[] = { N, PARAM("width", A_NUM, REQ, -WORLD, WORLD, "px", NULL, ""), PATTERN };
+static const struct api_param polygon[] = { N, PARAM("sides", A_INT, REQ, 3, 65535, NULL, NULL, ""), PATTERN };
+static const struct api_param star[] = { N, PARAM("points", A_INT, REQ, 2, 32767, NULL, NULL, ""),
+                                         PARAM("inner", A_NUM, OPT, 0, 1, "of speed", "0.5", ""), PATTERN };
+static const struct api_param ellipse[] = { N, SPEED_TO, PARAM("tilt", A_NUM, OPT, -32767, 32767, "degrees", "0", ""),
+                                            PATTERN };
+static const struct api_param rose[] = { N, PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, ""), SPEED_TO, PATTERN };
+static const struct api_param whip[] = { N, SPEED_TO, PARAM("bend", A_NUM, REQ, -32767, 32767, "degrees", NULL, ""),
+                                         PATTERN };
+static const struct api_param scatter[] = { N, PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL, ""),
+                                            SPEED_TO, PATTERN };
+static const struct api_param figure[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, ""),
+                                           PARAM("scale", A_NUM, OPT, -WORLD, WORLD, NULL, "1", ""), TURNS, PATTERN };
+static const struct api_param picture[] = { PARAM("dots", A_STR, REQ, 1, 4096, NULL, NULL, ""),
+                                            PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "8", ""), TURNS, PATTERN };
+static const struct api_param spiral[] = { NF, PARAM("step", A_NUM, REQ, -32767, 32767, "degrees", NULL, ""), EVERY,
+                                           PARAM("arms", A_INT, OPT, 1, 65535, "bullets", "1", ""), PATTERN };
+static const struct api_param aimed[] = { NF, EVERY, PARAM("lock", A_BOOL, OPT, 0, 0, NULL, "false", ""), PATTERN };
+static const struct api_param points[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param point[] = { PARAM("x", A_NUM, OPT, -WORLD, WORLD, "px", NULL, ""),
+                                          PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, ""),
+                                          PARAM("over", A_INT, OPT, 1, 65535, "frames", NULL, ""),
+                                          PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", ""),
+                                          PARAM("wait", A_INT, OPT, 0, 65535, "frames", NULL, "") };
+static const struct api_param path_run[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
+                                             PARAM("route", A_ROUTE, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "") };
+static const struct api_param bg_def[] = { NAME, PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param stage_def[] = { NAME, PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                              PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param stage_at[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
+static const struct api_param wave[] = { PARAM("n", A_INT, REQ, 0, 4096, "enemies", NULL, ""),
                                          EVERY,
-                                         { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
-                                         { "path", A_ROUTE, REQ, 0, 0, NULL, NULL },
-                                         { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                         { "dx", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
-                                         { "dy", A_NUM, OPT, -WORLD, WORLD, "px", "0" },
-                                         { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-                                         { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                         { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
-                                         { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-                                         { "tag", A_STR, OPT, 1, 31, NULL, NULL },
-                                         { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
-                                         { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                         { "formation", A_ANY, OPT, 0, 0,
-                                           "v, line, column, circle, or a list of { x, y }", NULL },
-                                         { "gap", A_NUM, OPT, 0, WORLD, "px", "24" } };
+                                         PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("path", A_ROUTE, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                         PARAM("dx", A_NUM, OPT, -WORLD, WORLD, "px", "0", ""),
+                                         PARAM("dy", A_NUM, OPT, -WORLD, WORLD, "px", "0", ""),
+                                         PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                         PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, ""),
+                                         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),
+                                         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                         PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("formation", A_ANY, OPT, 0, 0,
+                                               "v, line, column, circle, or a list of { x, y }", NULL, ""),
+                                         PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "24", "") };
 static const struct api_param limit_only[] = { LIMIT };
 static const struct api_param name_only[] = { NAME };
 static const struct api_param boss_def[] = { NAME,
-                                             { "title", A_STR, REQ, 0, 63, NULL, NULL },
-                                             { "kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL },
-                                             { "x", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
-                                             { "y", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
-                                             { "phases", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                             { "cast", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
-                                             { "portrait_left", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                             { "warning", A_INT, OPT, 0, 65535, "frames", "0" },
-                                             { "epithet", A_STR, OPT, 1, 63, NULL, NULL },
-                                             { "entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-                                             { "bg", A_STR, OPT, 0, 0, NULL, NULL },
-                                             { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
+                                             PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, ""),
+                                             PARAM("kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("x", A_NUM, OPT, -WORLD, WORLD, "px", NULL, ""),
+                                             PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, ""),
+                                             PARAM("phases", A_TABLE, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("cast", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                             PARAM("warning", A_INT, OPT, 0, 65535, "frames", "0", ""),
+                                             PARAM("epithet", A_STR, OPT, 1, 63, NULL, NULL, ""),
+                                             PARAM("entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param boss_cast[] = { NAME,
-                                              { "title", A_STR, REQ, 0, 63, NULL, NULL },
-                                              { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL },
-                                              { "x", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                              { "y", A_NUM, REQ, -WORLD, WORLD, "px", NULL },
-                                              { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
-                                              { "portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL } };
-static const struct api_param boss_talk[] = { { "talk", A_FUNC, REQ, 0, 0, NULL, NULL } };
-static const struct api_param boss_fight[] = { NAME, { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
-static const struct api_param boss_history[] = { NAME,
-                                                 { "id", A_STR, REQ, 1, 31, NULL, NULL },
-                                                 { "difficulty", A_STR, OPT, 0, 0, NULL, NULL },
-                                                 { "ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL } };
-static const struct api_param phase[] = { { "id", A_STR, REQ, 1, 31, NULL, NULL },
-                                          { "hp", A_ANY, OPT, 0, 0, "whole number, or { NAME = n }", NULL },
-                                          { "time", A_INT, REQ, 1, INT32_MAX, "frames", NULL },
-                                          { "run", A_ANY, OPT, 0, 0, "function, or { NAME = function }", NULL },
-                                          { "spell", A_STR, OPT, 0, 127, NULL, NULL },
-                                          { "bonus", A_INT, OPT, 0, INT32_MAX, "points", "0" },
-                                          { "bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL },
-                                          { "survive", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                          { "last", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                          { "safe", A_INT, OPT, 0, 65535, "frames", "0" },
-                                          { "armour", A_INT, OPT, 0, 65535, "frames", "0" },
-                                          { "rate", A_NUM, OPT, 0, 1, NULL, "0.25" },
-                                          { "down", A_DOWN, OPT, 0, 0, NULL, "all" },
-                                          { "cut_in", A_BOOL, OPT, 0, 0, NULL, NULL },
-                                          { "portrait", A_SPRITE, OPT, 0, 0, NULL, NULL },
-                                          { "portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL },
-                                          { "rest", A_INT, OPT, 0, 65535, "frames", "60" },
-                                          { "clear", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                          { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                          { "bg", A_STR, OPT, 0, 0, NULL, NULL },
-                                          { "music", A_TUNE, OPT, 0, 0, NULL, NULL } };
-static const struct api_param phase_clear[] = { { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
-                                                { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL } };
-static const struct api_param bg_show[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
-                                            { "over", A_INT, OPT, 0, 65535, "frames", "30" } };
-static const struct api_param rule[] = { { "on", A_STR, OPT, 1, 31, NULL, NULL },
-                                         { "name", A_STR, OPT, 1, 31, NULL, NULL },
-                                         { "kind", A_STR, OPT, 1, 31, NULL, NULL },
-                                         { "points", A_ANY, OPT, 0, 0, "whole number, or a register", NULL },
-                                         { "times", A_ANY, OPT, 0, 0, "whole number, or a register", NULL },
-                                         { "gain", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                         { "most", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                         { "set", A_TABLE, OPT, 0, 0, NULL, NULL } };
-static const struct api_param count[] = { NAME,
-                                          { "n", A_INT, REQ, 0, INT32_MAX, NULL, NULL },
-                                          { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
-static const struct api_param tally[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param tally_line[] = { { "label", A_STR, REQ, 1, 31, NULL, NULL },
-                                               { "value", A_ANY, REQ, 0, 0, "property, register or function", NULL },
-                                               { "points", A_INT, REQ, 0, 1e12, "points", NULL },
-                                               { "stage", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                               { "last", A_BOOL, OPT, 0, 0, NULL, "false" } };
-#define UNLOCK_NAME                                                                                                    \
-    {                                                                                                                  \
-        "name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */                                   \
-    }
+                                              PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, ""),
+                                              PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("x", A_NUM, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                              PARAM("y", A_NUM, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                              PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
+                                              PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param boss_talk[] = { PARAM("talk", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param boss_fight[] = { NAME, PARAM("clock", A_BOOL, OPT, 0, 0, NULL, "false", "") };
+static const struct api_param boss_history[] = { NAME, PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, ""),
+                                                 PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                                 PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param phase[] = { PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, ""),
+                                          PARAM("hp", A_ANY, OPT, 0, 0, "whole number, or { NAME = n }", NULL, ""),
+                                          PARAM("time", A_INT, REQ, 1, INT32_MAX, "frames", NULL, ""),
+                                          PARAM("run", A_ANY, OPT, 0, 0, "function, or { NAME = function }", NULL, ""),
+                                          PARAM("spell", A_STR, OPT, 0, 127, NULL, NULL, ""),
+                                          PARAM("bonus", A_INT, OPT, 0, INT32_MAX, "points", "0", ""),
+                                          PARAM("bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL, ""),
+                                          PARAM("survive", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                          PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                          PARAM("safe", A_INT, OPT, 0, 65535, "frames", "0", ""),
+                                          PARAM("armour", A_INT, OPT, 0, 65535, "frames", "0", ""),
+                                          PARAM("rate", A_NUM, OPT, 0, 1, NULL, "0.25", ""),
+                                          PARAM("down", A_DOWN, OPT, 0, 0, NULL, "all", ""),
+                                          PARAM("cut_in", A_BOOL, OPT, 0, 0, NULL, NULL, ""),
+                                          PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
+                                          PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL, ""),
+                                          PARAM("rest", A_INT, OPT, 0, 65535, "frames", "60", ""),
+                                          PARAM("clear", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                          PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                          PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                          PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param phase_clear[] = { PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param bg_show[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                            PARAM("over", A_INT, OPT, 0, 65535, "frames", "30", "") };
+static const struct api_param rule[] = { PARAM("on", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                         PARAM("name", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                         PARAM("kind", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                         PARAM("points", A_ANY, OPT, 0, 0, "whole number, or a register", NULL, ""),
+                                         PARAM("times", A_ANY, OPT, 0, 0, "whole number, or a register", NULL, ""),
+                                         PARAM("gain", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("most", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("set", A_TABLE, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param count[] = { NAME, PARAM("n", A_INT, REQ, 0, INT32_MAX, NULL, NULL, ""),
+                                          PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
+static const struct api_param tally[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param tally_line[] = {
+    PARAM("label", A_STR, REQ, 1, 31, NULL, NULL, ""),
+    PARAM("value", A_ANY, REQ, 0, 0, "property, register or function", NULL, ""),
+    PARAM("points", A_INT, REQ, 0, 1e12, "points", NULL, ""), PARAM("stage", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "")
+};
+#define UNLOCK_NAME PARAM("name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */, "")
 static const struct api_param unlock_def[] = { UNLOCK_NAME,
-                                               { "when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL },
-                                               { "title", A_STR, OPT, 1, 63, NULL, NULL },
-                                               { "hint", A_STR, OPT, 1, 127, NULL, NULL } };
-static const struct api_param unlock_when[] = { { "clear", A_ANY, OPT, 0, 0, "true, or a stage", NULL },
-                                                { "mode", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "difficulty", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "ship", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL },
-                                                { "score", A_INT, OPT, 1, 1e12, "points", NULL },
-                                                { "spell", A_STR, OPT, 1, 63, NULL, NULL },
-                                                { "heard", A_TUNE, OPT, 0, 0, NULL, NULL } };
+                                               PARAM("when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL, ""),
+                                               PARAM("title", A_STR, OPT, 1, 63, NULL, NULL, ""),
+                                               PARAM("hint", A_STR, OPT, 1, 127, NULL, NULL, "") };
+static const struct api_param unlock_when[] = { PARAM("clear", A_ANY, OPT, 0, 0, "true, or a stage", NULL, ""),
+                                                PARAM("mode", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("difficulty", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("ship", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL, ""),
+                                                PARAM("score", A_INT, OPT, 1, 1e12, "points", NULL, ""),
+                                                PARAM("spell", A_STR, OPT, 1, 63, NULL, NULL, ""),
+                                                PARAM("heard", A_TUNE, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param unlock_has[] = { UNLOCK_NAME };
-#define MISSION_NAME                                                                                                   \
-    {                                                                                                                  \
-        "name", A_STR, REQ, 1, NV_KEY - 8, NULL, NULL /* kept under "mission/NAME" */                                  \
-    }
+#define MISSION_NAME PARAM("name", A_STR, REQ, 1, NV_KEY - 8, NULL, NULL /* kept under "mission/NAME" */, "")
 static const struct api_param mission_def[] = { MISSION_NAME,
-                                                { "title", A_STR, REQ, 1, 63, NULL, NULL },
-                                                { "text", A_STR, OPT, 0, 127, NULL, NULL },
-                                                { "stage", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "mark", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "to", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "boss", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "phase", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "ship", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "difficulty", A_STR, OPT, 1, 31, NULL, NULL },
-                                                { "lives", A_INT, OPT, 1, 99, NULL, "1" },
-                                                { "registers", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                                { "goal", A_ANY, OPT, 0, 0, "{ NAME = n, .. }, or a function", NULL },
-                                                { "clear", A_BOOL, OPT, 0, 0, NULL, "false" },
-                                                { "limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL },
-                                                { "bombs", A_INT, OPT, 0, 99, NULL, NULL },
-                                                { "by", A_STR, OPT, 1, 31, NULL, "time" },
-                                                { "medals", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                                { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
+                                                PARAM("title", A_STR, REQ, 1, 63, NULL, NULL, ""),
+                                                PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, ""),
+                                                PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("mark", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("to", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("boss", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("phase", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("ship", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("difficulty", A_STR, OPT, 1, 31, NULL, NULL, ""),
+                                                PARAM("lives", A_INT, OPT, 1, 99, NULL, "1", ""),
+                                                PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("goal", A_ANY, OPT, 0, 0, "{ NAME = n, .. }, or a function", NULL,
+                                                      ""),
+                                                PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                                PARAM("limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL, ""),
+                                                PARAM("bombs", A_INT, OPT, 0, 99, NULL, NULL, ""),
+                                                PARAM("by", A_STR, OPT, 1, 31, NULL, "time", ""),
+                                                PARAM("medals", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "") };
 static const struct api_param mission_best[] = { MISSION_NAME };
-static const struct api_param boot_run[] = { { "stages", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "players", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                             { "demo", A_STR, OPT, 1, 63, NULL, NULL },
-                                             { "demos", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "modes", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "difficulties", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "ships", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "ending", A_ANY, OPT, 0, 0,
-                                               "function, or a list of { when, show, music }", NULL },
-                                             { "opening", A_FUNC, OPT, 0, 0, NULL, NULL },
-                                             { "staff", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "music", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "continues", A_INT, OPT, 1, 99, NULL, NULL },
-                                             { "pages", A_TABLE, OPT, 0, 0, NULL, NULL },
-                                             { "grades", A_FUNC, OPT, 0, 0, NULL, NULL },
-                                             { "screens", A_TABLE, OPT, 0, 0, NULL, NULL } };
-static const struct api_param boot_music[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
-                                               { "title", A_STR, OPT, 0, 63, NULL, NULL },
-                                               { "text", A_STR, OPT, 0, 127, NULL, NULL },
-                                               { "needs", A_STR, OPT, 1, 31, NULL, NULL } };
-static const struct api_param game_def[] = { { "registers", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param boot_run[] = { PARAM("stages", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("players", A_TABLE, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("demo", A_STR, OPT, 1, 63, NULL, NULL, ""),
+                                             PARAM("demos", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("modes", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("ships", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("ending", A_ANY, OPT, 0, 0,
+                                                   "function, or a list of { when, show, music }", NULL, ""),
+                                             PARAM("opening", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("staff", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("music", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("continues", A_INT, OPT, 1, 99, NULL, NULL, ""),
+                                             PARAM("pages", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("grades", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("screens", A_TABLE, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param boot_music[] = { PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
+                                               PARAM("title", A_STR, OPT, 0, 63, NULL, NULL, ""),
+                                               PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, ""),
+                                               PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "") };
+static const struct api_param game_def[] = { PARAM("registers", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param talk_def[] = {
-    { "who", A_STR, REQ, 1, 31, NULL, NULL },    { "name", A_STR, REQ, 0, 63, NULL, NULL },
-    { "faces", A_TABLE, OPT, 0, 0, NULL, NULL }, { "side", A_STR, OPT, 0, 0, NULL, "left" },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },    { "voice", A_SOUND, OPT, 0, 0, NULL, NULL }
+    PARAM("who", A_STR, REQ, 1, 31, NULL, NULL, ""),    PARAM("name", A_STR, REQ, 0, 63, NULL, NULL, ""),
+    PARAM("faces", A_TABLE, OPT, 0, 0, NULL, NULL, ""), PARAM("side", A_STR, OPT, 0, 0, NULL, "left", ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),    PARAM("voice", A_SOUND, OPT, 0, 0, NULL, NULL, "")
 };
-static const struct api_param talk_face[] = { { "face", A_SPRITE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param talk_run[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL },
-                                             { "hold", A_STR, OPT, 0, 0, NULL, "fire" },
-                                             { "clear", A_BOOL, OPT, 0, 0, NULL, "true" },
-                                             { "skip", A_BOOL, OPT, 0, 0, NULL, "true" },
-                                             { "clock", A_BOOL, OPT, 0, 0, NULL, "false" } };
+static const struct api_param talk_face[] = { PARAM("face", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param talk_run[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("hold", A_STR, OPT, 0, 0, NULL, "fire", ""),
+                                             PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "true", ""),
+                                             PARAM("skip", A_BOOL, OPT, 0, 0, NULL, "true", ""),
+                                             PARAM("clock", A_BOOL, OPT, 0, 0, NULL, "false", "") };
 static const struct api_param say[] = {
-    { "who", A_STR, OPT, 0, 0, NULL, NULL },         { "text", A_STR, REQ, 0, 4096, NULL, NULL },
-    { "face", A_STR, OPT, 0, 0, NULL, NULL },        { "side", A_STR, OPT, 0, 0, NULL, NULL },
-    { "letter", A_INT, OPT, 0, 600, "frames", "2" }, LIMIT,
-    { "voice", A_SOUND, OPT, 0, 0, NULL, NULL },
+    PARAM("who", A_STR, OPT, 0, 0, NULL, NULL, ""),         PARAM("text", A_STR, REQ, 0, 4096, NULL, NULL, ""),
+    PARAM("face", A_STR, OPT, 0, 0, NULL, NULL, ""),        PARAM("side", A_STR, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("letter", A_INT, OPT, 0, 600, "frames", "2", ""), LIMIT,
+    PARAM("voice", A_SOUND, OPT, 0, 0, NULL, NULL, ""),
 };
-static const struct api_param choose[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL },
-                                           { "title", A_STR, OPT, 0, 0, NULL, NULL },
-                                           { "chosen", A_INT, OPT, 1, 99, NULL, "1" },
-                                           { "p", A_PAD, OPT, 0, 0, NULL, NULL },
+static const struct api_param choose[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, ""),
+                                           PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                           PARAM("chosen", A_INT, OPT, 1, 99, NULL, "1", ""),
+                                           PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, ""),
                                            LIMIT,
-                                           { "back", A_INT, OPT, 1, 99, NULL, NULL } };
-static const struct api_param values[] = { { "values", A_TABLE, REQ, 0, 0, NULL, NULL } };
+                                           PARAM("back", A_INT, OPT, 1, 99, NULL, NULL, "") };
+static const struct api_param values[] = { PARAM("values", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
 #define LUA(name, params, plain, flags, returns, help)                                                                 \
     {                                                                                                                  \
-        name, NULL, PARAMS(params), plain, API_LUA | (flags), returns, help                                            \
+        name, NULL, PARAMS(params), plain, API_LUA | (flags), returns, HELP(help)                                      \
     }
 static const struct api_entry entries[] = {
     LUA("wait_until", wait_until, 2, API_GLOBAL, "boolean",
         "waits until f() is true, asked once a frame, first at once; false: the limit ran out"),
     { "wait_for", NULL, NULL, 0, 0, API_LUA | API_GLOBAL | API_MORE, NULL,
-      "waits until every given task has ended and every given thing is dead" },
+      HELP("waits until every given task has ended and every given thing is dead") },
     LUA("by_difficulty", values, 1, API_GLOBAL, "value",
         "the value for the difficulty being played, else the nearest easier one, else the easiest given; by their "
         "names, or a "
@@ -323,7 +289,7 @@ static const struct api_entry entries[] = {
     LUA("stage.clear", limit_only, 1, 0, "boolean", "waits until no enemy is left; false: the limit ran out"),
     LUA("stage.mark", name_only, 1, 0, NULL, "a named moment, where --stage NAME:MARK starts"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
-      "is the stage being run through, to the mark it starts at?" },
+      HELP("is the stage being run through, to the mark it starts at?") },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: phases = { { id, hp, time, run, ... }, ... }, with talks, { talk = f }, among them; cast = { "
         "{ name, title, kind, x, y }, ... } in place of kind, x and y: several at once; portrait: spells cut in with "
@@ -345,7 +311,7 @@ static const struct api_entry entries[] = {
     LUA("boss.fight", boss_fight, 1, 0, "boolean",
         "flies in, fights all phases; true if every one was beaten; clock: the stage's goes on"),
     { "boss.now", NULL, NULL, 0, 0, API_LUA, "boss, id, frames",
-      "the names of the boss and of the phase that is fought, and how long it has been; nil: none is" },
+      HELP("the names of the boss and of the phase that is fought, and how long it has been; nil: none is") },
     LUA("boss.history", boss_history, 2, 0, "tries, captures",
         "how often that spell was fought and captured, at the difficulty played or that one, with that ship or any"),
     LUA("bg.def", bg_def, 2, API_LOAD, NULL,
@@ -374,7 +340,8 @@ static const struct api_entry entries[] = {
         "kept under \"mission/NAME\""),
     LUA("mission.best", mission_best, 1, 0, "value, stars, ship",
         "the best so far of what the mission measures, its stars and the ship; nil, 0: it was never done"),
-    { "mission.stars", NULL, NULL, 0, 0, API_LUA, "got, most", "the stars of all missions, and how many there are" },
+    { "mission.stars", NULL, NULL, 0, 0, API_LUA, "got, most",
+      HELP("the stars of all missions, and how many there are") },
     LUA("game.def", game_def, 0, API_LOAD, NULL,
         "declares the registers of a run, as those of player.def: then game.NAME; it reads stage, mode, continues and "
         "frames too"),

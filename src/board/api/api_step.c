@@ -28,23 +28,26 @@ enum {
 };
 
 const struct api_param api_emit_params[EMIT_PARAMS] = {
-    { "pattern", A_EMIT, OPT, 0, 0, NULL, "one" },
-    { "n", A_INT, OPT, 0, 65535, "bullets", NULL },
-    { "spread", A_NUM, OPT, -32767, 32767, "degrees", NULL },
-    { "sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL },
-    { "speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
-    { "width", A_NUM, OPT, -WORLD, WORLD, "px", NULL },
-    { "skip", A_SPAN, OPT, -65535, 65535, NULL, NULL },
-    { "fire", A_SHOOT, OPT, 0, 0, NULL, "bullet" },
-    { "kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL },
-    { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
-    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
-    { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
-    { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },
-    { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },
-    { "around", A_THING, OPT, PLACES, 0, NULL, NULL },
+    PARAM("pattern", A_EMIT, OPT, 0, 0, NULL, "one", "how what it fires is arranged: pattern.NAME, or one"),
+    PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL, "number to fire; every pattern but one needs it"),
+    PARAM("spread", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle between the first and the last of a fan"),
+    PARAM("sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle from the first to the last of an arc, clockwise"),
+    PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last of a stack"),
+    PARAM("width", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "distance between the first and the last of a line"),
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "numbers of the first and the last one to leave out"),
+    PARAM("fire", A_SHOOT, OPT, 0, 0, NULL, "bullet",
+          "what to fire; shots belong to the player of the shot that fires"),
+    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"),
+    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "pixels per frame; negative flies backwards"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
+          "direction of flight, clockwise from the right; its own direction if left out; with aim, an offset"),
+    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", "fire at the nearest target"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
+          "number added to the palette bank of the sprite; the bank of the kind if left out"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
+    PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers them"),
+    PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames they wait in place before they fly"),
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that the orbit steps of their motion circle"),
 };
 
 /* What each pattern must have: n, and the word for its size. */
@@ -218,11 +221,11 @@ void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e)
 enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
 
 const struct api_param api_await_params[AWAIT_PARAMS] = {
-    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "near", A_FX, OPT, 0, WORLD, "px", NULL },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
-    { "limit", A_COUNT, OPT, 1, 1e9, "frames", "forever" },
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "continues once it reaches or crosses this vertical line"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "continues once it reaches or crosses this horizontal line"),
+    PARAM("near", A_FX, OPT, 0, WORLD, "px", NULL, "continues once a target is less than this far away"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "continues on group:signal() of this tag"),
+    PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which it continues anyway"),
 };
 
 static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBERS,
@@ -297,7 +300,7 @@ static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *
 /* The point on top of the stack as a leg; false: it takes no time. Pops it. */
 static bool leg_to(lua_State *L, int step, int place_at, struct api_leg *at, struct motion_step *leg)
 {
-    static const struct api_param ease = { "ease", A_EASE, OPT, 0, 0, NULL, NULL };
+    static const struct api_param ease = { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL };
     const int point = lua_gettop(L);
     struct api_value v = { 0 };
     fx x = at->x, y = at->y;

@@ -27,46 +27,46 @@ enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
 enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
 
-static const struct api_param fail[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                         { "message", A_ANY, REQ, 0, 0, NULL, NULL }, /* may quote a \0 */
-                                         { "of", A_STR, OPT, 0, 0, NULL, NULL } };
-static const struct api_param note_place[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                               { "of", A_STR, REQ, 0, 0, NULL, NULL } };
-static const struct api_param sys_near[] = { { "word", A_ANY, REQ, 0, 0, NULL, NULL },
-                                             { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param join[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
-                                         { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
-static const struct api_param name_req[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
-static const struct api_param pad_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
-static const struct api_param mark[] = { { "kind", A_STR, REQ, 0, 0, NULL, NULL },
-                                         { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                         { "of", A_STR, OPT, 0, 0, NULL, NULL },
-                                         { "title", A_STR, OPT, 0, 0, NULL, NULL },
-                                         { "value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL } };
-static const struct api_param ship[] = { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL } };
-static const struct api_param owner_req[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL } };
-static const struct api_param scope_opt[] = { { "scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param fail[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("message", A_ANY, REQ, 0, 0, NULL, NULL, ""), /* may quote a \0 */
+                                         PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param note_place[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                               PARAM("of", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_near[] = { PARAM("word", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param join[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param name_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param pad_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param mark[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "") };
+static const struct api_param ship[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "") };
+static const struct api_param scope_opt[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 enum { BACK_FADE = 60 /* frames in which music goes */ };
-static const struct api_param wipe[] = { { "keep", A_BOOL, OPT, 0, 0, NULL, NULL } };
-static const struct api_param hold[] = { { "e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
-                                         { "on", A_BOOL, REQ, 0, 0, NULL, NULL } };
+static const struct api_param wipe[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param hold[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
+                                         PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
 
-static const struct api_param drops[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                          { "drops", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param drop[] = { { "list", A_ANY, REQ, 0, 0, NULL, NULL },
-                                         { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-                                         { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
+static const struct api_param drops[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                          PARAM("drops", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param drop[] = { PARAM("list", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                         PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
 
-static const struct api_param sys_value[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
-                                              { "name", A_STR, REQ, 0, 0, NULL, NULL },
-                                              { "run", A_BOOL, OPT, 0, 0, NULL, NULL } };
-static const struct api_param any_name[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL } };
-static const struct api_param run_set[] = { { "name", A_ANY, REQ, 0, 0, NULL, NULL },
-                                            { "value", A_ANY, OPT, 0, 0, NULL, NULL } };
-static const struct api_param list_only[] = { { "list", A_TABLE, REQ, 0, 0, NULL, NULL } };
-static const struct api_param scope_req[] = { { "scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL } };
-static const struct api_param continues[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL },
-                                              { "n", A_INT, OPT, 0, 99, NULL, NULL } };
+static const struct api_param sys_value[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("run", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param any_name[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param run_set[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param scope_req[] = { PARAM("scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param continues[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "") };
 
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -166,8 +166,8 @@ static int sys_read(lua_State *L, struct board *b, struct api_value *v)
 
 enum { WORTH_THING, WORTH_PLAYER };
 
-static const struct api_param worth[] = { { "thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL },
-                                          { "p", A_PAD, REQ, 0, 0, NULL, NULL } };
+static const struct api_param worth[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL, ""),
+                                          PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
 
 /* Of an item that a player takes: it is asked where it was taken. */
 static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
@@ -506,8 +506,8 @@ static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { SKIP_ON, SKIP_TASK };
-static const struct api_param skip[] = { { "on", A_BOOL, REQ, 0, 0, NULL, NULL },
-                                         { "task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param skip[] = { PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -525,7 +525,7 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const struct api_param turn_of[] = { { "task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param turn_of[] = { PARAM("task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -547,7 +547,7 @@ static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
 
 /* Which buttons the game does not see: 0 none, 1 those that fire, 2 all that the ship has. Presses from before, or of
  * the time it did not see them, are nobody's. */
-static const struct api_param hold_players[] = { { "how", A_INT, REQ, 0, 2, NULL, NULL } };
+static const struct api_param hold_players[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
 
 static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -565,9 +565,9 @@ static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { PAD_HOW, PAD_BUTTON, PAD_PLAYER };
-static const struct api_param sys_pad[] = { { "how", A_STR, REQ, 0, 0, NULL, NULL },
-                                            { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
-                                            { "p", A_PAD, REQ, 0, 0, NULL, NULL } };
+static const struct api_param sys_pad[] = { PARAM("how", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -580,7 +580,7 @@ static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static const struct api_param sys_size[] = { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param sys_size[] = { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -594,8 +594,8 @@ static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { CUE_NAME, CUE_PAN };
-static const struct api_param cue[] = { { "name", A_STR, REQ, 1, 32, NULL, NULL },
-                                        { "pan", A_NUM, OPT, -1, 1, NULL, "0" } };
+static const struct api_param cue[] = { PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""),
+                                        PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
 
 /* Sounds are outside the hash, and so is this call. */
 static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
@@ -609,10 +609,10 @@ static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { ON_NAME, ON_FADE, LEAST_FADE = 30 };
-static const struct api_param music_on[] = { { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
-                                             { "fade", A_INT, OPT, 0, 65535, "frames", NULL } };
-static const struct api_param music_fight[] = { { "name", A_TUNE, OPT, 0, 0, NULL, NULL },
-                                                { "fade", A_INT, REQ, 0, 65535, "frames", NULL } };
+static const struct api_param music_on[] = { PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "") };
+static const struct api_param music_fight[] = { PARAM("name", A_TUNE, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("fade", A_INT, REQ, 0, 65535, "frames", NULL, "") };
 
 static int32_t least_fade(const struct api_value *v)
 {
@@ -634,7 +634,7 @@ static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const struct api_param music_clock[] = { { "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL } };
+static const struct api_param music_clock[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
 
 static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -751,7 +751,7 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static const struct api_param sys_glyph[] = { { "code", A_INT, REQ, 0, 255, NULL, NULL } };
+static const struct api_param sys_glyph[] = { PARAM("code", A_INT, REQ, 0, 255, NULL, NULL, "") };
 
 static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -798,7 +798,8 @@ static int sys_keep_text(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static const struct api_param kept_text[] = { { "kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL } };
+static const struct api_param kept_text[] = { PARAM("kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL,
+                                                    "") };
 
 static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -871,7 +872,7 @@ static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
     return 2;
 }
 
-static const struct api_param sys_cells[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param sys_cells[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -885,8 +886,8 @@ static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { WRAP_TEXT, WRAP_WIDTH };
-static const struct api_param sys_wrap[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL },
-                                             { "width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL } };
+static const struct api_param sys_wrap[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
 
 /* Adds a word, of no more than width characters, to the row on top of the stack, or begins the next with it. */
 static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t width)
@@ -950,9 +951,9 @@ static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* A place may be so far from a thing that is anywhere in the world. */
-static const struct api_param sys_aim[] = { { "x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
-                                            { "y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL },
-                                            { "shots", A_BOOL, REQ, 0, 0, NULL, NULL } };
+static const struct api_param sys_aim[] = { PARAM("x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
+                                            PARAM("y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
+                                            PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_aim_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -970,83 +971,92 @@ static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sys.fail", sys_fail, PARAMS(fail), 3, API_SYS, NULL,
-      "raises an entry's error; of: where sys.note_place noted that" },
+      HELP("raises an entry's error; of: where sys.note_place noted that") },
     { "sys.note_place", sys_note_place, PARAMS(note_place), 2, API_SYS, NULL,
-      "notes the author's line that calls an entry, for an error that is found later" },
-    { "sys.keys", sys_keys, PARAMS(list_only), 1, API_SYS, "list", "all keys of a table, of whatever type, in order" },
-    { "sys.check_drops", sys_check_drops, PARAMS(drops), 2, API_SYS, NULL, "fails unless drops are a list of items" },
-    { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", "the nearest word of a list" },
-    { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", "are scripts loading?" },
-    { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any", "runs a piece of the library, \"screens/title\"" },
-    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, "queues an event" },
-    { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, "a moment of the run, for the cabinet" },
+      HELP("notes the author's line that calls an entry, for an error that is found later") },
+    { "sys.keys", sys_keys, PARAMS(list_only), 1, API_SYS, "list",
+      HELP("all keys of a table, of whatever type, in order") },
+    { "sys.check_drops", sys_check_drops, PARAMS(drops), 2, API_SYS, NULL,
+      HELP("fails unless drops are a list of items") },
+    { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", HELP("the nearest word of a list") },
+    { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", HELP("are scripts loading?") },
+    { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any",
+      HELP("runs a piece of the library, \"screens/title\"") },
+    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, HELP("queues an event") },
+    { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, HELP("a moment of the run, for the cabinet") },
     { "sys.tell_keys", sys_tell_keys, NO_PARAMS, 0, API_SYS, NULL,
-      "for the cabinet, in each frame: a menu stands, and who has just come needs to know the keys" },
-    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more", "the practice start; more: lives, registers" },
+      HELP("for the cabinet, in each frame: a menu stands, and who has just come needs to know the keys") },
+    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
+      HELP("the practice start; more: lives, registers") },
     { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
-      "what the screens tell of a kind of player: picture, speed, lives, needs, registers, then those of the run" },
-    { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, "player i enters the game" },
+      HELP("what the screens tell of a kind of player: picture, speed, lives, needs, registers, then those of the "
+           "run") },
+    { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, HELP("player i enters the game") },
     { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL,
-      "a game begins, in that scope; a practice start sets lives and registers" },
+      HELP("a game begins, in that scope; a practice start sets lives and registers") },
     { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
-      "declares the run's registers" },
-    { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number", "a register of the run, continues or frames" },
+      HELP("declares the run's registers") },
+    { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number", HELP("a register of the run, continues or frames") },
     { "sys.value", sys_value_run, PARAMS(sys_value), 3, API_SYS, "number",
-      "a register of player i, or of the run; nil: the player is out" },
-    { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean", "sets a register of the run" },
-    { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", "the run's registers" },
+      HELP("a register of player i, or of the run; nil: the player is out") },
+    { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean",
+      HELP("sets a register of the run") },
+    { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", HELP("the run's registers") },
     { "sys.continues", sys_continues, PARAMS(continues), 2, API_SYS | API_CHANGES, "count",
-      "how often player i can go on after its last life; n sets it" },
-    { "sys.go_on", sys_go_on, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i does" },
-    { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, "player i leaves" },
+      HELP("how often player i can go on after its last life; n sets it") },
+    { "sys.go_on", sys_go_on, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, HELP("player i does") },
+    { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, HELP("player i leaves") },
     { "sys.wipe", sys_wipe, PARAMS(wipe), 1, API_SYS | API_CHANGES, NULL,
-      "an empty field and screen; keep: background and palette stay" },
-    { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL, "only that scope's tasks go on" },
-    { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", "an owner that is the board's" },
+      HELP("an empty field and screen; keep: background and palette stay") },
+    { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL,
+      HELP("only that scope's tasks go on") },
+    { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope", HELP("an owner that is the board's") },
     { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
-      "a scope that takes what is spawned and put in it along" },
+      HELP("a scope that takes what is spawned and put in it along") },
     { "sys.skip", sys_skip, PARAMS(skip), 2, API_SYS | API_CHANGES, NULL,
-      "from now on this task, or that one, waits for nothing" },
-    { "sys.turn", sys_turn, PARAMS(turn_of), 1, API_SYS | API_CHANGES, NULL, "a task's turn comes at once" },
-    { "sys.faded", sys_faded, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, "fades of the palette are over" },
+      HELP("from now on this task, or that one, waits for nothing") },
+    { "sys.turn", sys_turn, PARAMS(turn_of), 1, API_SYS | API_CHANGES, NULL, HELP("a task's turn comes at once") },
+    { "sys.faded", sys_faded, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("fades of the palette are over") },
     { "sys.hold_players", sys_hold_players, PARAMS(hold_players), 1, API_SYS | API_CHANGES, NULL,
-      "what the game sees of the buttons: 0 all, 1 none that fires, 2 none of the ship's" },
+      HELP("what the game sees of the buttons: 0 all, 1 none that fires, 2 none of the ship's") },
     { "sys.pad", sys_pad_run, PARAMS(sys_pad), 3, API_SYS, "boolean",
-      "a button as it is, whatever the game sees of it" },
-    { "sys.size", sys_size_run, PARAMS(sys_size), 1, API_SYS, "w, h, x, y", "a sprite's size and origin, px" },
-    { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", "does it?" },
-    { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, "something is passed over that waits when not skipped" },
-    { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", "the task that has its turn" },
-    { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, "hp stops at 0 without death" },
-    { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", "declared names" },
-    { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", "players the manifest allows" },
-    { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", "names, easiest first" },
-    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean", "has the cells' font a picture of it?" },
-    { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", "has this board room for what that name does?" },
-    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", "characters of the font" },
-    { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", "all that stands in the cells" },
-    { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL, "puts it there again" },
+      HELP("a button as it is, whatever the game sees of it") },
+    { "sys.size", sys_size_run, PARAMS(sys_size), 1, API_SYS, "w, h, x, y", HELP("a sprite's size and origin, px") },
+    { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean", HELP("does it?") },
+    { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, HELP("something is passed over that waits when not skipped") },
+    { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("the task that has its turn") },
+    { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL, HELP("hp stops at 0 without death") },
+    { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", HELP("declared names") },
+    { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count", HELP("players the manifest allows") },
+    { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list", HELP("names, easiest first") },
+    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean",
+      HELP("has the cells' font a picture of it?") },
+    { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean", HELP("has this board room for what that name does?") },
+    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", HELP("characters of the font") },
+    { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", HELP("all that stands in the cells") },
+    { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL, HELP("puts it there again") },
     { "sys.covers", sys_covers, NO_PARAMS, 0, API_SYS, "plates, others",
-      "what would be drawn over a window in the field, two lists: plates; sprites of the layer over, and lines" },
-    { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", "characters of a text" },
+      HELP("what would be drawn over a window in the field, two lists: plates; sprites of the layer over, and lines") },
+    { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count", HELP("characters of a text") },
     { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
-      "rows of at most so many characters; a text that fits stays as it is, a word that does not is broken" },
+      HELP("rows of at most so many characters; a text that fits stays as it is, a word that does not is broken") },
     { "sys.volley", api_volley, PARAMS(name_req), 1, API_SYS, "function",
-      "fires all of that pattern at once; false, and nothing was done: it takes the loop in Lua" },
-    { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", "where aim points from x, y" },
-    { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", "a list of drops, checked" },
-    { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, "drops it" },
-    { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points", "those that a dead enemy or a taken item gave" },
-    { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, "plays the sound of that name, if the game has one" },
+      HELP("fires all of that pattern at once; false, and nothing was done: it takes the loop in Lua") },
+    { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees", HELP("where aim points from x, y") },
+    { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list", HELP("a list of drops, checked") },
+    { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL, HELP("drops it") },
+    { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points",
+      HELP("those that a dead enemy or a taken item gave") },
+    { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, HELP("plays the sound of that name, if the game has one") },
     { "sys.music_on", sys_music_on, PARAMS(music_on), 2, API_SYS | API_CHANGES, "boolean",
-      "puts what plays aside for that piece, after a fade; false: it plays already" },
+      HELP("puts what plays aside for that piece, after a fade; false: it plays already") },
     { "sys.music_back", sys_music_back, PARAMS(music_on), 2, API_SYS | API_CHANGES, NULL,
-      "ends that piece: what was put aside goes on" },
+      HELP("ends that piece: what was put aside goes on") },
     { "sys.music_clock", sys_music_clock, PARAMS(music_clock), 1, API_SYS | API_CHANGES, NULL,
-      "on the way to a mark the stage's clock was put so many frames on" },
+      HELP("on the way to a mark the stage's clock was put so many frames on") },
     { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
-      "on the way to a mark a fight with that music was passed over" },
-    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", "the music of rom.lua" },
-    { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", "game time" },
+      HELP("on the way to a mark a fight with that music was passed over") },
+    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("the music of rom.lua") },
+    { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", HELP("game time") },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

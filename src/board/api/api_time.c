@@ -9,7 +9,7 @@
 enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
 enum { OWN_OWNER, OWN_F };
 
-static const struct api_param frames[] = { { "n", A_COUNT, REQ, 0, 1e9, "frames", NULL } };
+static const struct api_param frames[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL, "") };
 
 int api_pass_wait(lua_State *L, struct board *b)
 {
@@ -44,11 +44,11 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     return lua_yield(L, 0);
 }
 
-static const struct api_param go[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
-static const struct api_param own[] = { { "owner", A_THING, REQ, OWNERS, 0, NULL, NULL },
-                                        { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
-static const struct api_param owner[] = { { "owner", A_THING, OPT, OWNERS, 0, NULL, NULL } };
-static const struct api_param task[] = { { "t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL } };
+static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param own[] = { PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, ""),
+                                        PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param owner[] = { PARAM("owner", A_THING, OPT, OWNERS, 0, NULL, NULL, "") };
+static const struct api_param task[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -104,7 +104,7 @@ static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
 
 const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
 
-static const struct api_param handler[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param handler[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
 
 #define ON(name, index)                                                                                                \
     static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
@@ -131,33 +131,37 @@ ON(start, EV_START)
 #define ON_FLAGS (API_CHANGES | API_LOAD)
 static const struct api_entry entries[] = {
     { "wait", wait_run, PARAMS(frames), 1, API_CHANGES | API_GLOBAL, NULL,
-      "this task goes on n frames later; wait(0) goes on at once" },
+      HELP("this task goes on n frames later; wait(0) goes on at once") },
     { "task.go", task_go, PARAMS(go), 1, API_CHANGES | API_MORE, "task",
-      "starts f(...) with the owner of the calling task" },
+      HELP("starts f(...) with the owner of the calling task") },
     { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
-      "starts f(owner, ...), which stops at the owner's end" },
+      HELP("starts f(owner, ...), which stops at the owner's end") },
     { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
-      "an owner with no body, itself owned by owner, or by the owner of the calling task" },
-    { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL, "stops a task or scope and all it owns" },
-    { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", "is the task still there?" },
-    { "on.graze", on_graze, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, bullet): it passed close" },
+      HELP("an owner with no body, itself owned by owner, or by the owner of the calling task") },
+    { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL, HELP("stops a task or scope and all it owns") },
+    { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("is the task still there?") },
+    { "on.graze", on_graze, PARAMS(handler), 1, ON_FLAGS, NULL, HELP("f(player, bullet): it passed close") },
     { "on.hit", on_hit, PARAMS(handler), 1, ON_FLAGS, NULL,
-      "f(player, by): a bullet or an enemy hits it; making it safe here saves it" },
+      HELP("f(player, by): a bullet or an enemy hits it; making it safe here saves it") },
     { "on.death", on_death, PARAMS(handler), 1, ON_FLAGS, NULL,
-      "f(player): it lost a life, and is still where it died" },
-    { "on.game_over", on_game_over, PARAMS(handler), 1, ON_FLAGS, NULL, "f(): the last player is out" },
-    { "on.kill", on_kill, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy, player): an enemy died (player may be nil)" },
-    { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, "f(enemy): an enemy left the field" },
-    { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player): the score, or an item, brought a life" },
-    { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL, "f(player, item): it was taken, and can still be read" },
+      HELP("f(player): it lost a life, and is still where it died") },
+    { "on.game_over", on_game_over, PARAMS(handler), 1, ON_FLAGS, NULL, HELP("f(): the last player is out") },
+    { "on.kill", on_kill, PARAMS(handler), 1, ON_FLAGS, NULL,
+      HELP("f(enemy, player): an enemy died (player may be nil)") },
+    { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, HELP("f(enemy): an enemy left the field") },
+    { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL,
+      HELP("f(player): the score, or an item, brought a life") },
+    { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL,
+      HELP("f(player, item): it was taken, and can still be read") },
     { "on.bomb", on_bomb, PARAMS(handler), 1, ON_FLAGS, NULL,
-      "f(player, late): its bomb began; late: and saves it from a hit" },
+      HELP("f(player, late): its bomb began; late: and saves it from a hit") },
     { "on.continue", on_continue, PARAMS(handler), 1, ON_FLAGS, NULL,
-      "f(player): it lost its last life and goes on; its score is as many points as it went on so far" },
+      HELP("f(player): it lost its last life and goes on; its score is as many points as it went on so far") },
     { "on.start", on_start, PARAMS(handler), 1, ON_FLAGS, NULL,
-      "f(): a game begins, or a try of practice; what was kept of the last one is set anew here" },
+      HELP("f(): a game begins, or a try of practice; what was kept of the last one is set anew here") },
     { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL,
-      "f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb" },
-    { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL, "f(name, state): state is \"start\" or \"clear\"" },
+      HELP("f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb") },
+    { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL,
+      HELP("f(name, state): state is \"start\" or \"clear\"") },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

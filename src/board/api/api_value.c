@@ -43,7 +43,7 @@ int api_values(const struct board *b, enum api_names names)
 
 struct api_param api_value_param(const char *name)
 {
-    return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL };
+    return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL, NULL };
 }
 
 fx *api_value_column(struct board *b, enum api_names names, int k)
@@ -87,9 +87,9 @@ static bool taken(lua_State *L, int kind, const char *name)
 
 enum { D_NAME, D_OF, D_START };
 
-static const struct api_param def[] = { { "name", A_STR, REQ, 1, 31, NULL, NULL },
-                                        { "of", A_STR, OPT, 0, 0, NULL, NULL },
-                                        { "start", A_FX, OPT, -32768, 32767, NULL, "0" } };
+static const struct api_param def[] = { PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, ""),
+                                        PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                        PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "") };
 
 static const char DEF[] = "value.def";
 
@@ -142,7 +142,7 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      "declares a number that each bullet (of: shot, enemy) has of its own: thing.name, bullet.fire { name = 3 }; "
-      "rom.lua gives the room" },
+      HELP("declares a number that each bullet (of: shot, enemy) has of its own: thing.name, bullet.fire { name = 3 }; "
+           "rom.lua gives the room") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

@@ -148,7 +148,8 @@ static const char *called(const char *help, const char *name)
 
 static void functions(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
 {
-    const char *at = called(e->help, p->name);
+    const char *own = p->help ? called(p->help, p->name) : NULL, *at = own ? own : called(e->help, p->name);
+    const char *help = own ? p->help : e->help;
     size_t n = (size_t)snprintf(out, size, "function");
 
     if (!at || *at == '.')
@@ -159,7 +160,7 @@ static void functions(const struct api_entry *e, const struct api_param *p, char
         char may[48];
         snprintf(may, sizeof may, "%.*s may be nil", (int)word, at);
         n += (size_t)snprintf(out + n, size - n, "%s%.*s: %s%s", out[n - 1] == '(' ? "" : ", ", (int)word, at,
-                              given_type(at, word), strstr(e->help, may) ? "?" : "");
+                              given_type(at, word), strstr(help, may) ? "?" : "");
         at += word;
         at += strspn(at, ", ");
     }
@@ -169,7 +170,8 @@ static void functions(const struct api_entry *e, const struct api_param *p, char
 
 /* What is in the parameter, if it has an entry of its own: the `steps` of motion.def are a list of "motion.def step",
  * the `cast` of boss.def of what is "one of the cast", a `list` of the only part there is; `emit` of a step is a
- * "motion.def emit". It may be another table too, for some hold several things. */
+ * "motion.def emit". A part whose help begins with "each " is a table by name, { NAME = part }. It may be another table
+ * too, for some hold several things. */
 static bool parts(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
 {
     const size_t n = strcspn(e->name, " ");
@@ -183,8 +185,12 @@ static bool parts(const struct api_entry *e, const struct api_param *p, char *ou
         const bool listed = !strcmp(p->name, "list") || (!strncmp(word, p->name, k) && !strcmp(p->name + k, "s"));
         if (!listed && strcmp(word, p->name) != 0)
             continue;
-        const bool list = listed || !strncmp(part->help, "one ", 4);
-        snprintf(out, size, "%.*s.%s%s|table", (int)n, e->name, word, list ? "[]" : "");
+        const bool list = listed || !strncmp(part->help, "one ", 4), named = !strncmp(part->help, "each ", 5);
+        snprintf(out, size,
+                 named  ? "table<string, %.*s.%s>|table"
+                 : list ? "%.*s.%s[]|table"
+                        : "%.*s.%s|table",
+                 (int)n, e->name, word);
         return true;
     }
     return false;
@@ -221,7 +227,7 @@ void annotation_property(const struct api_prop *p, char *out, size_t size)
 {
     const struct api_entry none = { .name = "", .help = "" };
 
-    if (p->value.type != A_STR || p->write == PROP_WRITE || !quoted(p->help, out, size))
+    if (p->value.type != A_STR || p->write == PROP_WRITE || !quoted(p->value.help, out, size))
         annotation_type(&none, &p->value, out, size);
 }
 

@@ -15,7 +15,7 @@
 #include "../host/version.h"
 #include "annotation_types.h"
 
-enum { NAME_SIZE = 80, TYPE_SIZE = 240, WORDS_SIZE = 400 };
+enum { NAME_SIZE = 80, TYPE_SIZE = 240, WORDS_SIZE = 800 };
 
 /* Whose arguments a pattern takes besides its own, by what it fires. */
 static const char *const makers[] = { "bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam" };
@@ -59,12 +59,21 @@ static void class_name(const struct api_entry *e, char out[NAME_SIZE])
             *c = '.';
 }
 
+/* The meaning, and in brackets the type, the range and the default. */
+static void comment(const struct api_param *p, char out[WORDS_SIZE])
+{
+    char words[WORDS_SIZE / 2];
+
+    api_param_words(p, words, sizeof words);
+    snprintf(out, WORDS_SIZE, "%s%s[%s]", p->help ? p->help : "", p->help && p->help[0] ? " " : "", words);
+}
+
 static void field(struct prose *to, const struct api_entry *e, const struct api_param *p, bool optional)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
 
     annotation_type(e, p, type, sizeof type);
-    api_param_words(p, words, sizeof words);
+    comment(p, words);
     prose_add(to, "---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
 }
 
@@ -86,7 +95,7 @@ static void fired_field(struct prose *to, const struct api_entry *e, const struc
     char type[TYPE_SIZE], words[WORDS_SIZE];
 
     any.optional = 1;
-    api_param_words(&any, words, sizeof words);
+    comment(&any, words);
     if (any.type >= A_BULLET_KIND && any.type <= A_OPTION_KIND)
         any.type = A_STR; /* of whatever is fired */
     annotation_type(e, &any, type, sizeof type);
@@ -139,7 +148,7 @@ static void function_params(struct prose *to, const struct api_entry *e)
     for (int i = e->flags & API_METHOD ? 1 : 0; i < e->plain; i++) {
         const struct api_param *p = &e->params[i];
         annotation_type(e, p, type, sizeof type);
-        api_param_words(p, words, sizeof words);
+        comment(p, words);
         prose_add(to, "---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
     }
     if (e->flags & API_MORE)
@@ -177,12 +186,12 @@ static void function(struct prose *to, const struct api_entry *e, const char *ow
 static void property(struct prose *to, const struct api_prop *p)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
-    const bool nil = strstr(p->help, "nil") != NULL, read = p->write != PROP_WRITE;
+    const bool nil = strstr(p->value.help, "nil") != NULL, read = p->write != PROP_WRITE;
 
     annotation_property(p, type, sizeof type);
     api_property_words(p, words, sizeof words);
     prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->value.name, nil ? "?" : "", type, read ? "read only: " : "",
-              p->help, words);
+              p->value.help, words);
 }
 
 static void handle(struct prose *to, enum handle_kind kind)

@@ -32,20 +32,20 @@ static void push_name(lua_State *L, const char *name)
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
 
 #define SHARED                                                                                                         \
-    { { "map", A_MAP, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its map in rom.lua; nil: off" },                   \
-        { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },                                                               \
-          PROP_WRITE,                                                                                                  \
-          "of a layer, where its map's corner is in the "                                                              \
-          "field; of the plane, where the eye is over "                                                                \
-          "the map; goes on growing" },                                                                                \
-        { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "see x" },                                        \
-        { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "speed to the right" },            \
-        { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "speed down" },                    \
-        { { "layer", A_DEPTH, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "behind all things, or in front of them" },         \
-        { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
-        { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },                      \
+    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil: off"), PROP_WRITE },                \
+        { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "of a layer, where its map's corner is in the "                                                        \
+                "field; of the plane, where the eye is over "                                                          \
+                "the map; goes on growing"),                                                                           \
+          PROP_WRITE },                                                                                                \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "see x"), PROP_WRITE },                                     \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
+        { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL, "behind all things, or in front of them"), PROP_WRITE },      \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },                          \
+        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "name of its blend, or nil"), PROP_WRITE },                   \
     {                                                                                                                  \
-        { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn; it moves on"                              \
+        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it moves on"), PROP_WRITE                           \
     }
 
 static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
@@ -128,7 +128,7 @@ enum { P_WRAP = P_SHARED, LAYER_PROPS };
 
 static const struct api_prop layer_props[LAYER_PROPS] = {
     SHARED,
-    { { "wrap", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "its map repeats without end" },
+    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "its map repeats without end"), PROP_WRITE },
 };
 
 static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
@@ -157,18 +157,18 @@ enum { FOG_TO, FOG_FAR, FOG_PARAMS };
 
 static const struct api_prop plane_props[PLANE_PROPS] = {
     SHARED,
-    { { "horizon", A_INT, REQ, -1024, 1024, "px", NULL }, PROP_WRITE, "where it is, from the field's top" },
-    { { "height", A_FX, REQ, 1, 1024, "px", NULL }, PROP_WRITE, "of the eye over the plane" },
-    { { "dir", A_DIR, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "where the eye looks; 270: up the map" },
-    { { "ceiling", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "over the horizon, not under it" },
-    { { "fog", A_TABLE, OPT, 0, 0, NULL, NULL },
-      PROP_WRITE,
-      "{ to = 0xRRGGBB, far = px }: fades to that colour, which is all there is from far on; nil: none" },
+    { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "where it is, from the field's top"), PROP_WRITE },
+    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "of the eye over the plane"), PROP_WRITE },
+    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "where the eye looks; 270: up the map"), PROP_WRITE },
+    { PARAM("ceiling", A_BOOL, REQ, 0, 0, NULL, NULL, "over the horizon, not under it"), PROP_WRITE },
+    { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
+            "{ to = 0xRRGGBB, far = px }: fades to that colour, which is all there is from far on; nil: none"),
+      PROP_WRITE },
 };
 
 static const struct api_param fog_params[FOG_PARAMS] = {
-    { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL },
-    { "far", A_FX, REQ, 1, WORLD, "px", NULL },
+    PARAM("to", A_INT, REQ, 0, 0xffffff, NULL, NULL, ""),
+    PARAM("far", A_FX, REQ, 1, WORLD, "px", NULL, ""),
 };
 
 static void push_fog(lua_State *L, const struct bg *g)
@@ -281,16 +281,16 @@ const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, ge
 
 enum { ARG_I, ARG_LINES };
 
-static const struct api_param layer_params[] = { { "i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL } };
-static const struct api_param lines_params[] = { { "i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL },
-                                                 { "lines", A_TABLE, OPT, 0, 0, NULL, NULL } };
+static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, "") };
+static const struct api_param lines_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, ""),
+                                                 PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL, "") };
 
 enum { WAVE, EVERY, SPEED, WAVE_PARAMS };
 
 static const struct api_param wave_params[WAVE_PARAMS] = {
-    { "wave", A_FX, REQ, -1024, 1024, "px", NULL },
-    { "every", A_FX, REQ, 1, WORLD, "px", NULL },
-    { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0" },
+    PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, ""),
+    PARAM("every", A_FX, REQ, 1, WORLD, "px", NULL, ""),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", ""),
 };
 
 static int bg_layer(lua_State *L, struct board *b, struct api_value *v)
@@ -317,7 +317,7 @@ static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
         api_error(L, def, "expected at most %d lines, the field's height, got %d", (int)room, (int)n);
     vm_charge(L, n);
     for (uint32_t k = 0; k < n; k++) {
-        struct api_param p = { name, A_FX, REQ, -WORLD, WORLD, "px", NULL };
+        struct api_param p = { name, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
         struct api_value v = { 0 };
         lua_rawgeti(L, at, (lua_Integer)k + 1);
         snprintf(name, sizeof name, "line %d", (int)k + 1);
@@ -372,8 +372,8 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- for bg.lua and boss.lua ---- */
 
-static const struct api_param fade_params[] = { { "n", A_INT, REQ, 0, UINT16_MAX, "frames", NULL } };
-static const struct api_param shown_params[] = { { "n", A_INT, OPT, 0, UINT16_MAX, NULL, NULL } };
+static const struct api_param fade_params[] = { PARAM("n", A_INT, REQ, 0, UINT16_MAX, "frames", NULL, "") };
+static const struct api_param shown_params[] = { PARAM("n", A_INT, OPT, 0, UINT16_MAX, NULL, NULL, "") };
 
 /* Returns the frames until it is black. */
 static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
@@ -402,15 +402,16 @@ static int sys_bg_clear(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer", "one of the background's four layers of tiles" },
-    { "bg.plane", bg_plane, NULL, 0, 0, 0, "plane", "the background's plane: a floor or a ceiling" },
+    { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer", HELP("one of the background's four layers of tiles") },
+    PARAM("bg.plane", bg_plane, NULL, 0, 0, 0, "plane", "the background's plane: a floor or a ceiling"),
     { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL,
-      "moves each line of layer i aside: { wave, every, speed }, or a list of px, from the field's top, which starts "
-      "over at its end; nil: none" },
+      HELP("moves each line of layer i aside: { wave, every, speed }, or a list of px, from the field's top, which "
+           "starts "
+           "over at its end; nil: none") },
     { "sys.bg_fade", sys_bg_fade, PARAMS(fade_params), 1, API_SYS | API_CHANGES, "frames",
-      "the background goes black and comes back; returns when it is black" },
+      HELP("the background goes black and comes back; returns when it is black") },
     { "sys.bg_shown", sys_bg_shown, PARAMS(shown_params), 1, API_SYS | API_CHANGES, "number",
-      "which background is shown; n: from now on" },
-    { "sys.bg_clear", sys_bg_clear, NULL, 0, 0, API_SYS | API_CHANGES, NULL, "no background; a fade goes on" },
+      HELP("which background is shown; n: from now on") },
+    { "sys.bg_clear", sys_bg_clear, NULL, 0, 0, API_SYS | API_CHANGES, NULL, HELP("no background; a fade goes on") },
 };
 const struct api_module api_bg = { entries, sizeof entries / sizeof *entries };

@@ -23,17 +23,17 @@ enum {
 
 static const struct api_param line_put[] = {
     PLACE,
-    { "text", A_ANY, REQ, 0, 0, NULL, NULL },
-    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "font", A_FACE, OPT, 0, 0, NULL, NULL },
-    { "width", A_INT, OPT, 8, 1024, "px", NULL },
-    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "letter", A_INT, OPT, 0, 600, "frames", "0" },
-    { "box", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
+    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, ""),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("letter", A_INT, OPT, 0, 600, "frames", "0", ""),
+    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
 };
 
 /* The text at `at`, a string or a number; raises. */
@@ -109,14 +109,14 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands; following: where its thing is" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it stands; following: where its thing is" },
-    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "drawn so far to the right of there" },
-    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "drawn so far below" },
-    { { "text", A_STR, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "what it says; a write begins its letters anew" },
-    { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
-    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
-    { { "done", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "have all letters come?" },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands; following: where its thing is"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands; following: where its thing is"), PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "drawn so far to the right of there"), PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "drawn so far below"), PROP_WRITE },
+    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "what it says; a write begins its letters anew"), PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn"), PROP_WRITE },
+    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "have all letters come?"), PROP_READ },
 };
 
 static void push_text(lua_State *L, const struct lines *l, uint32_t i)
@@ -198,7 +198,7 @@ const struct api_thing api_line_thing = { "line", props, PROPS, get, set };
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL } };
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL, "") };
 
 static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -212,8 +212,9 @@ static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
-      "writes a line at any pixel, in a font of rom.lua's `fonts` or the cells' own; broken at width, a letter every "
-      "so many frames, in a box; with follow it goes where that thing goes, and with it" },
-    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
+      HELP("writes a line at any pixel, in a font of rom.lua's `fonts` or the cells' own; broken at width, a letter "
+           "every "
+           "so many frames, in a box; with follow it goes where that thing goes, and with it") },
+    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("takes it away") },
 };
 const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

@@ -31,13 +31,13 @@ enum {
 enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
 
 static const struct api_param put[] = {
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },  { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },  { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "layer", A_LAYER, OPT, 0, 0, NULL, "front" }, { "screen", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "flip_x", A_BOOL, OPT, 0, 0, NULL, "false" }, { "flip_y", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" }, { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },   { "follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL },
-    { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },  { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),  PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),  PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", ""), PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),   PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL, ""),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),  PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
 };
 
 #define OVER_BLEND "nothing blends in the layer over, for its colours are not those of the dimmed picture"
@@ -109,10 +109,10 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 enum { PLATE_X, PLATE_Y, PLATE_W, PLATE_H, PLATE_BANK, PLATE_HIDDEN, PLATE_FRONT, PLATE_STAY };
 
 static const struct api_param plate[] = {
-    { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-    { "w", A_INT, REQ, 8, FB_MAX, "px", NULL },    { "h", A_INT, REQ, 8, FB_MAX, "px", NULL },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },      { "hidden", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "front", A_BOOL, OPT, 0, 0, NULL, "false" }, { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
+    PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""), PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, ""),    PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),      PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
 };
 
 static bool is_plate(const struct sprites *s, uint32_t i)
@@ -146,25 +146,25 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-      PROP_WRITE,
-      "where it stands, px; not written of one that follows" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-      PROP_WRITE,
-      "where it stands, px; not written of one that follows" },
-    { { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-      PROP_WRITE,
-      "name of its picture; a write starts it at frame one; nil of a plate" },
-    { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
-    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
-    { { "flip_y", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "top and bottom exchanged" },
-    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn" },
-    { { "blend", A_BLEND, OPT, 0, 0, NULL, NULL }, PROP_WRITE, "name of its blend, or nil" },
-    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
-    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "how far it is from what it follows, px; else nil" },
-    { { "w", A_INT, REQ, 8, FB_MAX, "px", NULL }, PROP_WRITE, "width of a plate; of others nil" },
-    { { "h", A_INT, REQ, 8, FB_MAX, "px", NULL }, PROP_WRITE, "height of a plate; of others nil" },
-    { { "layer", A_LAYER, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "where it is drawn; nil of a plate" },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands, px; not written of one that follows"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands, px; not written of one that follows"),
+      PROP_WRITE },
+    { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
+            "name of its picture; a write starts it at frame one; nil of a plate"),
+      PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "left and right exchanged"), PROP_WRITE },
+    { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "top and bottom exchanged"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn"), PROP_WRITE },
+    { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "name of its blend, or nil"), PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "how far it is from what it follows, px; else nil"),
+      PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "how far it is from what it follows, px; else nil"),
+      PROP_WRITE },
+    { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate; of others nil"), PROP_WRITE },
+    { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate; of others nil"), PROP_WRITE },
+    { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "where it is drawn; nil of a plate"), PROP_WRITE },
 };
 
 static const uint8_t flag_of[PROPS] = {
@@ -285,7 +285,7 @@ const struct api_thing api_sprite_thing = { "sprite", props, PROPS, get, set };
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL } };
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL, "") };
 
 static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -302,15 +302,15 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
 
 static const struct api_param spark_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "life", A_INT, REQ, 1, 65535, "frames", NULL },
-    { "gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0" },
-    { "drag", A_FX, OPT, 0, 1, "of the speed a frame", "0" },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "banks", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front" },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, ""),
+    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0", ""),
+    PARAM("drag", A_FX, OPT, 0, 1, "of the speed a frame", "0", ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front", ""),
 };
 
 static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
@@ -319,7 +319,7 @@ static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or
 /* banks: the first is the kind's, and each other a row after it. drawn: the rest of `bank`. */
 static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
 {
-    const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL };
+    const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL, NULL };
     lua_Unsigned n = lua_rawlen(L, at);
 
     if (n < 1 || n > SPARK_BANKS)
@@ -363,11 +363,15 @@ enum { A_SPARK = 6 /* work */ };
 enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst[] = {
-    { "kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL },    PLACE,
-    { "n", A_INT, OPT, 0, 65535, "sparks", "1" },       { "dir", A_DIR, OPT, 0, 0, NULL, "0" },
-    { "spread", A_NUM, OPT, 0, 360, "degrees", "360" }, { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1" },
-    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },  { "to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PLACE,
+    PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", ""),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0", ""),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "360", ""),
+    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1", ""),
+    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, ""),
+    PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -399,19 +403,19 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE };
 
 static const struct api_param text_put[] = {
-    { "col", A_INT, REQ, -1000, 1000, "cells", NULL }, { "row", A_INT, REQ, -1000, 1000, "cells", NULL },
-    { "text", A_ANY, REQ, 0, 0, NULL, NULL },          { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "align", A_ALIGN, OPT, 0, 0, NULL, "left" },     { "font", A_FACE, OPT, 0, 0, NULL, NULL },
-    { "rim", A_BOOL, OPT, 0, 0, NULL, "false" },       { "size", A_INT, OPT, 1, 2, NULL, "1" },
+    PARAM("col", A_INT, REQ, -1000, 1000, "cells", NULL, ""), PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, ""),
+    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, ""),          PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", ""),     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", ""),       PARAM("size", A_INT, OPT, 1, 2, NULL, "1", ""),
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
 
 static const struct api_param text_clear[] = {
-    { "col", A_INT, OPT, -1000, 1000, "cells", "0" },
-    { "row", A_INT, OPT, -1000, 1000, "cells", "0" },
-    { "w", A_INT, OPT, 0, 1000, "cells", "1000" },
-    { "h", A_INT, OPT, 0, 1000, "cells", "1000" },
+    PARAM("col", A_INT, OPT, -1000, 1000, "cells", "0", ""),
+    PARAM("row", A_INT, OPT, -1000, 1000, "cells", "0", ""),
+    PARAM("w", A_INT, OPT, 0, 1000, "cells", "1000", ""),
+    PARAM("h", A_INT, OPT, 0, 1000, "cells", "1000", ""),
 };
 
 static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
@@ -442,7 +446,7 @@ static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const struct api_param text_lang[] = { { "text", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param text_lang[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
 
 static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -460,28 +464,28 @@ static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
 
 enum { SET_INDEX, SET_RGB };
 
-static const struct api_param set_colour[] = { { "i", A_INT, REQ, 0, 255, NULL, NULL },
-                                               { "rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL } };
+static const struct api_param set_colour[] = { PARAM("i", A_INT, REQ, 0, 255, NULL, NULL, ""),
+                                               PARAM("rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL, "") };
 
 enum { ARG_NAME };
 
-static const struct api_param load[] = { { "name", A_STR, REQ, 0, 0, NULL, NULL } };
+static const struct api_param load[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
 
 enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
 
 static const struct api_param fade[] = {
-    { "to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL },
-    { "over", A_INT, REQ, 0, 65535, "frames", NULL },
-    { "first", A_INT, OPT, 0, 255, NULL, "0" },
-    { "last", A_INT, OPT, 0, 255, NULL, "255" },
+    PARAM("to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL, ""),
+    PARAM("over", A_INT, REQ, 0, 65535, "frames", NULL, ""),
+    PARAM("first", A_INT, OPT, 0, 255, NULL, "0", ""),
+    PARAM("last", A_INT, OPT, 0, 255, NULL, "255", ""),
 };
 
 enum { CYCLE_FIRST, CYCLE_LAST, CYCLE_EVERY };
 
 static const struct api_param cycle[] = {
-    { "first", A_INT, REQ, 0, 255, NULL, NULL },
-    { "last", A_INT, REQ, 0, 255, NULL, NULL },
-    { "every", A_INT, REQ, 0, 65535, "frames", NULL },
+    PARAM("first", A_INT, REQ, 0, 255, NULL, NULL, ""),
+    PARAM("last", A_INT, REQ, 0, 255, NULL, NULL, ""),
+    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, ""),
 };
 
 static int palette_set(lua_State *L, struct board *b, struct api_value *v)
@@ -529,7 +533,7 @@ static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 
 static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct api_param number = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL };
+    struct api_param number = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL, NULL };
     struct api_value to = { 0 };
     const uint8_t *p = NULL;
     const int before = loaded(b);
@@ -560,31 +564,31 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
 
 static const struct api_param shake[] = {
-    { "size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL },
-    { "over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL },
-    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
+    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL, ""),
+    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, ""),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, ""),
 };
 
 enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
 
 static const struct api_param flash[] = {
-    { "to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff" },
-    { "over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL },
-    { "share", A_FX, OPT, 0, 1, NULL, "1" },
+    PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", ""),
+    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, ""),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "1", ""),
 };
 
 enum { BARS_H, BARS_OVER };
 
 static const struct api_param bars[] = {
-    { "h", A_INT, REQ, 0, BARS_MOST, "px", NULL },
-    { "over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20" },
+    PARAM("h", A_INT, REQ, 0, BARS_MOST, "px", NULL, ""),
+    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20", ""),
 };
 
 enum { DIM_SHARE, DIM_OVER };
 
 static const struct api_param dim[] = {
-    { "share", A_FX, OPT, 0, 1, NULL, "0.5" },
-    { "over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "0" },
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "0.5", ""),
+    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "0", ""),
 };
 
 static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
@@ -628,39 +632,46 @@ static int screen_dim_run(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
-      "places a free sprite in the field or on the screen, or with a thing, which it follows and goes with; with stay "
-      "the boss's phase it came from does not take it "
-      "along" },
+      HELP("places a free sprite in the field or on the screen, or with a thing, which it follows and goes with; with "
+           "stay "
+           "the boss's phase it came from does not take it "
+           "along") },
     { "sprite.plate", sprite_plate, PARAMS(plate), 0, API_CHANGES, "sprite",
-      "places a dark plate with a light rim on the screen, in the shades 1 and 10 of a bank: over the dimmed picture, "
-      "under text; under sprites of the layer over too, unless front" },
-    { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "takes it away" },
-    { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of spark" },
+      HELP("places a dark plate with a light rim on the screen, in the shades 1 and 10 of a bank: over the dimmed "
+           "picture, "
+           "under text; under sprites of the layer over too, unless front") },
+    { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("takes it away") },
+    { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, HELP("declares a kind of spark") },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
-      "throws n sparks within spread about dir, from a point, a ring (outwards; spread is 0 there) or along a line; "
-      "never "
-      "seen by the game" },
+      HELP("throws n sparks within spread about dir, from a point, a ring (outwards; spread is 0 there) or along a "
+           "line; "
+           "never "
+           "seen by the game") },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
-      "writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the letters; "
-      "size 2: letters of two cells by two" },
-    { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL, "empties a rectangle of cells, or all" },
+      HELP("writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the "
+           "letters; "
+           "size 2: letters of two cells by two") },
+    { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL,
+      HELP("empties a rectangle of cells, or all") },
     { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
-      "what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does" },
-    { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, "sets a colour, 0xRRGGBB" },
-    { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL, "sets all colours from a palette of rom.lua" },
+      HELP("what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does") },
+    { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets a colour, 0xRRGGBB") },
+    { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL,
+      HELP("sets all colours from a palette of rom.lua") },
     { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,
-      "fades to a colour (0xRRGGBB) or to a palette by name" },
+      HELP("fades to a colour (0xRRGGBB) or to a palette by name") },
     { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
-      "rotates a range by one every so many frames; every = 0 stops it" },
+      HELP("rotates a range by one every so many frames; every = 0 stops it") },
     { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,
-      "shakes the field's picture, less and less, to and fro along dir or all ways; nothing moves, so no hit is "
-      "another" },
+      HELP("shakes the field's picture, less and less, to and fro along dir or all ways; nothing moves, so no hit is "
+           "another") },
     { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
-      "gives every colour that share of `to` (0xRRGGBB), less and less over so many frames" },
+      HELP("gives every colour that share of `to` (0xRRGGBB), less and less over so many frames") },
     { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
-      "bars of h px at the field's top and bottom, over all but the text; h = 0 takes them away" },
+      HELP("bars of h px at the field's top and bottom, over all but the text; h = 0 takes them away") },
     { "screen.dim", screen_dim_run, PARAMS(dim), 0, API_CHANGES, "share",
-      "darkens the picture by that share, but not plates, sprites of the layer over and text; share = 0 takes it away; "
-      "its frames pass in a pause too; returns the share asked for before, to be put back" },
+      HELP("darkens the picture by that share, but not plates, sprites of the layer over and text; share = 0 takes it "
+           "away; "
+           "its frames pass in a pause too; returns the share asked for before, to be put back") },
 };
 const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

@@ -15,25 +15,25 @@ enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 120 beats a minute */ };
 
 static const struct api_param play[] = {
-    { "name", A_SOUND, REQ, 0, 0, NULL, NULL },
-    { "volume", A_NUM, OPT, 0, 1, NULL, "1" },
-    { "pan", A_NUM, OPT, -1, 1, NULL, "0" },
-    { "from", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "pitch", A_NUM, OPT, -48, 48, "semitones", "0" },
+    PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", ""),
+    PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", ""),
+    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
+    PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", ""),
 };
-static const struct api_param stop[] = { { "name", A_SOUND, OPT, 0, 0, NULL, NULL } };
+static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param music_play_params[] = {
-    { "name", A_TUNE, REQ, 0, 0, NULL, NULL },
-    { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" },
-    { "again", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "back", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL },
+    PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0", ""),
+    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL, ""),
 };
-static const struct api_param volume[] = { { "share", A_NUM, OPT, 0, 1, NULL, NULL },
-                                           { "over", A_INT, OPT, 0, MOST_FADE, "frames", "0" } };
-static const struct api_param music_stop_params[] = { { "fade", A_INT, OPT, 0, MOST_FADE, "frames", "0" } };
-static const struct api_param beats[] = { { "beats", A_NUM, REQ, 0, 65536, NULL, NULL } };
-static const struct api_param until[] = { { "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1" } };
+static const struct api_param volume[] = { PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, ""),
+                                           PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "") };
+static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0", "") };
+static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL, "") };
+static const struct api_param until[] = { PARAM("n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1", "") };
 
 /* On the way to a mark nothing is heard. */
 static bool skips(const struct board *b)
@@ -243,7 +243,7 @@ static bool will_come(lua_State *L, struct board *b, int mark)
 
 static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const struct api_param whole = { "n", A_INT, REQ, 1, 65536, "beats", NULL };
+    static const struct api_param whole = { "n", A_INT, REQ, 1, 65536, "beats", NULL, NULL };
     struct api_value n = { .i = 1 };
     int mark = 0;
 
@@ -272,24 +272,25 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
-      "plays a sound of rom.lua, from left (pan -1) to right, or from where a thing is; nothing while a stage is "
-      "skipped" },
-    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, "ends that sound; without a name, all" },
+      HELP("plays a sound of rom.lua, from left (pan -1) to right, or from where a thing is; nothing while a stage is "
+           "skipped") },
+    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("ends that sound; without a name, all") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
-      "begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again; back: what "
-      "plays is put aside, and goes on where it was when this one has ended, or when it is asked for; at: on the "
-      "next beat or bar of what plays, to the sample" },
+      HELP("begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again; back: "
+           "what "
+           "plays is put aside, and goes on where it was when this one has ended, or when it is asked for; at: on the "
+           "next beat or bar of what plays, to the sample") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
-      "ends the music, and what was put aside" },
+      HELP("ends the music, and what was put aside") },
     { "music.volume", music_volume, PARAMS(volume), 2, API_CHANGES, "number",
-      "how loud all music is, 0 to 1, in so many frames; gives what it was; 1 in each new game" },
-    { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", "the piece that plays" },
-    { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer", "whole quarter notes since it began, from 0" },
-    { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", "whole bars since it began, from 0" },
-    { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil", "the last marker that it came by" },
+      HELP("how loud all music is, 0 to 1, in so many frames; gives what it was; 1 in each new game") },
+    { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", HELP("the piece that plays") },
+    { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer", HELP("whole quarter notes since it began, from 0") },
+    { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", HELP("whole bars since it began, from 0") },
+    { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil", HELP("the last marker that it came by") },
     { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
-      "how long so many beats last at its tempo; 120 a minute with nothing playing" },
+      HELP("how long so many beats last at its tempo; 120 a minute with nothing playing") },
     { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
-      "until its n-th next beat, or until a marker of that name that still comes; gives the beat. In a task" },
+      HELP("until its n-th next beat, or until a marker of that name that still comes; gives the beat. In a task") },
 };
 const struct api_module api_sound = { entries, sizeof entries / sizeof *entries };

@@ -24,10 +24,10 @@ enum { MOST_PARTS = 64, DEEP_BYTES = 4, PART_BYTES = 24 };
 enum { P_KIND, P_DX, P_DY, P_SHARE, P_TAG, P_HP, P_RATE };
 
 static const struct api_param part_params[] = {
-    { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, { "dx", A_FX, OPT, -WORLD, WORLD, "px", "0" },
-    { "dy", A_FX, OPT, -WORLD, WORLD, "px", "0" },   { "share", A_FX, OPT, 0, 1, NULL, "0" },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },        { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },
-    { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
+    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""), PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),   PARAM("share", A_FX, OPT, 0, 1, NULL, "0", ""),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),        PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, ""),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, ""),
 };
 static const struct api_entry part_entry = { .name = "enemy.def part", .params = part_params, .count = P_RATE + 1 };
 
@@ -218,34 +218,31 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
 
 /* ---- orbits and wandering ---- */
 
-#define SELF                                                                                                           \
-    {                                                                                                                  \
-        "self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL                                             \
-    }
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "")
 
 enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVER };
 static const struct api_param orbit[] = {
     SELF,
-    { "around", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "radius", A_FX, OPT, 0, WORLD, "px", NULL },
-    { "radius_to", A_FX, OPT, 0, WORLD, "px", NULL },
-    { "spin", A_DIR, REQ, 0, 0, NULL, NULL },
-    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
-    { "over", A_COUNT, OPT, 1, 1e9, "frames", "forever" },
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, ""),
+    PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL, ""),
+    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", ""),
 };
 
 enum { W_W = 1, W_H, W_EVERY, W_OVER, W_X, W_Y, W_EASE };
 static const struct api_param wander[] = {
     SELF,
-    { "w", A_FX, REQ, 0, 32767, "px", NULL },
-    { "h", A_FX, REQ, 0, 32767, "px", NULL },
-    { "every", A_INT, REQ, 1, 1e9, "frames", NULL },
-    { "over", A_INT, REQ, 1, 1e9, "frames", NULL },
-    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
+    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, ""),
+    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, ""),
+    PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, ""),
+    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, ""),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", ""),
 };
 
 static bool forever(const struct api_value *v)
@@ -313,8 +310,8 @@ static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
     return api_enemy_act(L, b, wander_one, v);
 }
 
-static const struct api_param parts_params[] = { { "self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL },
-                                                 { "tag", A_STR, OPT, 1, 31, NULL, NULL } };
+static const struct api_param parts_params[] = { PARAM("self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
+                                                 PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "") };
 
 #define VERBS(thing, it)                                                                                               \
     API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL,                                                              \
@@ -329,11 +326,13 @@ static const struct api_entry entries[] = {
     VERBS("enemy", "it"),
     VERBS("enemies", "each"),
     { "enemy:parts", parts_of, PARAMS(parts_params), 2, API_METHOD, "list",
-      "its parts, with that tag or all, in slot order, which is that of parts in enemy.def when all came at once; not "
-      "the parts of parts" },
+      HELP("its parts, with that tag or all, in slot order, which is that of parts in enemy.def when all came at once; "
+           "not "
+           "the parts of parts") },
     { "enemy.def part", NULL, PARAMS(part_params), 0, API_LUA | API_SYS, NULL,
-      "one of parts: an enemy that is spawned along, dx, dy from the body; share (0 to 1) of the damage it takes goes "
-      "on "
-      "to the body" },
+      HELP("one of parts: an enemy that is spawned along, dx, dy from the body; share (0 to 1) of the damage it takes "
+           "goes "
+           "on "
+           "to the body") },
 };
 const struct api_module api_body = { entries, sizeof entries / sizeof *entries };

@@ -21,9 +21,9 @@ struct bomb {
 enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
 
 static const struct api_param def[] = {
-    { "name", A_STR, REQ, 1, 31, NULL, NULL },     { "over", A_INT, REQ, 1, INT32_MAX, "frames", NULL },
-    { "run", A_FUNC, REQ, 0, 0, NULL, NULL },      { "safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL },
-    { "stock", A_STR, OPT, 1, 31, NULL, "bombs" }, { "cost", A_INT, OPT, 0, INT32_MAX, NULL, "1" },
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, ""),     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL, ""),
+    PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, ""),      PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL, ""),
+    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", ""), PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", ""),
 };
 
 /* Pushes the list; false: there is none, and nothing is pushed. */
@@ -163,7 +163,7 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL } };
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "") };
 
 static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -175,7 +175,8 @@ static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      "declares a bomb: run(p) is a task that is stopped after `over` frames; it takes cost from the register stock" },
+      HELP("declares a bomb: run(p) is a task that is stopped after `over` frames; it takes cost from the register "
+           "stock") },
     API_VERB("player:bomb", player_bomb, self, 1, "boolean",
              "starts its ship's bomb; false: it has none, not enough of the stock, or one that is not over yet"),
 };

@@ -31,7 +31,7 @@ bool api_motion_fine(const struct board *b, uint16_t motion)
 
 static fx extent(lua_State *L, const char *entry, const char *name, int at)
 {
-    struct api_param p = { name, A_FX, REQ, 0, MAX_SPEED, "px", NULL };
+    struct api_param p = { name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL };
     struct api_value v = { 0 };
 
     api_check(L, entry, &p, at, &v);
@@ -87,12 +87,12 @@ static struct api_value item(lua_State *L, const char *entry, enum hit_whose who
 #define LENGTH(name)                                                                                                   \
     &(const struct api_param)                                                                                          \
     {                                                                                                                  \
-        name, A_FX, REQ, 0, MAX_SPEED, "px", NULL                                                                      \
+        name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL                                                                \
     }
 #define OFFSET(name)                                                                                                   \
     &(const struct api_param)                                                                                          \
     {                                                                                                                  \
-        name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL                                                             \
+        name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL                                                       \
     }
 
 /* A shape reaches no further than a radius may. */
@@ -105,7 +105,7 @@ static void check_reach(lua_State *L, const char *entry, int64_t reach)
 /* A bullet's bar lies along its dir; an enemy, which has none, gives one. */
 static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
 {
-    const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90" };
+    const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90", NULL };
     fx half = item(L, entry, whose, 1, LENGTH("hit.capsule length")).f / 2;
 
     s->shape = SHAPE_CAPSULE;
@@ -144,7 +144,7 @@ static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, 
 /* The shape that was drawn with a sprite, whose name is on top of the stack. */
 static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
 {
-    const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL };
+    const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, NULL };
     const int at = lua_gettop(L);
     struct api_value v = { 0 };
     struct cart_hit hit;
@@ -243,32 +243,54 @@ enum { MOST_ORDER = 100 };
 static const char NO_HP[] = "this game has no room for it; rom.lua asks for it: board = { hp = true }";
 
 static const struct api_param bullet_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL }, { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "graze", A_BOOL, OPT, 0, 0, NULL, "true" },      { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },           { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
-    { "cloud", A_SPRITE, OPT, 0, 0, NULL, NULL },      { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },  { "hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL },
-    { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },     { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "harmless", A_BOOL, OPT, 0, 0, NULL, "false" },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("graze", A_BOOL, OPT, 0, 0, NULL, "true", "players can graze it"),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
+          "rotate the sprite to the direction of flight; the sprite needs rotations in rom.lua"),
+    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
+          "test the whole path of each frame for hits; false tests only where the frame ends"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
+          "degrees the sprite rotates per frame, clockwise; the sprite needs rotations in rom.lua"),
+    PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
+    PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL,
+          "sprite shown in its place during a delay; nil shows its own sprite"),
+    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+          "spark left when it is cleared and the clear names no spark; nil leaves none"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "clears remove it; false makes it immune unless they say all"),
+    PARAM("hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL,
+          "damage it takes from shots before it is destroyed; without hp, shots pass through"),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs hp"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left when its hp run out; needs hp"),
+    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs hp"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when its hp run out, { NAME = count }; needs hp"),
+    PARAM("harmless", A_BOOL, OPT, 0, 0, NULL, "false", "neither hits nor grazes players"),
 };
 
 static const struct api_param shot_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "damage", A_INT, OPT, 0, 1000000, "hp", "1" },
-    { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },
-    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },
-    { "order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0" },
-    { "cancels", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "pierce", A_COUNT, OPT, 0, 1000000, NULL, "0" },
-    { "every", A_COUNT, OPT, 1, 1000000, "frames", NULL },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "hp it takes from each enemy or bullet it hits"),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
+          "rotate the sprite to the direction of flight; the sprite needs rotations in rom.lua"),
+    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
+          "test the whole path of each frame for hits; false tests only where the frame ends"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
+          "degrees the sprite rotates per frame, clockwise; the sprite needs rotations in rom.lua"),
+    PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
+    PARAM("cancels", A_BOOL, OPT, 0, 0, NULL, "false",
+          "removes one clearable bullet that it touches; a bullet with hp takes its damage instead"),
+    PARAM("pierce", A_COUNT, OPT, 0, 1000000, NULL, "0",
+          "hits it survives; the next one uses it up, forever never does"),
+    PARAM("every", A_COUNT, OPT, 1, 1000000, "frames", NULL,
+          "frames before a piercing shot hits the same target again, 6 if left out; needs pierce"),
 };
 
 /* The ROW_CLOUD of the kind that is declared next. */
@@ -392,23 +414,35 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 }
 
 #define FLIGHT(kind_type, def_dir)                                                                                     \
-    { "kind", kind_type, REQ, 0, 0, NULL, NULL }, { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },     \
-        PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, def_dir }, { "aim", A_BOOL, OPT, 0, 0, NULL, "false" },                \
-        { "bank", A_INT, OPT, 0, 15, NULL, NULL }, { "tag", A_STR, OPT, 1, 31, NULL, NULL },                           \
-    {                                                                                                                  \
-        "motion", A_MOTION, OPT, 0, 0, NULL, NULL                                                                      \
-    }
+    PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL, "declared kind to fire"),                                          \
+        PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                             \
+              "pixels per frame; negative flies backwards"),                                                           \
+        PLACE,                                                                                                         \
+        PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
+              "direction of flight, clockwise from the right; with aim, an offset from the target and 0 if left "      \
+              "out"),                                                                                                  \
+        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
+              "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
+        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
+              "number added to the palette bank of its sprite; the bank of its kind if left out"),                     \
+        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
+        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
 #define AROUND                                                                                                         \
-    {                                                                                                                  \
-        "around", A_THING, OPT, PLACES, 0, NULL, NULL                                                                  \
-    }
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                               \
+          "thing that the orbit steps of its motion circle; needs board = { around = true }")
 
-static const struct api_param bullet_fire[] = { FLIGHT(A_BULLET_KIND, "90"),
-                                                { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },
-                                                AROUND };
-static const struct api_param shot_fire[] = { FLIGHT(A_SHOT_KIND, "270"),
-                                              { "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL },
-                                              AROUND };
+static const struct api_param bullet_fire[] = {
+    FLIGHT(A_BULLET_KIND, "90"),
+    PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0",
+          "frames it waits in place, shown as its cloud and harmless, before it flies"),
+    AROUND
+};
+static const struct api_param shot_fire[] = {
+    FLIGHT(A_SHOT_KIND, "270"),
+    PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,
+          "player who owns the shot and gets its score; the owner of from if left out"),
+    AROUND
+};
 
 enum { A_TARGET = 8 /* looking at so many is a unit of work */ };
 
@@ -483,9 +517,12 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- groups ---- */
 
-const struct api_param api_tag_params[TAG_PARAMS] = { { "tag", A_STR, OPT, 1, 31, NULL, NULL } };
-const struct api_param api_each_params[EACH_PARAMS] = { { "tag", A_STR, OPT, 1, 31, NULL, NULL },
-                                                        { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+const struct api_param api_tag_params[TAG_PARAMS] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
+                                                            "tag of the group; all of them if left out") };
+const struct api_param api_each_params[EACH_PARAMS] = {
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to visit; nil visits all"),
+    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "called with each one as its argument; it cannot wait")
+};
 
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
 {
@@ -550,63 +587,74 @@ static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_param bullet_sweep[] = {
     PLACE,
-    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "radius", A_FX, OPT, 0, MAX_SPEED, "px", "0" },
-    { "radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL },
-    { "over", A_INT, REQ, 1, 65535, "frames", NULL },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
-    { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0" },
-    { "by", A_PAD, OPT, 0, 0, NULL, NULL },
-    { "all", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL },
-    { "lasers", A_BOOL, OPT, 0, 0, NULL, "true" },
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL, "thing the circle moves with; the sweep ends when it dies"),
+    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
+    PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
+    PARAM("over", A_INT, REQ, 1, 65535, "frames", NULL, "duration of the sweep"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only bullets with this tag"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark each bullet leaves; that of its kind if left out"),
+    PARAM("hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0", "damage dealt once to each enemy the circle reaches"),
+    PARAM("by", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that hurt kills"),
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove bullets with clearable = false too"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item each bullet turns into"),
+    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "remove lasers that the circle touches too"),
 };
 
 /* ---- properties ---- */
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },           \
-        { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },                              \
-        { { "dir", A_DIR, REQ, 0, 0, NULL, NULL },                                                                     \
-          PROP_WRITE,                                                                                                  \
-          "where it flies, degrees from 0 to 360, kept at speed 0" },                                                  \
-        { { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "how fast, px/frame" },         \
-        { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
-        { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
-        { { "kind", kind_type, REQ, 0, 0, NULL, NULL },                                                                \
-          PROP_WRITE,                                                                                                  \
-          "name of its kind; a write takes the kind's bank too" },                                                     \
-        { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
-        { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                           \
-        { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
-          PROP_WRITE,                                                                                                  \
-          "the motion it runs, or nil; a write starts it anew" },                                                      \
-        { { "around", A_THING, OPT, PLACES, 0, NULL, NULL },                                                           \
-          PROP_WRITE,                                                                                                  \
-          "the thing that its orbits go round, or nil" },                                                              \
-        { { "age", A_INT, REQ, 0, 0, NULL, NULL },                                                                     \
-          PROP_READ,                                                                                                   \
-          "frames since it was fired, without a delay and those it stood" },                                           \
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
+            "horizontal position in the field; a write teleports it and hits nothing in between"),                     \
+      PROP_WRITE },                                                                                                    \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "vertical position in the field; a write teleports it and hits nothing in between"),                   \
+          PROP_WRITE },                                                                                                \
+        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
+          PROP_WRITE },                                                                                                \
+        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
+                "speed of flight; negative flies backwards"),                                                          \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
+                "horizontal velocity; a write changes dir and speed"),                                                 \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
+                "vertical velocity; a write changes dir and speed"),                                                   \
+          PROP_WRITE },                                                                                                \
+        { PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL,                                                              \
+                "name of its kind; a write also sets the bank of the new kind"),                                       \
+          PROP_WRITE },                                                                                                \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"),              \
+          PROP_WRITE },                                                                                                \
+        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },                       \
+        { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
+                "motion program it runs, or nil; a write starts the program from its first step"),                     \
+          PROP_WRITE },                                                                                                \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps circle, or nil"),           \
+          PROP_WRITE },                                                                                                \
+        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
+                "frames since it was fired, not counting its delay and frozen frames"),                                \
+          PROP_READ },                                                                                                 \
     {                                                                                                                  \
-        { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE,                                          \
-            "frames it stands, or forever; 0: it goes on as it was"                                                    \
+        PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
+              "frames it stays frozen, or forever; 0 lets it continue"),                                               \
+            PROP_WRITE                                                                                                 \
     }
 
 #define HP_PROP                                                                                                        \
     {                                                                                                                  \
-        { "hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL }, PROP_WRITE,                                                  \
-            "damage it takes until it goes, or forever; 0: shots pass it"                                              \
+        PARAM("hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL,                                                            \
+              "damage it can still take, or forever; at 0 shots pass through"),                                        \
+            PROP_WRITE                                                                                                 \
     }
 
 static const struct api_prop bullet_props[] = {
     FLIGHT_PROPS(A_BULLET_KIND),
-    { { "delay", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames until it flies; 0 when it does" },
+    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames until it flies; 0 once it flies"), PROP_READ },
     HP_PROP,
 };
 static const struct api_prop shot_props[] = {
     FLIGHT_PROPS(A_SHOT_KIND),
-    { { "by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL }, PROP_READ, "the player who fired it, or nil" }
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who fired it, or nil"), PROP_READ }
 };
 
 /* Q32 as a number: exact, for a place or a speed has 48 bits. */
@@ -796,8 +844,9 @@ static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const str
 
 #define COUNT_PROP(what)                                                                                               \
     {                                                                                                                  \
-        { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ,                                                          \
-            "how many live " what " have the tag; the one thing to read"                                               \
+        PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
+              "number of live " what " with the tag; the only property of a group that can be read"),                  \
+            PROP_READ                                                                                                  \
     }
 static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets"), HP_PROP };
 static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND), COUNT_PROP("shots") };
@@ -957,16 +1006,21 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
-static const struct api_param self_add[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
-                                             { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
-static const struct api_param self_by[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
-                                            { "by", A_DIR, REQ, 0, 0, NULL, NULL } };
-static const struct api_param self_shift[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL },
-                                               { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-                                               { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
-static const struct api_param self_only[] = { { "self", A_THING, REQ, FLYING, 0, NULL, NULL } };
+static const struct api_param self_add[] = { PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself"),
+                                             PARAM("add", A_DIR, OPT, 0, 0, NULL, "0",
+                                                   "degrees added to the direction of the target, clockwise") };
+static const struct api_param self_by[] = { PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself"),
+                                            PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL,
+                                                  "degrees to turn, clockwise; negative turns counterclockwise") };
+static const struct api_param self_shift[] = {
+    PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself"),
+    PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left"),
+    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
+};
+static const struct api_param self_only[] = { PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself") };
 
-static const struct api_param self_group[] = { { "self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL } };
+static const struct api_param self_group[] = { PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL,
+                                                     "the group itself") };
 
 /* ---- motion programs ---- */
 
@@ -1003,34 +1057,40 @@ enum {
 };
 
 static const struct api_param step_keys[M_KEYS] = {
-    { "wait", A_COUNT, OPT, 0, 1e9, "frames", NULL },
-    { "kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL },
-    { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "dir", A_DIR, OPT, 0, 0, NULL, NULL },
-    { "aim", A_BOOL, OPT, 0, 0, NULL, NULL },
-    { "turn", A_DIR, OPT, 0, 0, NULL, NULL },
-    { "home", A_NUM, OPT, 0, 180, "degrees a frame", NULL },
-    { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
-    { "accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", NULL },
-    { "die", A_BOOL, OPT, 0, 0, NULL, NULL },
-    { "over", A_COUNT, OPT, 1, 1e9, "frames", NULL },
-    { "loop", A_COUNT, OPT, 0, 65534, "rounds", NULL },
-    { "go_to", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },
-    { "wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL },
-    { "orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
-    { "ease", A_EASE, OPT, 0, 0, NULL, NULL },
-    { "spin", A_DIR, OPT, 0, 0, NULL, NULL },
-    { "at", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "every", A_INT, OPT, 1, 65535, "frames", NULL },
-    { "phase", A_DIR, OPT, 0, 0, NULL, NULL },
-    { "radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
-    { "bounce", A_COUNT, OPT, 1, 65534, "times", NULL },
-    { "walls", A_STR, OPT, 1, 31, NULL, NULL },
-    { "emit", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "path", A_ROUTE, OPT, 0, 0, NULL, NULL },
-    { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "wait_for", A_TABLE, OPT, 0, 0, NULL, NULL },
+    PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly on unchanged before the next step"),
+    PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "turns into a bullet of this kind"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, "number added to the palette bank of its sprite from now on"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "flies in this direction from now on, clockwise from the right"),
+    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "flies at the nearest target; with over, in every frame"),
+    PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, "degrees to turn, clockwise; with over, per frame"),
+    PARAM("home", A_NUM, OPT, 0, 180, "degrees a frame", NULL,
+          "most degrees it turns towards the nearest target per frame; needs over"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
+          "new speed; with over, reached in equal steps; of go_to, the speed it travels at"),
+    PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", NULL, "change of speed; with over, per frame"),
+    PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawns"),
+    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL, "duration of the step; without it, the step happens at once"),
+    PARAM("loop", A_COUNT, OPT, 0, 65534, "rounds", NULL, "times to run the steps listed inside this one"),
+    PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "{ x, y } in the field to fly to; needs over or speed"),
+    PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
+          "speed away from at or from where the step starts; needs over"),
+    PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL,
+          "distance it swings to each side of its path; needs over and every"),
+    PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of a circle around at or around its thing; needs over"),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of go_to"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the center of polar or orbit, clockwise"),
+    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "{ x, y } in the field: the center of polar or orbit"),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of wave"),
+    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "part of the period at which wave starts, in degrees"),
+    PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that orbit reaches at the end of over"),
+    PARAM("bounce", A_COUNT, OPT, 1, 65534, "times", NULL,
+          "times to reflect off the edges of the field; steps inside this one run after each bounce"),
+    PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
+          "edges that bounce uses: words of left, right, top, bottom; all four if left out"),
+    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "fires bullets or shots from where it is"),
+    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, starting where it is"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "swap left and right of path"),
+    PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL, "flies on until a position, a target or a signal is reached"),
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -1222,7 +1282,7 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
 /* A number of a place: itself, or a value's name. */
 static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
 {
-    struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL };
+    struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
     struct api_value v = { 0 };
     char where[40];
 
@@ -1519,8 +1579,8 @@ enum { HEAD_NAME, HEAD_FINE, HEADS };
 /* What is next to the steps: name and fine. Returns the name or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
-    static const struct api_param head[] = { { "name", A_STR, OPT, 0, 0, NULL, NULL },
-                                             { "fine", A_BOOL, OPT, 0, 0, NULL, "false" } };
+    static const struct api_param head[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("fine", A_BOOL, OPT, 0, 0, NULL, "false", "") };
     static const struct api_fields fields = { head, HEADS, NAME_LISTS };
     struct api_value v[HEADS] = { { 0 } };
 
@@ -1572,69 +1632,66 @@ static void no_get(lua_State *L, struct board *b, uint32_t slot, int p)
 
 const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
 
-static const struct api_param motion_params[] = { { "steps", A_TABLE, REQ, 0, 0, NULL, NULL } };
+static const struct api_param motion_params[] = { PARAM(
+    "steps", A_TABLE, REQ, 0, 0, NULL, NULL,
+    "list of steps, run in order; name = STRING and fine = true may be set in the same table") };
 
 /* Patterns take the parameters of these two, or of lasers. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
         "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",                    \
-            "fires a bullet from x, y or from a thing"                                                                 \
+            HELP("fires one bullet from a position or a thing")                                                        \
     }
 #define SHOT_FIRE                                                                                                      \
     {                                                                                                                  \
         "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES | API_VALUES, "shot",                            \
-            "fires a shot; with aim, dir counts from the nearest enemy"                                                \
+            HELP("fires one player shot from a position or a thing")                                                   \
     }
 const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
 
 #define CLEAR_ONE(thing)                                                                                               \
-    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "gone, leaving the named spark and item")
+    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "removes it and leaves a spark or an item")
 #define CLEAR_GROUP(thing)                                                                                             \
     API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
-             "removes those in the shape, or all, each leaving the named spark and item")
+             "removes those in a circle, a box or a line, or all of the group, and returns how many")
 /* The verbs of one and of a group; `it` names who does it. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
-    API_VERB(thing ":aim", verb_aim, self_add, 2, NULL,                                                                \
-             it " points at the " target " nearest to it, plus so many degrees"),                                      \
-        API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, it " turns by so many degrees"),                          \
-        API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL, it " is moved on by dx, dy at once, and flies on"),  \
-        CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, it " goes without a trace")
+    API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
+        API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \
+        API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL,                                                      \
+                 "moves " it " by a distance at once, with no hits in between"),                                       \
+        CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {
-    { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of bullet" },
+    { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of bullet: its sprite, its hitbox and its rules") },
     BULLET_FIRE,
     API_GROUPS("bullet", bullet_group, bullet_each),
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
-      "removes bullets, each leaving the named spark or its kind's: all, or those within radius of a place, within w "
-      "and h about it, "
-      "or within width of the line from it to to_x, to_y; with all, also what is not clearable; items: each becomes "
-      "one" },
+      HELP("removes the bullets in a circle, a box or a line, or all of them, and returns how many") },
     { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
-      "bullets with the tag first and bullets with the tag second meet when they touch: on_meet(a, b) is called, then "
-      "those that clear names are gone, each leaving the named spark or its kind's; with all, also what is not "
-      "clearable" },
+      HELP("makes the bullets of two tags collide; needs board = { meet = true }") },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
-      "clears in a circle that grows from radius to radius_to over so many frames, at a place or where a thing is, and "
-      "takes hurt once from each enemy it meets; ends with its owner and with what it follows" },
+      HELP("removes the bullets in a circle that grows frame by frame; the task ends with its owner") },
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
     FLYING_VERBS("group", "each", "player", CLEAR_GROUP),
     API_VERB("group:signal", verb_signal, self_group, 1, NULL,
-             "every bullet whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
+             "continues every bullet whose motion waits for this tag (wait_for); without a tag, for any"),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
-      "a motion program: a list of steps, shared by all bullets that name it; beside the steps, name = \"...\" gives "
-      "it a "
-      "name and fine = true keeps places and speeds to 32 fraction bits" },
-    { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL, "one step of motion.def" },
+      HELP("makes a motion program: a list of steps that any number of bullets run") },
+    { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL,
+      HELP("one step; in place of a number may be the name of a value (value.def)") },
     { "motion.def emit", NULL, PARAMS(api_emit_params), 0, API_LUA | API_SYS, NULL,
-      "what the step emit fires: a pattern's arguments, and those of bullet.fire (or shot.fire) but the place" },
+      HELP("what emit fires, from where the bullet is") },
     { "motion.def wait_for", NULL, PARAMS(api_await_params), 0, API_LUA | API_SYS, NULL,
-      "what the step wait_for waits for: one of x, y, near and tag, for at most limit frames" },
-    { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of player shot" },
+      HELP("what wait_for waits for: one of x, y, near and tag") },
+    { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of player shot: its sprite, its hitbox and its damage") },
     SHOT_FIRE,
     API_GROUPS("shot", shot_group, shot_each),
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
     FLYING_VERBS("shots", "each", "enemy", CLEAR_GROUP),
     API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
-             "every shot whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
+             "continues every shot whose motion waits for this tag (wait_for); without a tag, for any"),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

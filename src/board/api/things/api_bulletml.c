@@ -28,21 +28,21 @@ static const char ENTRY[] = "bullet.ml";
 enum { FASTEST = 64 /* px a frame of speed 1 */ };
 
 static const struct api_param params[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },
-    { "kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, ""),
     PLACE,
-    { "kinds", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "rank", A_NUM, OPT, 0, 1, NULL, "0.5" },
-    { "seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0" },
-    { "speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1" },
-    { "angle", A_DIR, OPT, 0, 0, NULL, "0" },
-    { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "params", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "loop", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "steer", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
-    { "on_fire", A_FUNC, OPT, 0, 0, NULL, NULL },
+    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", ""),
+    PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0", ""),
+    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", ""),
+    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", ""),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
 };
 
 /* The nearest Q31.32; the range was checked. */
@@ -99,7 +99,7 @@ static void refuse_label(lua_State *L, const struct ml *ml)
 /* Reads kinds = { label = kind } into out, the kind of each label. */
 static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[ML_KINDS])
 {
-    static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL };
+    static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
     if (luakeys_push_stray(L, at, knows_label, ml))
@@ -115,7 +115,7 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
 /* Reads params = { $1, $2, .. }; returns how many. */
 static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PARAMS])
 {
-    static const struct api_param param = { "params", A_NUM, REQ, -1e9, 1e9, NULL, NULL };
+    static const struct api_param param = { "params", A_NUM, REQ, -1e9, 1e9, NULL, NULL, NULL };
     const lua_Unsigned n = lua_rawlen(L, at);
     struct api_value v = { 0 };
 
@@ -219,10 +219,11 @@ static int documents(lua_State *L, struct board *b, struct api_value *v)
 enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; of one with from, where that was" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "rank", A_NUM, REQ, 0, 1, NULL, NULL }, PROP_WRITE, "what $rank is from now on" },
-    { { "name", A_STR, REQ, 0, 0, NULL, NULL }, PROP_READ, "the document's" },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; of one with from, where that was"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
+    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "what $rank is from now on"), PROP_WRITE },
+    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "the document's"), PROP_READ },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -248,7 +249,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 
 const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, get, set };
 
-static const struct api_param self[] = { { "self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL } };
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL, "") };
 
 static int stop(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -260,12 +261,15 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bullet.ml", start, PARAMS(params), 0, API_CHANGES, "bulletml",
-      "runs the BulletML document bulletml/NAME.xml at a place, or where a thing is (with steer, it moves that enemy): "
-      "its bullets are of a kind, or by label of one in kinds; speed is px a frame of its speed 1, angle turns it; "
-      "on_fire(b, label) is called for each bullet; it ends with its owner, as a task does" },
-    { "bullet.documents", documents, NULL, 0, 0, 0, "list",
-      "a list of the game's BulletML documents, each { name = \"..\", labels = { .. } }: the labels of bullets that it "
-      "fires" },
+      HELP(
+          "runs the BulletML document bulletml/NAME.xml at a place, or where a thing is (with steer, it moves that "
+          "enemy): "
+          "its bullets are of a kind, or by label of one in kinds; speed is px a frame of its speed 1, angle turns it; "
+          "on_fire(b, label) is called for each bullet; it ends with its owner, as a task does") },
+    PARAM("bullet.documents", documents, NULL, 0, 0, 0, "list",
+          "a list of the game's BulletML documents, each { name = \"..\", labels = { .. } }: the labels of bullets "
+          "that it "
+          "fires"),
     API_VERB("bulletml:stop", stop, self, 1, NULL, "the document fires no more; its bullets go on with their actions"),
 };
 const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

@@ -29,16 +29,16 @@ enum {
 };
 
 static const struct api_param def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },          { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL }, { "hp", A_INT, OPT, 1, INT32_MAX, NULL, "1" },
-    { "score", A_INT, OPT, 0, 1e12, "points", "0" },   { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "touch", A_BOOL, OPT, 0, 0, NULL, "true" },      { "spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },       { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "on_hit", A_FUNC, OPT, 0, 0, NULL, NULL },       { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "swept", A_BOOL, OPT, 0, 0, NULL, "true" },      { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "blocks", A_BOOL, OPT, 0, 0, NULL, "false" },    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "blink", A_INT, OPT, 0, 15, "frames", "0" },     { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
-    { "parts", A_TABLE, OPT, 0, 0, NULL, NULL },       { "blink_soft", A_BOOL, OPT, 0, 0, NULL, "false" },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),          PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL, ""), PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", ""),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", ""),   PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true", ""),      PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, ""),       PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL, ""),       PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true", ""),      PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", ""),    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", ""),     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, ""),
+    PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL, ""),       PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", ""),
 };
 
 static const char *const first_pictures[] = { "hurt", NULL };
@@ -113,13 +113,20 @@ enum {
 };
 
 static const struct api_param spawn[] = {
-    { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PLACE,
-    { "path", A_ROUTE, OPT, 0, 0, NULL, NULL },      { "mirror", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL },  { "bank", A_INT, OPT, 0, 15, NULL, NULL },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },        { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "on_death", A_FUNC, OPT, 0, 0, NULL, NULL },   { "stay", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "drops", A_TABLE, OPT, 0, 0, NULL, NULL },     { "follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL },
-    { "share", A_FX, OPT, 0, 1, NULL, NULL },        { "rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL },
+    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PLACE,
+    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, ""),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, NULL, ""),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, ""),
 };
 
 /* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
@@ -351,32 +358,30 @@ enum {
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write ends its move" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write ends its move" },
-    { { "hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL }, PROP_WRITE, "hit points left" },
-    { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },
-    { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
-    { { "safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames it takes no damage, or forever" },
-    { { "kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },
-    { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came, without those it stood" },
-    { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },
-      PROP_WRITE,
-      "frames it stands, or forever; 0: it goes on as it was" },
-    { { "picture", A_STR, OPT, 0, 0, NULL, NULL },
-      PROP_WRITE,
-      "which of its kind's pictures it shows; nil: the sprite" },
-    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
-    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
-    { { "rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL }, PROP_WRITE, "of the damage it takes: 1 all, 0 none" },
-    { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-      PROP_WRITE,
-      "of a part: how far right of its body; a write ends its move" },
-    { { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-      PROP_WRITE,
-      "of a part: how far below its body; a write ends its move" },
-    { { "share", A_FX, REQ, 0, 1, NULL, NULL }, PROP_WRITE, "of a part: of the damage it takes, for its body" },
-    { { "follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL }, PROP_READ, "the enemy it is a part of, or nil" },
-    { { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "how many living enemies have the tag; the one to read" },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; a write ends its move"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; a write ends its move"), PROP_WRITE },
+    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "hit points left"), PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "its group's tag, or nil"), PROP_WRITE },
+    { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it takes no damage, or forever"), PROP_WRITE },
+    { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it came, without those it stood"), PROP_READ },
+    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
+            "frames it stands, or forever; 0: it goes on as it was"),
+      PROP_WRITE },
+    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL, "which of its kind's pictures it shows; nil: the sprite"),
+      PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "left and right exchanged"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn, but there as before"), PROP_WRITE },
+    { PARAM("rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL, "of the damage it takes: 1 all, 0 none"), PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "of a part: how far right of its body; a write ends its move"),
+      PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "of a part: how far below its body; a write ends its move"),
+      PROP_WRITE },
+    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "of a part: of the damage it takes, for its body"), PROP_WRITE },
+    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "the enemy it is a part of, or nil"), PROP_READ },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL, "how many living enemies have the tag; the one to read"),
+      PROP_READ },
 };
 
 static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = ENEMY_FLIP, [P_HIDDEN] = ENEMY_HIDDEN };
@@ -503,26 +508,21 @@ enum {
     KILL_PLAYER = 1
 };
 
-#define SELF                                                                                                           \
-    {                                                                                                                  \
-        "self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL                                             \
-    }
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "")
 static const struct api_param move[] = {
     SELF,
-    { "x", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "y", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "over", A_INT, REQ, 1, 1e9, "frames", NULL },
-    { "ease", A_EASE, OPT, 0, 0, NULL, "linear" },
-    { "dx", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "dy", A_FX, OPT, -WORLD, WORLD, "px", NULL },
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, ""),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", ""),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
 };
-static const struct api_param shift_by[] = { SELF,
-                                             { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-                                             { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
-static const struct api_param hurt[] = { SELF,
-                                         { "n", A_INT, REQ, 0, INT32_MAX, "hp", NULL },
-                                         { "p", A_PAD, OPT, 0, 0, NULL, NULL } };
-static const struct api_param kill_by[] = { SELF, { "p", A_PAD, OPT, 0, 0, NULL, NULL } };
+static const struct api_param shift_by[] = { SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                             PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
+static const struct api_param hurt[] = { SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, ""),
+                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param self[] = { SELF };
 
 static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -653,14 +653,14 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
         API_VERB(thing ":remove", enemy_remove, self, 1, NULL, it " just goes")
 
 static const struct api_entry entries[] = {
-    { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a kind of enemy" },
+    { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, HELP("declares a kind of enemy") },
     { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES | API_VALUES, "enemy",
-      "brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end; with stay the "
-      "boss's phase "
-      "it came from does not take it along" },
+      HELP("brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end; with stay the "
+           "boss's phase "
+           "it came from does not take it along") },
     API_GROUPS("enemy", enemy_group, enemy_each),
     { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
-      "how many enemies live, of that tag or of all" },
+      HELP("how many enemies live, of that tag or of all") },
     ENEMY_VERBS("enemy", "it", ""),
     ENEMY_VERBS("enemies", "each", ", in slot order"),
 };

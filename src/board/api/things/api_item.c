@@ -18,7 +18,7 @@ static int64_t number_of(lua_State *L, const char *entry, const char *what, int 
                          double hi)
 {
     char full[64];
-    struct api_param p = { full, A_INT, REQ, lo, hi, NULL, NULL };
+    struct api_param p = { full, A_INT, REQ, lo, hi, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
     snprintf(full, sizeof full, "%s.%s", what, name);
@@ -50,7 +50,7 @@ static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull
 
 void api_push_drops(lua_State *L, const char *entry, int at)
 {
-    const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL };
+    const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, NULL };
     const char *line = api_off(&vm_board(L)->cart.m, "item"), *names[MOST_NAMES];
     uint8_t list[MOST_NAMES * DROP_BYTES];
     struct api_value v;
@@ -98,17 +98,17 @@ void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
 enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_TAKE };
 
 static const struct api_param def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL },
-    { "gives", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "full", A_STR, OPT, 1, 31, NULL, NULL },
-    { "gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04" },
-    { "top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2" },
-    { "magnet", A_BOOL, OPT, 0, 0, NULL, "true" },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "on_take", A_FUNC, OPT, 0, 0, NULL, NULL },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL, ""),
+    PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("full", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04", ""),
+    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", ""),
+    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true", ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
 };
 
 static const char DEF[] = "item.def";
@@ -130,7 +130,7 @@ static int register_number(lua_State *L, const char *name)
 /* score = n, or { low, high }. */
 static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives)
 {
-    static const struct api_param pair = { "gives.score", A_SPAN, REQ, 0, ITEM_MOST, NULL, NULL };
+    static const struct api_param pair = { "gives.score", A_SPAN, REQ, 0, ITEM_MOST, NULL, NULL, NULL };
     struct api_value v;
 
     if (lua_getfield(L, gives, "score") == LUA_TTABLE) {
@@ -247,10 +247,13 @@ void api_items_check(lua_State *L, struct board *b)
 enum { P_KIND, P_PLACE, P_N = P_PLACE + PLACE_PARAMS, P_DIR, P_SPREAD, P_SPEED, P_TAG };
 
 static const struct api_param drop[] = {
-    { "kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL },    PLACE,
-    { "n", A_INT, OPT, 0, UINT16_MAX, "items", "1" },  { "dir", A_DIR, OPT, 0, 0, NULL, "270" },
-    { "spread", A_NUM, OPT, 0, 360, "degrees", "60" }, { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5" },
-    { "tag", A_STR, OPT, 1, 31, NULL, NULL },
+    PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PLACE,
+    PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", ""),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", ""),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", ""),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", ""),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
 };
 
 static uint64_t spread_of(double degrees)
@@ -293,17 +296,17 @@ enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "speed to the right" },
-    { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "speed downwards" },
-    { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },
-    { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },
-      PROP_WRITE,
-      "frames it stands, or forever; 0: it goes on as it was" },
-    { { "kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },
-    { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came, without those it stood" },
-    { { "count", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "how many items have the tag; the one to read" },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
+    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },
+    { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed downwards"), PROP_WRITE },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "its group's tag, or nil"), PROP_WRITE },
+    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
+            "frames it stands, or forever; 0: it goes on as it was"),
+      PROP_WRITE },
+    { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it came, without those it stood"), PROP_READ },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL, "how many items have the tag; the one to read"), PROP_READ },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -369,11 +372,8 @@ const struct api_thing api_items_thing = { "items", props, PROPS + 1, get_group,
 
 enum { ARG_SELF, PULL_PLAYER };
 
-#define SELF                                                                                                           \
-    {                                                                                                                  \
-        "self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL                                                \
-    }
-static const struct api_param pull[] = { SELF, { "p", A_PAD, OPT, 0, 0, NULL, NULL } };
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "")
+static const struct api_param pull[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param self[] = { SELF };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
@@ -425,15 +425,16 @@ static int item_remove(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "item.def", item_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      "declares a kind of item; gives = { score = n or { low, high }, lives = n, REGISTER = n }" },
+      HELP("declares a kind of item; gives = { score = n or { low, high }, lives = n, REGISTER = n }") },
     { "item.drop", item_drop_run, PARAMS(drop), 0, API_CHANGES, NULL,
-      "n items from a place, laid out evenly over spread degrees about dir, without chance" },
+      HELP("n items from a place, laid out evenly over spread degrees about dir, without chance") },
     API_GROUPS("item", item_group, item_each),
     { "item:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
-      "it flies to the player, or to the nearest, until taken; when that one dies, it falls again" },
-    { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "gone, without being taken" },
+      HELP("it flies to the player, or to the nearest, until taken; when that one dies, it falls again") },
+    { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("gone, without being taken") },
     { "items:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
-      "each flies to the player, or to its nearest" },
-    { "items:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, "all gone, without being taken" },
+      HELP("each flies to the player, or to its nearest") },
+    { "items:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("all gone, without being taken") },
 };
 const struct api_module api_item = { entries, sizeof entries / sizeof *entries };

@@ -28,25 +28,25 @@ enum {
 };
 
 static const struct api_param laser_def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },
-    { "strip", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL },
-    { "hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL },
-    { "head", A_SPRITE, OPT, 0, 0, NULL, NULL },
-    { "tail", A_SPRITE, OPT, 0, 0, NULL, NULL },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },
-    { "blend", A_BLEND, OPT, 0, 0, NULL, NULL },
-    { "graze", A_INT, OPT, 0, 65535, "frames", "8" },
-    { "clearable", A_BOOL, OPT, 0, 0, NULL, "true" },
-    { "vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL },
-    { "damage", A_INT, OPT, 0, 1000000, "hp", NULL },
-    { "every", A_INT, OPT, 1, 65535, "frames", "4" },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, ""),
+    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, ""),
+    PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8", ""),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", ""),
+    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL, ""),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", ""),
 };
 
 /* The share of its width that hits, or -1: nothing does. */
 static fx read_hit(lua_State *L, int at)
 {
-    static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL };
+    static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL };
     static const struct api_fields fields = { &share, 1, NAME_LISTS };
     struct api_value v = { 0 };
 
@@ -99,12 +99,10 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 
 /* What all three have, in this order. */
 #define LASER_PARAMS                                                                                                   \
-    { "kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL }, PLACE, { "dir", A_DIR, OPT, 0, 0, NULL, "90" },                   \
-        { "aim", A_BOOL, OPT, 0, 0, NULL, "false" }, { "bank", A_INT, OPT, 0, 15, NULL, NULL },                        \
-        { "tag", A_STR, OPT, 1, 31, NULL, NULL }, { "width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL },                \
-    {                                                                                                                  \
-        "by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL                                                               \
-    }
+    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, ""), PLACE, PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90", ""),     \
+        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),          \
+        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""), PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL, ""),  \
+        PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL, "")
 enum {
     F_KIND,
     F_PLACE,
@@ -132,28 +130,24 @@ enum {
 };
 
 #define FLIGHT_PARAMS                                                                                                  \
-    { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },    \
-        { "delay", A_INT, OPT, 0, 1e9, "frames", "0" },                                                                \
-    {                                                                                                                  \
-        "around", A_THING, OPT, PLACES, 0, NULL, NULL                                                                  \
-    }
+    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, ""),                                            \
+        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, ""), PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", ""),   \
+        PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "")
 
-static const struct api_param bolt_params[] = { LASER_PARAMS,
-                                                FLIGHT_PARAMS,
-                                                { "length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL } };
-static const struct api_param curve_params[] = { LASER_PARAMS,
-                                                 FLIGHT_PARAMS,
-                                                 { "points", A_INT, OPT, 2, LASER_POINTS, "frames", "32" } };
+static const struct api_param bolt_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
+                                                PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "") };
+static const struct api_param curve_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
+                                                 PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32", "") };
 static const struct api_param beam_params[] = {
     LASER_PARAMS,
-    { "follow", A_THING, OPT, PLACES, 0, NULL, NULL },
-    { "turns", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL },
-    { "hold", A_COUNT, REQ, 0, 1e9, "frames", NULL },
-    { "warn", A_INT, OPT, 0, FRAMES, "frames", "40" },
-    { "grow", A_INT, OPT, 0, FRAMES, "frames", "8" },
-    { "fade", A_INT, OPT, 0, FRAMES, "frames", "12" },
-    { "spin", A_DIR, OPT, 0, 0, NULL, "0" },
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, ""),
+    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, ""),
+    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40", ""),
+    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8", ""),
+    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12", ""),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", ""),
 };
 
 static uint8_t player_of(const struct board *b, const struct api_value *v)
@@ -306,60 +300,59 @@ enum {
 _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first are those of what flies");
 
 #define LASER_PROPS                                                                                                    \
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },                                                                   \
-      PROP_WRITE,                                                                                                      \
-      "where its head is, px: where a beam begins, the front of a bolt or curve; a write moves all of it" },           \
-        { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where its head is, px" },                        \
-        { { "dir", A_DIR, REQ, 0, 0, NULL, NULL },                                                                     \
-          PROP_WRITE,                                                                                                  \
-          "where a beam points, where the others fly, degrees from 0 to 360" },                                        \
-        { { "speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL },                                             \
-          PROP_WRITE,                                                                                                  \
-          "how fast a bolt or curve flies, px/frame" },                                                                \
-        { { "vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
-        { { "vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL }, PROP_WRITE, "sets dir and speed too" },        \
-        { { "kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },                            \
-        { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "palette banks to add" },                             \
-        { { "tag", A_STR, OPT, 1, 31, NULL, NULL }, PROP_WRITE, "its group's tag, or nil" },                           \
-        { { "motion", A_MOTION, OPT, 0, 0, NULL, NULL },                                                               \
-          PROP_WRITE,                                                                                                  \
-          "the motion that a bolt or curve runs, or nil; a write starts it anew" },                                    \
-        { { "around", A_THING, OPT, PLACES, 0, NULL, NULL },                                                           \
-          PROP_WRITE,                                                                                                  \
-          "the thing that its orbits go round, or nil" },                                                              \
-        { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it was fired, without those it stood" },   \
-        { { "frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL },                                                    \
-          PROP_WRITE,                                                                                                  \
-          "frames it stands, or forever; 0: it goes on as it was" },                                                   \
-        { { "length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL },                                                       \
-          PROP_WRITE,                                                                                                  \
-          "px, of a beam or bolt; a curve is as long as it has flown" },                                               \
-        { { "width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL }, PROP_WRITE, "px, when it has grown" },                 \
-        { { "spin", A_DIR, REQ, 0, 0, NULL, NULL },                                                                    \
-          PROP_WRITE,                                                                                                  \
-          "degrees that it turns a frame, clockwise, once its warning is over" },                                      \
-        { { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },                                                              \
-          PROP_WRITE,                                                                                                  \
-          "of a beam that follows: how far from that thing's place" },                                                 \
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
+            "where its head is, px: where a beam begins, the front of a bolt or curve; a write moves all of it"),      \
+      PROP_WRITE },                                                                                                    \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where its head is, px"), PROP_WRITE },                     \
+        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
+                "where a beam points, where the others fly, degrees from 0 to 360"),                                   \
+          PROP_WRITE },                                                                                                \
+        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
+                "how fast a bolt or curve flies, px/frame"),                                                           \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "sets dir and speed too"), PROP_WRITE },     \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "sets dir and speed too"), PROP_WRITE },     \
+        { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },                         \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },                          \
+        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "its group's tag, or nil"), PROP_WRITE },                        \
+        { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
+                "the motion that a bolt or curve runs, or nil; a write starts it anew"),                               \
+          PROP_WRITE },                                                                                                \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "the thing that its orbits go round, or nil"),          \
+          PROP_WRITE },                                                                                                \
+        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, without those it stood"),             \
+          PROP_READ },                                                                                                 \
+        { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
+                "frames it stands, or forever; 0: it goes on as it was"),                                              \
+          PROP_WRITE },                                                                                                \
+        { PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,                                                     \
+                "px, of a beam or bolt; a curve is as long as it has flown"),                                          \
+          PROP_WRITE },                                                                                                \
+        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "px, when it has grown"), PROP_WRITE },              \
+        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
+                "degrees that it turns a frame, clockwise, once its warning is over"),                                 \
+          PROP_WRITE },                                                                                                \
+        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
+                "of a beam that follows: how far from that thing's place"),                                            \
+          PROP_WRITE },                                                                                                \
     {                                                                                                                  \
-        { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "the same downwards"                               \
+        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "the same downwards"), PROP_WRITE                            \
     }
 
 static const struct api_prop laser_props[] = {
     LASER_PROPS,
-    { { "state", A_STR, REQ, 0, 0, NULL, NULL },
-      PROP_READ,
-      "\"warn\", \"grow\", \"on\" or \"fade\": only in \"grow\" and \"on\" it hits" },
-    { { "form", A_STR, REQ, 0, 0, NULL, NULL }, PROP_READ, "\"beam\", \"bolt\" or \"curve\"" },
-    { { "follow", A_THING, REQ, PLACES, 0, NULL, NULL }, PROP_READ, "what a beam follows, or nil" },
-    { { "by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL }, PROP_READ, "the player whose it is, or nil" },
+    { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
+            "\"warn\", \"grow\", \"on\" or \"fade\": only in \"grow\" and \"on\" it hits"),
+      PROP_READ },
+    { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ },
+    { PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "what a beam follows, or nil"), PROP_READ },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "the player whose it is, or nil"), PROP_READ },
 };
 
 static const struct api_prop lasers_props[] = {
     LASER_PROPS,
-    { { "count", A_INT, REQ, 0, 0, NULL, NULL },
-      PROP_READ,
-      "how many live lasers have the tag; the one thing to read" },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL, "how many live lasers have the tag; the one thing to read"),
+      PROP_READ },
 };
 
 static void push_thing(lua_State *L, int64_t h)
@@ -591,15 +584,15 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { EITHER = 1 << H_LASER | 1 << H_LASERS };
-static const struct api_param self_add[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
-                                             { "add", A_DIR, OPT, 0, 0, NULL, "0" } };
-static const struct api_param self_by[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
-                                            { "by", A_DIR, REQ, 0, 0, NULL, NULL } };
-static const struct api_param self_shift[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL },
-                                               { "dx", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-                                               { "dy", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
-static const struct api_param self_only[] = { { "self", A_THING, REQ, EITHER, 0, NULL, NULL } };
-static const struct api_param self_group[] = { { "self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL } };
+static const struct api_param self_add[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, ""),
+                                             PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "") };
+static const struct api_param self_by[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, ""),
+                                            PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param self_shift[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, ""),
+                                               PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                               PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
+static const struct api_param self_only[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, "") };
+static const struct api_param self_group[] = { PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "") };
 
 static int group(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -617,51 +610,57 @@ static int each(lua_State *L, struct board *b, struct api_value *v)
 #define BEAM                                                                                                           \
     {                                                                                                                  \
         "laser.beam", beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                              \
-            "a straight laser from a place, or with follow from where a thing is: warns, grows, holds, fades; with "   \
-            "turns it turns as that thing does"                                                                        \
+            HELP("a straight laser from a place, or with follow from where a thing is: warns, grows, holds, fades; "   \
+                 "with "                                                                                               \
+                 "turns it turns as that thing does")                                                                  \
     }
 #define BOLT                                                                                                           \
     {                                                                                                                  \
         "laser.bolt", bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                              \
-            "a straight piece of so many px that flies as a bullet does; it comes out of where it was fired"           \
+            HELP("a straight piece of so many px that flies as a bullet does; it comes out of where it was fired")     \
     }
 #define CURVE                                                                                                          \
     {                                                                                                                  \
         "laser.curve", curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                           \
-            "a head that flies as a bullet does, and a body that follows on its way, points frames long"               \
+            HELP("a head that flies as a bullet does, and a body that follows on its way, points frames long")         \
     }
 const struct api_entry api_fire_beam = BEAM, api_fire_bolt = BOLT, api_fire_curve = CURVE;
 
 static const struct api_entry entries[] = {
     { "laser.def", define, PARAMS(laser_def), 1, API_CHANGES | API_LOAD, NULL,
-      "declares a kind of laser; one that has damage is a player's: it hurts enemies and no player" },
+      HELP("declares a kind of laser; one that has damage is a player's: it hurts enemies and no player") },
     BEAM,
     BOLT,
     CURVE,
     API_GROUPS("laser", group, each),
     { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
-      "removes lasers whole, as bullet.clear: those that the shape touches, as they are drawn, each leaving the named "
-      "spark and item every so many px" },
+      HELP("removes lasers whole, as bullet.clear: those that the shape touches, as they are drawn, each leaving the "
+           "named "
+           "spark and item every so many px") },
     { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      "points it at the nearest player, a player's at the nearest enemy, plus so many degrees" },
-    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "turns it by so many degrees" },
+      HELP("points it at the nearest player, a player's at the nearest enemy, plus so many degrees") },
+    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("turns it by so many degrees") },
     { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "all of it is moved on by dx, dy at once" },
+      HELP("all of it is moved on by dx, dy at once") },
     { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      "it begins to fade, and hits no more" },
+      HELP("it begins to fade, and hits no more") },
     { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
-      API_CHANGES | API_METHOD, NULL, "gone, leaving the named spark and item along it" },
-    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "gone without a trace" },
-    { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL, "each points as laser:aim does" },
-    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, "each turns by so many degrees" },
+      API_CHANGES | API_METHOD, NULL, HELP("gone, leaving the named spark and item along it") },
+    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, HELP("gone without a trace") },
+    { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("each points as laser:aim does") },
+    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("each turns by so many degrees") },
     { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      "each is moved on by dx, dy at once" },
-    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "each begins to fade" },
+      HELP("each is moved on by dx, dy at once") },
+    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, HELP("each begins to fade") },
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
-      "removes those in the shape, or all, each leaving the named spark and item along it" },
+      HELP("removes those in the shape, or all, each leaving the named spark and item along it") },
     API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
              "every laser whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
-    { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, "all gone without a trace" },
+    { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("all gone without a trace") },
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

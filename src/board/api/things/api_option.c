@@ -10,9 +10,9 @@
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
 static const struct api_param def[] = {
-    { "name", A_STR, REQ, 1, 31, NULL, NULL }, { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "bank", A_INT, OPT, 0, 15, NULL, "0" },  { "layer", A_LAYER, OPT, 0, 0, NULL, "front" },
-    { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, ""), PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),  PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", ""),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
 };
 
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
@@ -40,29 +40,29 @@ static const char PLAYER[] = "player.def", *const styles[] = { "fixed", "trail",
 enum { O_KIND, O_BY, O_LEVELS, O_OVER, O_STYLE, O_APART, O_RADIUS, O_CLOSE, O_SPIN, O_PARAMS };
 
 static const struct api_param ship_params[O_PARAMS] = {
-    { "options.kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL },
-    { "options.by", A_STR, OPT, 1, 31, NULL, NULL },
-    { "options.levels", A_TABLE, REQ, 0, 0, NULL, NULL },
-    { "options.over", A_INT, OPT, 0, 65535, "frames", "8" },
-    { "options.style", A_STR, OPT, 0, 0, NULL, "fixed" },
-    { "options.apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8" },
-    { "options.radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
-    { "options.close", A_FX, OPT, 0, MAX_SPEED, "px", NULL },
-    { "options.spin", A_DIR, OPT, 0, 0, NULL, "0" },
+    PARAM("options.kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("options.by", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("options.levels", A_TABLE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("options.over", A_INT, OPT, 0, 65535, "frames", "8", ""),
+    PARAM("options.style", A_STR, OPT, 0, 0, NULL, "fixed", ""),
+    PARAM("options.apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8", ""),
+    PARAM("options.radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, ""),
+    PARAM("options.close", A_FX, OPT, 0, MAX_SPEED, "px", NULL, ""),
+    PARAM("options.spin", A_DIR, OPT, 0, 0, NULL, "0", ""),
 };
 
 enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
 
 static const struct api_param level_params[L_PARAMS] = {
-    { "at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0" },
-    { "n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL },
-    { "wide", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "close", A_TABLE, OPT, 0, 0, NULL, NULL },
+    PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", ""),
+    PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL, ""),
+    PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("close", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
 };
 
 static fx place_axis(lua_State *L, const char *where, int axis)
 {
-    const struct api_param p = { where, A_FX, REQ, -WORLD, WORLD, "px", NULL };
+    const struct api_param p = { where, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
     struct api_value v = { 0 };
 
     lua_rawgeti(L, -1, axis + 1);
@@ -238,15 +238,15 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 enum { P_X, P_Y, P_BY, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, 0, 0, "px", NULL }, PROP_READ, "where it is, px" },
-    { { "y", A_FX, REQ, 0, 0, "px", NULL }, PROP_READ, "where it is, px" },
-    { { "by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL }, PROP_READ, "the player it flies with" },
-    { { "index", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "its number among the player's, from 1 on" },
-    { { "focus", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "does its player fly slowly?" },
-    { { "age", A_INT, REQ, 0, 0, NULL, NULL }, PROP_READ, "frames since it came" },
-    { { "kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL }, PROP_READ, "name of its kind" },
-    { { "bank", A_INT, REQ, 0, 15, NULL, NULL }, PROP_WRITE, "which 16 colours" },
-    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
+    { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "where it is, px"), PROP_READ },
+    { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "where it is, px"), PROP_READ },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "the player it flies with"), PROP_READ },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "its number among the player's, from 1 on"), PROP_READ },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "does its player fly slowly?"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it came"), PROP_READ },
+    { PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "which 16 colours"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn, but there as before"), PROP_WRITE },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -295,6 +295,6 @@ const struct api_thing api_option_thing = { "option", props, PROPS, get, set };
 
 static const struct api_entry entries[] = {
     { "option.def", option_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      "declares a kind of option, which flies with a ship (options of player.def); run(o) is its task" },
+      HELP("declares a kind of option, which flies with a ship (options of player.def); run(o) is its task") },
 };
 const struct api_module api_option = { entries, sizeof entries / sizeof *entries };

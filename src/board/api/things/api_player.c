@@ -31,26 +31,26 @@ enum {
 };
 
 static const struct api_param def[] = {
-    { "name", A_STR, REQ, 0, 0, NULL, NULL },
-    { "sprite", A_SPRITE, REQ, 0, 0, NULL, NULL },
-    { "hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL },
-    { "graze", A_FX, OPT, 0, MAX_SPEED, "px", "16" },
-    { "speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4" },
-    { "focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2" },
-    { "lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3" },
-    { "safe", A_INT, OPT, 0, 100000, "frames", "120" },
-    { "registers", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "run", A_FUNC, OPT, 0, 0, NULL, NULL },
-    { "magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24" },
-    { "collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL },
-    { "collect_full", A_STR, OPT, 1, 31, NULL, NULL },
-    { "pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6" },
-    { "pictures", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "bomb", A_STR, OPT, 1, 31, NULL, NULL },
-    { "bomb_focus", A_STR, OPT, 1, 31, NULL, NULL },
-    { "deathbomb", A_INT, OPT, 0, 600, "frames", "0" },
-    { "options", A_TABLE, OPT, 0, 0, NULL, NULL },
-    { "needs", A_STR, OPT, 1, 31, NULL, NULL },
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL, ""),
+    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", ""),
+    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", ""),
+    PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", ""),
+    PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", ""),
+    PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120", ""),
+    PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", ""),
+    PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", ""),
+    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0", ""),
+    PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, ""),
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -192,10 +192,10 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
 enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
-static const struct api_param index_only[] = { { "i", A_PAD, REQ, 0, 0, NULL, NULL } };
-static const struct api_param xy[] = { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL },
-                                       { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL } };
-static const struct api_param f_only[] = { { "f", A_FUNC, REQ, 0, 0, NULL, NULL } };
+static const struct api_param index_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param xy[] = { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                       PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
+static const struct api_param f_only[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -241,25 +241,25 @@ enum {
 };
 
 static const struct api_prop props[PROPS] = {
-    { { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px; a write is a teleport" },
-    { { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL }, PROP_WRITE, "where it is, px" },
-    { { "lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL },
-      PROP_WRITE,
-      "lives left besides this one; -1 in on.death: that was the last" },
-    { { "safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL }, PROP_WRITE, "frames nothing can hit it" },
-    { { "focus", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_READ, "is it moving slowly?" },
-    { { "grazes", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "bullets grazed in this game" },
-    { { "score", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "points; score.add changes them" },
-    { { "index", A_INT, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "1 or 2" },
-    { { "kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL }, PROP_LASTS, "name of its kind" },
-    { { "picture", A_STR, OPT, 0, 0, NULL, NULL },
-      PROP_WRITE,
-      "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies" },
-    { { "flip_x", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "left and right exchanged" },
-    { { "hidden", A_BOOL, REQ, 0, 0, NULL, NULL }, PROP_WRITE, "not drawn, but there as before" },
-    { { "state", A_STR, REQ, 0, 0, NULL, NULL },
-      PROP_READ,
-      "fly, or hit: it stands and does not fire while a bomb can save it (deathbomb of player.def)" },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; a write is a teleport"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
+    { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
+            "lives left besides this one; -1 in on.death: that was the last"),
+      PROP_WRITE },
+    { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames nothing can hit it"), PROP_WRITE },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "is it moving slowly?"), PROP_READ },
+    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "bullets grazed in this game"), PROP_LASTS },
+    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points; score.add changes them"), PROP_LASTS },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "1 or 2"), PROP_LASTS },
+    { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_LASTS },
+    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
+            "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies"),
+      PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "left and right exchanged"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn, but there as before"), PROP_WRITE },
+    { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
+            "fly, or hit: it stands and does not fire while a bomb can save it (deathbomb of player.def)"),
+      PROP_READ },
 };
 
 static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
@@ -342,14 +342,14 @@ const struct api_thing api_player_thing = { "player", props, PROPS, get, set };
 
 enum { BUTTON_NAME, BUTTON_PLAYER };
 
-static const struct api_param button[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
-                                           { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+static const struct api_param button[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
+                                           PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
 
 enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
-static const struct api_param take[] = { { "button", A_BUTTON, REQ, 0, 0, NULL, NULL },
-                                         { "n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL },
-                                         { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+static const struct api_param take[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL, ""),
+                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
 
 static int read_pad(lua_State *L, const struct board *b, const uint16_t *pads, const struct api_value *v)
 {
@@ -392,22 +392,23 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 
 enum { ADD_POINTS, ADD_PLAYER };
 
-static const struct api_param add[] = { { "n", A_INT, REQ, -1e12, 1e12, "points", NULL },
-                                        { "p", A_PAD, OPT, 0, 0, NULL, "1" } };
+static const struct api_param add[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL, ""),
+                                        PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
 
 enum { ROWS_TABLE, ROWS_SHIP };
 
-static const struct api_param rows_of[] = { { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },
-                                            { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL } };
+static const struct api_param rows_of[] = { PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
+                                            PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "") };
 
 enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
 
-static const struct api_param enter[] = {
-    { "table", A_STR, REQ, 1, NV_KEY, NULL, NULL },         { "name", A_STR, REQ, 1, NV_NAME, NULL, NULL },
-    { "score", A_INT, REQ, -1e15, 1e15, "points", NULL },   { "ship", A_STR, OPT, 1, NV_KEY, NULL, NULL },
-    { "stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL }, { "clear", A_BOOL, OPT, 0, 0, NULL, "false" },
-    { "continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0" }
-};
+static const struct api_param enter[] = { PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
+                                          PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, ""),
+                                          PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, ""),
+                                          PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, ""),
+                                          PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, ""),
+                                          PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+                                          PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "") };
 
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -478,24 +479,25 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, "declares a ship" },
-    { "player.get", player_get, PARAMS(index_only), 1, 0, "player", "player 1 or 2, in the game or not" },
-    { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player", "the living player nearest to a point" },
+    { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, HELP("declares a ship") },
+    { "player.get", player_get, PARAMS(index_only), 1, 0, "player", HELP("player 1 or 2, in the game or not") },
+    { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player", HELP("the living player nearest to a point") },
     { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
-      "calls f(player) for each in the game; f cannot wait" },
-    { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", "is the button held?" },
-    { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean", "did it go down this frame?" },
+      HELP("calls f(player) for each in the game; f cannot wait") },
+    { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", HELP("is the button held?") },
+    { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean", HELP("did it go down this frame?") },
     { "pad.take", pad_take, PARAMS(take), 3, API_CHANGES, "boolean",
-      "takes a press at most n frames old, once: the oldest that nobody took; n = 0: of this frame" },
-    { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean", "did it come up this frame?" },
+      HELP("takes a press at most n frames old, once: the oldest that nobody took; n = 0: of this frame") },
+    { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean", HELP("did it come up this frame?") },
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
-      "pressed, then again every 5 frames once held for 20" },
+      HELP("pressed, then again every 5 frames once held for 20") },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
-      "points for a player, from 0 to 999,999,999,999 in all; extends come by themselves" },
+      HELP("points for a player, from 0 to 999,999,999,999 in all; extends come by themselves") },
     { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
-      "a lasting table's rows, best first: { name, score, ship, stage, clear, continues }; of one ship, or the best of "
-      "all" },
+      HELP("a lasting table's rows, best first: { name, score, ship, stage, clear, continues }; of one ship, or the "
+           "best of "
+           "all") },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
-      "enters a score into a lasting table, that of its ship; its row there, or nil when it is not good enough" },
+      HELP("enters a score into a lasting table, that of its ship; its row there, or nil when it is not good enough") },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

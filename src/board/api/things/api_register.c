@@ -19,16 +19,16 @@ static const char *const shows[] = { "none", "number", "icons", "bar", "times", 
 enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, S_AT, S_LABEL, S_MARK, SETTINGS };
 
 static const struct api_param settings[SETTINGS] = {
-    { "start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
-    { "min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
-    { "max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
-    { "drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
-    { "every", A_INT, OPT, 1, INT32_MAX, "frames", NULL },
-    { "hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL },
-    { "show", A_STR, OPT, 0, 0, NULL, NULL },
-    { "at", A_STR, OPT, 0, 0, NULL, NULL },
-    { "label", A_STR, OPT, 0, 31, NULL, NULL },
-    { "mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL },
+    PARAM("start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
+    PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
+    PARAM("max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
+    PARAM("drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
+    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, ""),
+    PARAM("hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL, ""),
+    PARAM("show", A_STR, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, ""),
+    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
 };
 
 struct reg {
@@ -141,7 +141,7 @@ static struct reg read_register(lua_State *L, const char *entry, int32_t kind, c
         read_rule(L, entry, name, lua_gettop(L), &r);
         return r;
     }
-    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL };
+    const struct api_param whole = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL, NULL };
     api_check(L, entry, &whole, lua_gettop(L), &v);
     r.rule.start = (int32_t)v.i;
     return r;
@@ -308,7 +308,7 @@ int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_RE
 int64_t api_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at)
 {
     const double least = registers_rule(&vm_board(L)->registers, row).least;
-    const struct api_param p = { name, A_INT, REQ, least, INT32_MAX, NULL, NULL };
+    const struct api_param p = { name, A_INT, REQ, least, INT32_MAX, NULL, NULL, NULL };
     struct api_value v = { 0 };
     int whole = 0;
 

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# explained.sh - `curtain help lua NAME` explains: every argument and property has a meaning, every entry an example
+# that runs and a page of the guide (share/help). A build without help has none of these texts.
+. "$(dirname "$0")/../pages.sh"
+curtain=$OUT/curtain-null
+api=docs/reference/api.md
+
+for page in share/help/*.md; do blocks "$page"; done
+
+headings() { # each names an entry, once
+    local name
+    cat "$@" | sed -n 's/^## //p' | sort >"$scratch/headings"
+    [ -z "$(uniq -d "$scratch/headings")" ] || { echo "twice: $(uniq -d "$scratch/headings")"; return 1; }
+    for name in $(cat "$scratch/headings"); do
+        grep -qx "### $name" "$api" || { echo "$name is no entry"; return 1; }
+    done
+}
+check "every example is of an entry" headings share/help/*.md
+printf '## bullet.fyre\n' >"$scratch/bad.md"
+refuse "planted: an example of no entry" "bullet.fyre is no entry" headings share/help/*.md "$scratch/bad.md"
+
+explained() { # the tables whose texts are all written
+    ! python3 tests/cli/explained.py "$1" | grep -vE '^bullet\.(ml|documents)' |
+        grep -E '^(bullet|group|shots?|motion)\b'
+}
+check "every entry of these tables is explained" explained "$api"
+python3 tests/cli/explained.py --count "$api" | tail -1 | sed 's/^/# /' # not yet all of them
+sed 's/pixels per frame; negative flies backwards$//' "$api" >"$scratch/api.md"
+refuse "planted: no meaning" "bullet.fire: speed has no meaning" explained "$scratch/api.md"
+sed '/^### bullet:turn/,/^  Guide/{/^  Example:/,$d}' "$api" >"$scratch/api.md"
+refuse "planted: no example" "bullet:turn has no example" explained "$scratch/api.md"
+
+# The tables without help.
+texts() { python3 tests/cli/explained.py --texts "$api" >"$scratch/texts" && [ "$(wc -l <"$scratch/texts")" -gt 300 ]; }
+check "the page has texts" texts
+objects() { # FLAG...
+    local file
+    for file in $(find src/board/api -name '*.c'); do
+        # shellcheck disable=SC2046
+        gcc -std=c11 -D_DEFAULT_SOURCE $(sed -n 's/^WARN *:= //p' Makefile) -Werror "$@" \
+            $(pkg-config --cflags lua5.4 | sed 's/-I/-isystem /g') \
+            -c "$file" -o "$scratch/$(basename "$file").o" || return
+    done
+}
+silent() { # no object has a text
+    ! LC_ALL=C grep -aoFf "$scratch/texts" "$scratch"/*.c.o | sort -u | head -5 | grep .
+}
+check "the tables compile without help" objects -DWITHOUT_HELP
+check "and have none of its texts" silent
+check "the same with help" objects
+refuse "planted: a build with help" "api_bg.c.o:" silent
+finish
