@@ -57,12 +57,12 @@ class Types:
             self.names.add(word)
         elif not re.match(r'"|-?\d', word):
             raise ValueError('"%s" is no type' % word)
-            if word == "table" and self.peek() == "<":
-                self.take("<")
-                self.union()
-                self.take(",")
-                self.union()
-                self.take(">")
+        if word == "table" and self.peek() == "<":
+            self.take("<")
+            self.union()
+            self.take(",")
+            self.union()
+            self.take(">")
         while self.text[self.at:self.at + 2] == "[]" or self.text[self.at:self.at + 1] == "?":
             self.at += 2 if self.text[self.at] == "[" else 1
 
@@ -217,7 +217,8 @@ RETURNS = {"boolean": "boolean", "count": "integer", "integer": "integer", "fram
 GIVEN = {"player": "player", "bullet": "bullet", "enemy": "enemy", "item": "item", "laser": "laser", "shot": "shot",
          "a": "bullet", "b": "bullet", "e": "enemy", "p": "player", "o": "option", "by": "bullet|enemy",
          "late": "boolean", "id": "string", "won": "boolean", "captured": "boolean", "name": "string",
-         "state": '"start"|"clear"'}
+         "state": '"start"|"clear"', "args": "table", "i": "integer", "run": "table", "stage": "string",
+         "row": "integer", "rows": "integer"}
 MAKERS = ["bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam"]
 
 
@@ -238,7 +239,7 @@ def bare(words):
 def type_of(words, help_text="", name=""):
     meaning, words = words, bare(words)
     if words == "function":
-        if name and re.search(r"(?<!\w)%s\([^.)]" % re.escape(name), meaning):
+        if name and re.search(r"(?<!\w)%s\((?!\.)" % re.escape(name), meaning):
             help_text = meaning
         called = re.search(r"(?<!\w)%s\(([^.)][^)]*|)\)" % re.escape(name), help_text) if name else None
         if not called:
@@ -301,8 +302,9 @@ class Page:
                     re.match(r"    (\w+) +(read|write) +(.*)$", line).groups() for line in
                     listed.group(1).splitlines()]
             for entry in re.findall(r"^### [^\n]*\n\n```\n(.*?)\n```", section, re.S | re.M):
-                value = re.match(r"([\w.]+)(\([^)]*\))?   +(\S.*)$", entry) or \
-                    re.match(r"(hud\.centre)(\([^)]*\)) (\S.*)$", entry)
+                first = entry.split("\n\n  Example:")[0]
+                value = re.match(r"([\w.]+)(\([^)]*\))?   +(\S.*)$", first) or \
+                    re.match(r"(hud\.centre)(\([^)]*\)) (\S.*)$", first)
                 if value:
                     self.values[value.group(1)] = value.groups()[1:]
                 else:

@@ -31,7 +31,7 @@ check "a value is found by its text" says alarm 'hud.banks'
 once() { # WORD: each entry stands there once
     [ "$(names "$1" | wc -l)" -gt 10 ] && [ -z "$(names "$1" | sort | uniq -d)" ]
 }
-check "each entry once" once place
+check "each entry once" once remove
 same "a table lists what it has, and nothing by its text" "" "$(names rng | grep -v '^rng\.')"
 same "an entry's own name shows it alone" "wait(n)" "$(find_word wait | head -1)"
 refuse "what is nowhere" 'there is no "xyzzy"' find_word xyzzy

@@ -124,7 +124,9 @@ static const struct {
     { "laser", "laser" },   { "a", "bullet" },         { "b", "bullet" },     { "e", "enemy" },
     { "p", "player" },      { "by", "bullet|enemy" },  { "late", "boolean" }, { "id", "string" },
     { "won", "boolean" },   { "captured", "boolean" }, { "name", "string" },  { "state", "\"start\"|\"clear\"" },
-    { "shot", "shot" },     { "o", "option" },         { "owner", "any" },
+    { "shot", "shot" },     { "o", "option" },         { "owner", "any" },    { "args", "table" },
+    { "i", "integer" },     { "run", "table" },        { "stage", "string" }, { "row", "integer" },
+    { "rows", "integer" },
 };
 
 static const char *given_type(const char *name, size_t n)
