@@ -475,7 +475,7 @@ PLANTED = [
     ("a bracket that is not closed", r"\{ circle: number \}", "{ circle: number"),
     ("no tag of LuaLS's", r"---@return boolean", "---@returns boolean"),
     ("a parameter that the comment lacks", r"function rng\.chance\(p\)", "function rng.chance(p, n)"),
-    ("a value's help", r"the game's title", "the title"),
+    ("a value's help", r"title of the game", "its title"),
 ]
 
 

@@ -11,13 +11,23 @@
 /* The only parameter of each entry here. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
-static const struct api_param name_opt[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param name_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL, "") };
-static const struct api_param what_req[] = { PARAM("what", A_ASK, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param frames_req[] = { PARAM("n", A_INT, REQ, 1, 60, "frames", NULL, "") };
-static const struct api_param value_req[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param name_opt[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL,
+                                                   "difficulty of rom.lua to switch to; only reads it if left out") };
+static const struct api_param dip_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                  "switch that rom.lua declares in dip") };
+static const struct api_param file_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                   "sprite, or file in the game's folder") };
+static const struct api_param text_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                   "name of a .txt file in the game's folder") };
+static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL,
+                                                   "name of a pool, such as bullets, enemies, sparks or tasks") };
+static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
+                                                   "name of a demo in the ROM") };
+static const struct api_param what_req[] = { PARAM("what", A_ASK, REQ, 0, 0, NULL, NULL, "screen to open") };
+static const struct api_param frames_req[] = { PARAM("n", A_INT, REQ, 1, 60, "frames", NULL,
+                                                     "number of frames; the longest of several stops counts") };
+static const struct api_param value_req[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
+                                                    "number, string or boolean to fold in") };
 
 static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -234,22 +244,28 @@ void api_rom_open(lua_State *L)
 
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
-    { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", HELP("ticks since power-on") },
+    { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", HELP("returns the number of frames since power-on") },
     { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
-      HELP("the difficulty being played; with a name, sets it first") },
-    { "board.dip", board_dip, PARAMS(name_req), 1, 0, "value", HELP("a DIP switch: a name's or a number's value") },
-    { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL, HELP("starts the game anew after this frame") },
-    { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count", HELP("live things of a chip (\"bullets\")") },
-    { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count", HELP("how often a chip had no room") },
-    { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL, HELP("asks the cabinet to show a demo") },
+      HELP("returns the name of the current difficulty, after changing it if a name is given") },
+    { "board.dip", board_dip, PARAMS(dip_req), 1, 0, "value",
+      HELP("returns the setting of a DIP switch, a name or a number") },
+    { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL,
+      HELP("restarts the board after this frame, as if power had been cut") },
+    { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count",
+      HELP("returns how many entries of a pool are in use") },
+    { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count",
+      HELP("returns how many entries were not created because a pool was full") },
+    { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL,
+      HELP("shows a demo of the ROM and pauses this board until it ends") },
     { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
-      HELP("asks the host for one of its screens; the board stands until it is closed; nothing happens in a demo") },
+      HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
+           "demo") },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
-      HELP("hit-stop: after this frame, field and tasks stand for n frames; what is pressed meanwhile counts as of the "
-           "first "
-           "frame after them") },
-    { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL, HELP("folds a value into the state hash") },
-    { "rom.has", rom_has, PARAMS(name_req), 1, 0, "boolean", HELP("is there such a sprite or text?") },
-    { "rom.text", rom_text, PARAMS(name_req), 1, 0, "string", HELP("a text file of the game") },
+      HELP("freezes field and tasks after this frame, as a hit-stop; presses meanwhile count afterwards") },
+    { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL,
+      HELP("folds a value into the state hash, so that a demo in which it differs is reported as diverged") },
+    { "rom.has", rom_has, PARAMS(file_req), 1, 0, "boolean",
+      HELP("returns true if the game has a sprite or file of that name") },
+    { "rom.text", rom_text, PARAMS(text_req), 1, 0, "string", HELP("returns the content of a text file of the game") },
 };
 const struct api_module api_board = { entries, sizeof entries / sizeof *entries };

@@ -101,7 +101,8 @@ void api_help_wrapped(const char *text, int indent, void (*line)(const char *))
         int end = HELP_COLUMNS;
         while (end > indent && out[end] != ' ')
             end--;
-        if (bracket && bracket - out > indent && n - (bracket - out) <= HELP_COLUMNS - indent) /* it fits on a line */
+        if (bracket && bracket - out > indent && bracket - out <= HELP_COLUMNS &&
+            n - (bracket - out) <= HELP_COLUMNS - indent) /* it fits on a line */
             end = (int)(bracket - out);
         if (end <= indent) /* one long word */
             break;
@@ -197,32 +198,34 @@ void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const ch
 static const struct {
     const char *name, *help;
 } values[] = {
-    { "forever", HELP("accepted where a count of frames or times is asked") },
-    { "print(...)", HELP("writes to the log, for the author's eyes") },
+    { "forever", HELP("stands for no end, where a number of frames or times is expected") },
+    { "print(...)", HELP("writes its arguments to the log") },
     { "require(name)",
-      HELP("runs a script of the game once and returns what it returned: require \"stages/one\"; at load only") },
-    { "game.stage", HELP("name of the stage being played, or nil") },
-    { "game.mode", HELP("name of the mode of boot.run, or nil") },
-    { "game.continues", HELP("how often players went on, in this game") },
-    { "game.frames", HELP("frames since the game began") },
+      HELP("runs a script of the game once and returns its result: require \"stages/one\"; only while scripts load") },
+    { "game.stage", HELP("name of the current stage, or nil") },
+    { "game.mode", HELP("name of the mode of boot.run being played, or nil") },
+    { "game.continues", HELP("number of continues used in this game, by all players") },
+    { "game.frames", HELP("frames since the game started") },
     { "hud.banks",
-      HELP("palette banks of text in hud, menus and talks, for main.lua to set: plain bright faint alarm") },
-    { "hud.low", HELP("rows that stay free below the registers at the field's lower edge, for main.lua to set") },
-    { "hud.shy", HELP("px: what stands there goes while a craft is so near to it, for main.lua to set") },
-    { "hud.gone", HELP("by player: is what stands there gone so? For what a game shows there itself") },
-    { "hud.graze", HELP("the word before the number of grazes, for main.lua to set; false: a star") },
-    { "hud.cols", HELP("cells of the screen in a row, of 8 px each") },
-    { "hud.rows", HELP("rows of cells of the screen") },
+      HELP("palette banks of text in the HUD, menus and dialogue, for main.lua to set: plain bright faint alarm") },
+    { "hud.low",
+      HELP("rows left free below the registers at the lower edge of the field, for main.lua to set; 1 at first") },
+    { "hud.shy",
+      HELP("distance in px at which a ship hides the registers at the lower edge, for main.lua to set; 0 at first") },
+    { "hud.gone", HELP("list by player: true while registers at the lower edge are hidden, so that a game can hide its "
+                       "own display too") },
+    { "hud.graze", HELP("word before the graze count, for main.lua to set; false shows a star") },
+    { "hud.cols", HELP("width of the screen in cells of 8 px") },
+    { "hud.rows", HELP("height of the screen in cells of 8 px") },
     { "hud.banner(lines?, frames?)",
-      HELP("shows a list of texts in the middle of the field; without lines, ends that") },
+      HELP("shows a list of texts in the middle of the field; without lines, removes it") },
     { "hud.centre(row, text, bank?, first?, cols?)",
-      HELP("puts a text, in the run's language, in the middle of the screen, "
-           "or of cols cells from first on; returns the row "
-           "below") },
-    { "talk.look", HELP("how talks look, for main.lua to set: dim, bank, font") },
-    { "rom.title", HELP("the game's title") },
-    { "rom.field", HELP("the playfield: x y w h, px; x and y on the screen") },
-    { "rom.screen", HELP("the screen: w h, px") },
+      HELP("centres a text, translated, on the screen or in cols cells from first on, breaks it where it is too long, "
+           "and returns the row below") },
+    { "talk.look", HELP("look of dialogue, for main.lua to set: dim, bank, font") },
+    { "rom.title", HELP("title of the game") },
+    { "rom.field", HELP("playfield: x y w h in px; x and y are on the screen") },
+    { "rom.screen", HELP("screen: w h in px") },
 };
 
 enum { VALUES = sizeof values / sizeof *values };

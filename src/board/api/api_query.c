@@ -174,10 +174,15 @@ static int query(lua_State *L, struct board *b, const char *entry, const struct 
 enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG, NEAR_FROM, NEAR_DX, NEAR_DY };
 
 static const struct api_param near[] = {
-    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, ""),      PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""), SHAPE_CIRCLE_PARAMS(REQ, 32767),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),      PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", ""), PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
+    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL,
+          "kind of thing to look for: bullet, shot, enemy, item, laser or player"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give x and y, or from"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),
+    SHAPE_CIRCLE_PARAMS(REQ, 32767),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"),
+    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used in place of x and y"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from"),
 };
 
 static int query_near(lua_State *L, struct board *b, struct api_value *v)
@@ -190,7 +195,10 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
 
 /* Of query.box and query.line; their shape follows. */
 enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
-#define ASKED PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, ""), PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""), PLACE
+#define ASKED                                                                                                          \
+    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL,                                                                        \
+          "kind of thing to look for: bullet, shot, enemy, item, laser or player"),                                    \
+        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"), PLACE
 
 static const struct api_param box[] = { ASKED, SHAPE_BOX_PARAMS(REQ) };
 static const struct api_param line[] = { ASKED, SHAPE_LINE_PARAMS(REQ) };
@@ -215,10 +223,10 @@ static int query_line(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "query.near", query_near, PARAMS(near), 0, API_CHANGES, "list",
-      HELP("things within radius of a place, nearest first") },
+      HELP("returns the things in a circle, nearest first") },
     { "query.box", query_box, PARAMS(box), 0, API_CHANGES, "list",
-      HELP("things in a box, w wide and h high, with a place in its middle, nearest to that first") },
+      HELP("returns the things in a box, nearest to its centre first") },
     { "query.line", query_line, PARAMS(line), 0, API_CHANGES, "list",
-      HELP("things within half of width of the line from a place to to_x, to_y, nearest to the place first") },
+      HELP("returns the things along a line, nearest to its start first") },
 };
 const struct api_module api_query = { entries, sizeof entries / sizeof *entries };

@@ -13,12 +13,14 @@ static uint64_t draw(struct board *b, uint64_t below)
 
 enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };
 
-static const struct api_param ab_int[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, NULL, NULL, ""),
-                                           PARAM("b", A_INT, REQ, -9e15, 9e15, NULL, NULL, "") };
-static const struct api_param ab_number[] = { PARAM("a", A_NUM, REQ, -1e15, 1e15, NULL, NULL, ""),
-                                              PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL, "") };
-static const struct api_param p_only[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "") };
-static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param ab_int[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, NULL, NULL, "lowest result"),
+                                           PARAM("b", A_INT, REQ, -9e15, 9e15, NULL, NULL, "highest result") };
+static const struct api_param ab_number[] = { PARAM("a", A_NUM, REQ, -1e15, 1e15, NULL, NULL, "lowest result"),
+                                              PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL,
+                                                    "upper end, which is never returned unless it equals a") };
+static const struct api_param p_only[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "probability") };
+static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
+                                                    "list to pick from, not empty") };
 
 static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -69,13 +71,15 @@ static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- angle ---- */
 
-static const struct api_param two[] = { PARAM("a", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                        PARAM("b", A_ANY, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param dxdy[] = { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
-                                         PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
-static const struct api_param two_dirs[] = { PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, ""),
-                                             PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param one_dir[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param two[] = {
+    PARAM("a", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to start from"),
+    PARAM("b", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to point at")
+};
+static const struct api_param dxdy[] = { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right"),
+                                         PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down") };
+static const struct api_param two_dirs[] = { PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, "direction to start from"),
+                                             PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at") };
+static const struct api_param one_dir[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
 
 /* A thing, or a table with x and y. False: a dead thing. */
 static bool where(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
@@ -143,17 +147,20 @@ static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "rng.int", rng_int, PARAMS(ab_int), 2, API_CHANGES, "integer",
-      HELP("a whole number from a to b, both included") },
-    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number",
-      HELP("a number from a up to, not including, b") },
-    { "rng.chance", rng_chance, PARAMS(p_only), 1, API_CHANGES, "boolean", HELP("true with probability p") },
-    { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("an entry of a list") },
-    { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("any direction") },
-    { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees", HELP("the direction from a to b: things or { x=, y= }") },
-    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("the direction of (dx, dy)") },
+      HELP("returns a random whole number, both ends included") },
+    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number", HELP("returns a random number") },
+    { "rng.chance", rng_chance, PARAMS(p_only), 1, API_CHANGES, "boolean",
+      HELP("returns true with a given probability") },
+    { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
+    { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("returns a random direction") },
+    { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees",
+      HELP("returns the direction from one position to another; 90 if they are equal or a thing is dead") },
+    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a distance right and down") },
     { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees",
-      HELP("the turn from a to b, -180 to 180") },
-    { "angle.sin", angle_sin, PARAMS(one_dir), 1, 0, "number", HELP("the sine of d degrees") },
-    { "angle.cos", angle_cos, PARAMS(one_dir), 1, 0, "number", HELP("the cosine of d degrees") },
+      HELP("returns the shortest turn from one direction to another, from -180 to 180") },
+    { "angle.sin", angle_sin, PARAMS(one_dir), 1, 0, "number",
+      HELP("returns the sine of an angle in degrees, the same on every machine") },
+    { "angle.cos", angle_cos, PARAMS(one_dir), 1, 0, "number",
+      HELP("returns the cosine of an angle in degrees, the same on every machine") },
 };
 const struct api_module api_rng = { entries, sizeof entries / sizeof *entries };

@@ -7,10 +7,12 @@
 
 enum { ARG_KEY = 0, ARG_DEFAULT = 1, ARG_VALUE = 1 };
 
-static const struct api_param save_get[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
-                                             PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param save_set[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
-                                             PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param save_get[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name it was saved under"),
+                                             PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL,
+                                                   "value returned if nothing is saved there; nil if left out") };
+static const struct api_param save_set[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name to save it under"),
+                                             PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL,
+                                                   "number, boolean or string of up to 60 bytes; nil deletes it") };
 
 static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -80,8 +82,9 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "save.get", save_get_run, PARAMS(save_get), 2, API_CHANGES, "value", HELP("what is kept under key, or default") },
+    { "save.get", save_get_run, PARAMS(save_get), 2, API_CHANGES, "value",
+      HELP("returns a value saved by this run or an earlier one") },
     { "save.set", save_set_run, PARAMS(save_set), 2, API_CHANGES, NULL,
-      HELP("keeps a number, string or boolean between runs; nil forgets") },
+      HELP("saves a value beyond the end of the run; practice, demos and runs without a window leave no trace") },
 };
 const struct api_module api_save = { entries, sizeof entries / sizeof *entries };

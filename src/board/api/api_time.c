@@ -9,7 +9,8 @@
 enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
 enum { OWN_OWNER, OWN_F };
 
-static const struct api_param frames[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL, "") };
+static const struct api_param frames[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
+                                                 "number of frames; 0 continues at once") };
 
 int api_pass_wait(lua_State *L, struct board *b)
 {
@@ -44,11 +45,17 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     return lua_yield(L, 0);
 }
 
-static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param own[] = { PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, ""),
-                                        PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param owner[] = { PARAM("owner", A_THING, OPT, OWNERS, 0, NULL, NULL, "") };
-static const struct api_param task[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                             "f(...): called as the task, with the arguments that follow") };
+static const struct api_param own[] = {
+    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task whose end stops the new task"),
+    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+          "f(owner, ...): called as the task, with the owner and the arguments that follow")
+};
+static const struct api_param owner[] = { PARAM(
+    "owner", A_THING, OPT, OWNERS, 0, NULL, NULL,
+    "thing or task that the scope ends with; the owner of the calling task if left out") };
+static const struct api_param task[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
 
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -104,7 +111,40 @@ static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
 
 const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
 
-static const struct api_param handler[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param on_graze_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the bullet that it grazed") };
+static const struct api_param on_hit_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                   "f(player, by): called with the player and the bullet or enemy that "
+                                                   "hit it; setting player.safe here cancels the hit") };
+static const struct api_param on_death_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                     "f(player): called with the player, who is still where it died") };
+static const struct api_param on_game_over_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                         "f(): called without arguments") };
+static const struct api_param on_kill_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                    "f(enemy, player): called with the enemy, which can still be read, "
+                                                    "and the player who killed it; player may be nil") };
+static const struct api_param on_leave_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                     "f(enemy): called with the enemy, which can still be read") };
+static const struct api_param on_extend_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                      "f(player): called with the player") };
+static const struct api_param on_take_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player, item): called with the player and the item, which can still be read") };
+static const struct api_param on_bomb_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player, late): called with the player; late is true if the bomb saved it from a hit") };
+static const struct api_param on_continue_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player): called with the player, whose score is now the number of its continues") };
+static const struct api_param on_start_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else of the game") };
+static const struct api_param on_phase_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(enemy, id, won, captured): called with the boss, the id of the phase, whether it was beaten, and whether that "
+    "was without a death or a bomb") };
+static const struct api_param on_stage_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(name, state): called with the name of the stage and \"start\" or \"clear\"") };
 
 #define ON(name, index)                                                                                                \
     static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
@@ -131,37 +171,39 @@ ON(start, EV_START)
 #define ON_FLAGS (API_CHANGES | API_LOAD)
 static const struct api_entry entries[] = {
     { "wait", wait_run, PARAMS(frames), 1, API_CHANGES | API_GLOBAL, NULL,
-      HELP("this task goes on n frames later; wait(0) goes on at once") },
+      HELP("pauses the task for a number of frames") },
     { "task.go", task_go, PARAMS(go), 1, API_CHANGES | API_MORE, "task",
-      HELP("starts f(...) with the owner of the calling task") },
+      HELP("starts a task with the owner of the calling task, so both end with it") },
     { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
-      HELP("starts f(owner, ...), which stops at the owner's end") },
+      HELP("starts a task that ends with the given owner") },
     { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
-      HELP("an owner with no body, itself owned by owner, or by the owner of the calling task") },
-    { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL, HELP("stops a task or scope and all it owns") },
-    { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("is the task still there?") },
-    { "on.graze", on_graze, PARAMS(handler), 1, ON_FLAGS, NULL, HELP("f(player, bullet): it passed close") },
-    { "on.hit", on_hit, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(player, by): a bullet or an enemy hits it; making it safe here saves it") },
-    { "on.death", on_death, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(player): it lost a life, and is still where it died") },
-    { "on.game_over", on_game_over, PARAMS(handler), 1, ON_FLAGS, NULL, HELP("f(): the last player is out") },
-    { "on.kill", on_kill, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(enemy, player): an enemy died (player may be nil)") },
-    { "on.leave", on_leave, PARAMS(handler), 1, ON_FLAGS, NULL, HELP("f(enemy): an enemy left the field") },
-    { "on.extend", on_extend, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(player): the score, or an item, brought a life") },
-    { "on.take", on_take, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(player, item): it was taken, and can still be read") },
-    { "on.bomb", on_bomb, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(player, late): its bomb began; late: and saves it from a hit") },
-    { "on.continue", on_continue, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(player): it lost its last life and goes on; its score is as many points as it went on so far") },
-    { "on.start", on_start, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(): a game begins, or a try of practice; what was kept of the last one is set anew here") },
-    { "on.phase", on_phase, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(enemy, id, won, captured): a boss's phase is over; captured: beaten without a death or a bomb") },
-    { "on.stage", on_stage, PARAMS(handler), 1, ON_FLAGS, NULL,
-      HELP("f(name, state): state is \"start\" or \"clear\"") },
+      HELP("creates an owner without a body, to stop several tasks at once") },
+    { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL,
+      HELP("stops a task or a scope, and everything it owns") },
+    { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("returns true while the task runs") },
+    { "on.graze", on_graze, PARAMS(on_graze_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player grazes a bullet") },
+    { "on.hit", on_hit, PARAMS(on_hit_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a bullet or an enemy hits a player who isn't safe") },
+    { "on.death", on_death, PARAMS(on_death_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player loses a life") },
+    { "on.game_over", on_game_over, PARAMS(on_game_over_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function when the last player is out") },
+    { "on.kill", on_kill, PARAMS(on_kill_f), 1, ON_FLAGS, NULL, HELP("calls a function each time an enemy is killed") },
+    { "on.leave", on_leave, PARAMS(on_leave_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time an enemy leaves the field") },
+    { "on.extend", on_extend, PARAMS(on_extend_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time the score or an item gives a player a life") },
+    { "on.take", on_take, PARAMS(on_take_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player takes an item") },
+    { "on.bomb", on_bomb, PARAMS(on_bomb_f), 1, ON_FLAGS, NULL, HELP("calls a function each time a player bombs") },
+    { "on.continue", on_continue, PARAMS(on_continue_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player continues after losing the last life") },
+    { "on.start", on_start, PARAMS(on_start_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function when a game or a practice attempt starts, to reset what scripts remember") },
+    { "on.phase", on_phase, PARAMS(on_phase_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function at the end of each phase of a boss") },
+    { "on.stage", on_stage, PARAMS(on_stage_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function when a stage starts and when it is cleared") },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

@@ -87,9 +87,12 @@ static bool taken(lua_State *L, int kind, const char *name)
 
 enum { D_NAME, D_OF, D_START };
 
-static const struct api_param def[] = { PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, ""),
-                                        PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                        PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "") };
+static const struct api_param def[] = {
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
+          "word that names it, as property and as argument of the call that creates the thing"),
+    PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "bullet, shot or enemy; bullet if left out"),
+    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "value of a thing that is created without it")
+};
 
 static const char DEF[] = "value.def";
 
@@ -142,7 +145,6 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a number that each bullet (of: shot, enemy) has of its own: thing.name, bullet.fire { name = 3 }; "
-           "rom.lua gives the room") },
+      HELP("declares a number that each bullet, shot or enemy has; needs values in board of rom.lua") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

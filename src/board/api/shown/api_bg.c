@@ -32,20 +32,24 @@ static void push_name(lua_State *L, const char *name)
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
 
 #define SHARED                                                                                                         \
-    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil: off"), PROP_WRITE },                \
+    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE },        \
         { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "of a layer, where its map's corner is in the "                                                        \
-                "field; of the plane, where the eye is over "                                                          \
-                "the map; goes on growing"),                                                                           \
+                "layer: where the left edge of its map is in the field; plane: where the eye is over the map; grows "  \
+                "by vx"),                                                                                              \
           PROP_WRITE },                                                                                                \
-        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "see x"), PROP_WRITE },                                     \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "layer: where the top edge of its map is in the field; plane: where the eye is over the map; grows "   \
+                "by vy"),                                                                                              \
+          PROP_WRITE },                                                                                                \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
-        { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL, "behind all things, or in front of them"), PROP_WRITE },      \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },                          \
-        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "name of its blend, or nil"), PROP_WRITE },                   \
+        { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
+                "back is behind all things, front is in front of all sprites"),                                        \
+          PROP_WRITE },                                                                                                \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE }, \
+        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },              \
     {                                                                                                                  \
-        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it moves on"), PROP_WRITE                           \
+        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves"), PROP_WRITE                \
     }
 
 static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
@@ -128,7 +132,7 @@ enum { P_WRAP = P_SHARED, LAYER_PROPS };
 
 static const struct api_prop layer_props[LAYER_PROPS] = {
     SHARED,
-    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "its map repeats without end"), PROP_WRITE },
+    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE },
 };
 
 static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
@@ -157,12 +161,16 @@ enum { FOG_TO, FOG_FAR, FOG_PARAMS };
 
 static const struct api_prop plane_props[PLANE_PROPS] = {
     SHARED,
-    { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "where it is, from the field's top"), PROP_WRITE },
-    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "of the eye over the plane"), PROP_WRITE },
-    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "where the eye looks; 270: up the map"), PROP_WRITE },
-    { PARAM("ceiling", A_BOOL, REQ, 0, 0, NULL, NULL, "over the horizon, not under it"), PROP_WRITE },
+    { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field"),
+      PROP_WRITE },
+    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE },
+    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction in which the eye looks; 270 is up the map"), PROP_WRITE },
+    { PARAM("ceiling", A_BOOL, REQ, 0, 0, NULL, NULL,
+            "true for a ceiling above the horizon instead of a floor below it"),
+      PROP_WRITE },
     { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
-            "{ to = 0xRRGGBB, far = px }: fades to that colour, which is all there is from far on; nil: none"),
+            "{ to = 0xRRGGBB, far = px }: colour it fades to with distance, and the distance from which nothing else "
+            "is seen; nil for no fog"),
       PROP_WRITE },
 };
 
@@ -281,16 +289,20 @@ const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, ge
 
 enum { ARG_I, ARG_LINES };
 
-static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, "") };
-static const struct api_param lines_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, ""),
-                                                 PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL,
+                                                       "number of the layer, from back to front") };
+static const struct api_param lines_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL,
+                                                       "number of the layer"),
+                                                 PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL,
+                                                       "a wave, or a list of px, one for each line from the top of the "
+                                                       "field, repeated at its end; straight if left out") };
 
 enum { WAVE, EVERY, SPEED, WAVE_PARAMS };
 
 static const struct api_param wave_params[WAVE_PARAMS] = {
-    PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, ""),
-    PARAM("every", A_FX, REQ, 1, WORLD, "px", NULL, ""),
-    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", ""),
+    PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, "distance it sways to each side"),
+    PARAM("every", A_FX, REQ, 1, WORLD, "px", NULL, "distance from one crest to the next"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", "speed at which the wave runs down"),
 };
 
 static int bg_layer(lua_State *L, struct board *b, struct api_value *v)
@@ -402,12 +414,14 @@ static int sys_bg_clear(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer", HELP("one of the background's four layers of tiles") },
-    PARAM("bg.plane", bg_plane, NULL, 0, 0, 0, "plane", "the background's plane: a floor or a ceiling"),
-    { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL,
-      HELP("moves each line of layer i aside: { wave, every, speed }, or a list of px, from the field's top, which "
-           "starts "
-           "over at its end; nil: none") },
+    { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer",
+      HELP("returns one of the four tile layers of the background") },
+    PARAM("bg.plane", bg_plane, NULL, 0, 0, 0, "plane",
+          "returns the plane of the background, a floor or a ceiling seen in perspective"),
+    { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL, HELP("shifts each line of a layer sideways") },
+#ifndef WITHOUT_HELP
+    { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL, HELP("a wave in place of a list") },
+#endif
     { "sys.bg_fade", sys_bg_fade, PARAMS(fade_params), 1, API_SYS | API_CHANGES, "frames",
       HELP("the background goes black and comes back; returns when it is black") },
     { "sys.bg_shown", sys_bg_shown, PARAMS(shown_params), 1, API_SYS | API_CHANGES, "number",

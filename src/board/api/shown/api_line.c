@@ -23,17 +23,20 @@ enum {
 
 static const struct api_param line_put[] = {
     PLACE,
-    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
-    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, ""),
-    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("letter", A_INT, OPT, 0, 600, "frames", "0", ""),
-    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
+          "string or number to write, up to 240 characters; \\n starts a new row"),
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing it moves with, dx and dy away from it; the line is removed when that thing is; not with x, y or from"),
+    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font of rom.lua; the cells' own font if left out"),
+    PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows break; only \\n breaks them if left out"),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at x"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
+    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
+          "measure x and y from the corner of the screen instead of the field; not with follow"),
+    PARAM("letter", A_INT, OPT, 0, 600, "frames", "0", "frames before each letter appears; 0 shows all at once"),
+    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box in the darkest colour of the bank behind it"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
 };
 
 /* The text at `at`, a string or a number; raises. */
@@ -109,14 +112,19 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands; following: where its thing is"), PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands; following: where its thing is"), PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "drawn so far to the right of there"), PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "drawn so far below"), PROP_WRITE },
-    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "what it says; a write begins its letters anew"), PROP_WRITE },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn"), PROP_WRITE },
-    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "have all letters come?"), PROP_READ },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position, or that of the thing it follows; a write is ignored then"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position, or that of the thing it follows; a write is ignored then"),
+      PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of x at which it is drawn"),
+      PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below y at which it is drawn"), PROP_WRITE },
+    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "its text; a write starts the letters again"), PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
+    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "true once all letters have appeared"), PROP_READ },
 };
 
 static void push_text(lua_State *L, const struct lines *l, uint32_t i)
@@ -212,9 +220,8 @@ static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
-      HELP("writes a line at any pixel, in a font of rom.lua's `fonts` or the cells' own; broken at width, a letter "
-           "every "
-           "so many frames, in a box; with follow it goes where that thing goes, and with it") },
-    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("takes it away") },
+      HELP("writes a line of text at any pixel, in the field, on the screen or attached to a thing; needs lines in "
+           "board of rom.lua") },
+    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
 };
 const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

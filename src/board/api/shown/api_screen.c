@@ -31,13 +31,23 @@ enum {
 enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
 
 static const struct api_param put[] = {
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),  PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),  PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", ""), PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),   PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL, ""),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),  PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position; give x and y, or follow"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture"),
+    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front",
+          "drawing order among other things; over is above the dimmed picture and allows no blend"),
+    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
+          "measure x and y from the corner of the screen instead of the field; not with follow"),
+    PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it left to right"),
+    PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it top to bottom"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; opaque if left out"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
+    PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL,
+          "thing it moves with; the sprite is removed when that thing is"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the thing it follows; needs follow"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the thing it follows; needs follow"),
 };
 
 #define OVER_BLEND "nothing blends in the layer over, for its colours are not those of the dimmed picture"
@@ -109,10 +119,14 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 enum { PLATE_X, PLATE_Y, PLATE_W, PLATE_H, PLATE_BANK, PLATE_HIDDEN, PLATE_FRONT, PLATE_STAY };
 
 static const struct api_param plate[] = {
-    PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""), PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, ""),    PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),      PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "left edge on the screen"),
+    PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "top edge on the screen"),
+    PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width"),
+    PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its shades 1 and 10"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
+    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw it above the sprites of layer over too"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
 };
 
 static bool is_plate(const struct sprites *s, uint32_t i)
@@ -146,25 +160,24 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands, px; not written of one that follows"),
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position; read only while it follows a thing"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it stands, px; not written of one that follows"),
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position; read only while it follows a thing"),
       PROP_WRITE },
     { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
-            "name of its picture; a write starts it at frame one; nil of a plate"),
+            "name of its picture; writing another one restarts the animation; nil for a plate"),
       PROP_WRITE },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "left and right exchanged"), PROP_WRITE },
-    { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "top and bottom exchanged"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn"), PROP_WRITE },
-    { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "name of its blend, or nil"), PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "how far it is from what it follows, px; else nil"),
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
+    { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
+    { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of the thing it follows, or nil"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "how far it is from what it follows, px; else nil"),
-      PROP_WRITE },
-    { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate; of others nil"), PROP_WRITE },
-    { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate; of others nil"), PROP_WRITE },
-    { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "where it is drawn; nil of a plate"), PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below the thing it follows, or nil"), PROP_WRITE },
+    { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate, or nil"), PROP_WRITE },
+    { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate, or nil"), PROP_WRITE },
+    { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE },
 };
 
 static const uint8_t flag_of[PROPS] = {
@@ -302,15 +315,17 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
 
 static const struct api_param spark_def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, ""),
-    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0", ""),
-    PARAM("drag", A_FX, OPT, 0, 1, "of the speed a frame", "0", ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front", ""),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name to declare it under"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
+    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until it disappears"),
+    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0", "downward acceleration"),
+    PARAM("drag", A_FX, OPT, 0, 1, "of the speed a frame", "0", "share of its speed that it loses each frame"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture; give bank or banks"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; opaque if left out"),
+    PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "list of up to eight banks to go through, each for an equal part of its life"),
+    PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front",
+          "middle draws it below players and bullets, front above them"),
 };
 
 static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
@@ -363,15 +378,20 @@ enum { A_SPARK = 6 /* work */ };
 enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst[] = {
-    PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind to create"),
     PLACE,
-    PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", ""),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0", ""),
-    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "360", ""),
-    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1", ""),
-    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, ""),
-    PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number to create"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0",
+          "middle of the directions they fly in; with radius, added to the direction outwards"),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "360",
+          "width of the range of directions; 0 if left out and radius is given"),
+    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1",
+          "highest speed; each spark gets between half of it and all of it"),
+    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
+          "radius of a ring to start on, evenly spaced, flying outwards; not with to_x"),
+    PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "horizontal end of a line to start on, evenly spaced; needs to_y"),
+    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical end of that line; needs to_x"),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -403,19 +423,24 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE };
 
 static const struct api_param text_put[] = {
-    PARAM("col", A_INT, REQ, -1000, 1000, "cells", NULL, ""), PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, ""),
-    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, ""),          PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", ""),     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", ""),       PARAM("size", A_INT, OPT, 1, 2, NULL, "1", ""),
+    PARAM("col", A_INT, REQ, -1000, 1000, "cells", NULL, "column, from 0 at the left"),
+    PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, "row, from 0 at the top"),
+    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, "string or number to write"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of the text at col"),
+    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL,
+          "font of rom.lua; the cells' own font if left out; needs board = { wide = true }"),
+    PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", "outline the letters in the darkest colour of the bank"),
+    PARAM("size", A_INT, OPT, 1, 2, NULL, "1", "2 draws letters two cells wide and two high"),
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
 
 static const struct api_param text_clear[] = {
-    PARAM("col", A_INT, OPT, -1000, 1000, "cells", "0", ""),
-    PARAM("row", A_INT, OPT, -1000, 1000, "cells", "0", ""),
-    PARAM("w", A_INT, OPT, 0, 1000, "cells", "1000", ""),
-    PARAM("h", A_INT, OPT, 0, 1000, "cells", "1000", ""),
+    PARAM("col", A_INT, OPT, -1000, 1000, "cells", "0", "leftmost column"),
+    PARAM("row", A_INT, OPT, -1000, 1000, "cells", "0", "top row"),
+    PARAM("w", A_INT, OPT, 0, 1000, "cells", "1000", "width"),
+    PARAM("h", A_INT, OPT, 0, 1000, "cells", "1000", "height"),
 };
 
 static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
@@ -446,7 +471,8 @@ static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const struct api_param text_lang[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param text_lang[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
+                                                    "text in the language the game is written in") };
 
 static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -464,28 +490,32 @@ static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
 
 enum { SET_INDEX, SET_RGB };
 
-static const struct api_param set_colour[] = { PARAM("i", A_INT, REQ, 0, 255, NULL, NULL, ""),
-                                               PARAM("rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL, "") };
+static const struct api_param set_colour[] = {
+    PARAM("i", A_INT, REQ, 0, 255, NULL, NULL, "palette entry; bank n starts at 16 * n, and entry 0 is the background"),
+    PARAM("rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL, "colour as 0xRRGGBB")
+};
 
 enum { ARG_NAME };
 
-static const struct api_param load[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param load[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                               "palette of rom.lua; main is the one the game starts with") };
 
 enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
 
 static const struct api_param fade[] = {
-    PARAM("to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL, ""),
-    PARAM("over", A_INT, REQ, 0, 65535, "frames", NULL, ""),
-    PARAM("first", A_INT, OPT, 0, 255, NULL, "0", ""),
-    PARAM("last", A_INT, OPT, 0, 255, NULL, "255", ""),
+    PARAM("to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL,
+          "colour to fade to, or the palette of rom.lua; main is the one the game starts with"),
+    PARAM("over", A_INT, REQ, 0, 65535, "frames", NULL, "frames the fade takes"),
+    PARAM("first", A_INT, OPT, 0, 255, NULL, "0", "first palette entry to fade"),
+    PARAM("last", A_INT, OPT, 0, 255, NULL, "255", "last palette entry to fade"),
 };
 
 enum { CYCLE_FIRST, CYCLE_LAST, CYCLE_EVERY };
 
 static const struct api_param cycle[] = {
-    PARAM("first", A_INT, REQ, 0, 255, NULL, NULL, ""),
-    PARAM("last", A_INT, REQ, 0, 255, NULL, NULL, ""),
-    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, ""),
+    PARAM("first", A_INT, REQ, 0, 255, NULL, NULL, "first palette entry of the range"),
+    PARAM("last", A_INT, REQ, 0, 255, NULL, NULL, "last palette entry of the range"),
+    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, "frames between two steps; 0 stops the cycle"),
 };
 
 static int palette_set(lua_State *L, struct board *b, struct api_value *v)
@@ -564,31 +594,31 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
 
 static const struct api_param shake[] = {
-    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL, ""),
-    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, ""),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL, "distance it moves at first; shrinks to nothing"),
+    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames it lasts"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if left out"),
 };
 
 enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
 
 static const struct api_param flash[] = {
-    PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", ""),
-    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, ""),
-    PARAM("share", A_FX, OPT, 0, 1, NULL, "1", ""),
+    PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", "colour as 0xRRGGBB"),
+    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames it takes to fade out"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "1", "strength at first: 1 is the pure colour"),
 };
 
 enum { BARS_H, BARS_OVER };
 
 static const struct api_param bars[] = {
-    PARAM("h", A_INT, REQ, 0, BARS_MOST, "px", NULL, ""),
-    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20", ""),
+    PARAM("h", A_INT, REQ, 0, BARS_MOST, "px", NULL, "height of each bar; 0 removes them"),
+    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20", "frames the change takes"),
 };
 
 enum { DIM_SHARE, DIM_OVER };
 
 static const struct api_param dim[] = {
-    PARAM("share", A_FX, OPT, 0, 1, NULL, "0.5", ""),
-    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "0", ""),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "0.5", "darkness: 0 is none, 1 is black"),
+    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "0", "frames the change takes"),
 };
 
 static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
@@ -632,46 +662,35 @@ static int screen_dim_run(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
-      HELP("places a free sprite in the field or on the screen, or with a thing, which it follows and goes with; with "
-           "stay "
-           "the boss's phase it came from does not take it "
-           "along") },
+      HELP("places a sprite in the field or on the screen, or attaches it to a thing") },
     { "sprite.plate", sprite_plate, PARAMS(plate), 0, API_CHANGES, "sprite",
-      HELP("places a dark plate with a light rim on the screen, in the shades 1 and 10 of a bank: over the dimmed "
-           "picture, "
-           "under text; under sprites of the layer over too, unless front") },
-    { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("takes it away") },
-    { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL, HELP("declares a kind of spark") },
+      HELP("places a dark plate with a light rim on the screen: above the dimmed picture, below the text") },
+    { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the sprite") },
+    { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of spark: a picture for the eye only, that scripts can't read and nothing hits") },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
-      HELP("throws n sparks within spread about dir, from a point, a ring (outwards; spread is 0 there) or along a "
-           "line; "
-           "never "
-           "seen by the game") },
+      HELP("creates sparks that fly apart from a point, a ring or a line") },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
-      HELP("writes text on the screen's 8x8 cells; stays until overwritten; rim: in the darkest colour, round the "
-           "letters; "
-           "size 2: letters of two cells by two") },
+      HELP("writes text into the grid of 8x8 cells on the screen, where it stays until overwritten or cleared") },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL,
-      HELP("empties a rectangle of cells, or all") },
+      HELP("clears a rectangle of text cells; without arguments, all of them") },
     { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
-      HELP("what stands for the text in the run's language, lang/NAME.txt; the text itself where nothing does") },
-    { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets a colour, 0xRRGGBB") },
+      HELP("returns a text in the language of the run, from lang/NAME.txt; without a translation, the text itself") },
+    { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL,
-      HELP("sets all colours from a palette of rom.lua") },
+      HELP("sets all 256 colours at once from a palette of rom.lua") },
     { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,
-      HELP("fades to a colour (0xRRGGBB) or to a palette by name") },
+      HELP("fades colours to one colour or to a palette of rom.lua") },
     { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
-      HELP("rotates a range by one every so many frames; every = 0 stops it") },
+      HELP("rotates a range of colours by one entry every few frames, up to 8 ranges at once") },
     { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,
-      HELP("shakes the field's picture, less and less, to and fro along dir or all ways; nothing moves, so no hit is "
-           "another") },
+      HELP("shakes the picture of the field; nothing really moves, so hits stay the same") },
     { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
-      HELP("gives every colour that share of `to` (0xRRGGBB), less and less over so many frames") },
+      HELP("tints the whole picture and fades the tint out") },
     { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
-      HELP("bars of h px at the field's top and bottom, over all but the text; h = 0 takes them away") },
+      HELP("slides bars in at the top and bottom of the field, below the text") },
     { "screen.dim", screen_dim_run, PARAMS(dim), 0, API_CHANGES, "share",
-      HELP("darkens the picture by that share, but not plates, sprites of the layer over and text; share = 0 takes it "
-           "away; "
-           "its frames pass in a pause too; returns the share asked for before, to be put back") },
+      HELP("darkens the picture except plates, sprites of layer over and text, even while the game is paused; returns "
+           "the previous share") },
 };
 const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

@@ -15,25 +15,37 @@ enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 120 beats a minute */ };
 
 static const struct api_param play[] = {
-    PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", ""),
-    PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", ""),
-    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
-    PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", ""),
+    PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound of rom.lua"),
+    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "share of the volume that rom.lua gives it"),
+    PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "position between left, -1, and right, 1; give pan or from"),
+    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing whose position in the field decides between left and right; if it is dead, nothing plays"),
+    PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "shift of the pitch"),
 };
-static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
+                                               "sound of rom.lua to stop; all sounds if left out") };
 static const struct api_param music_play_params[] = {
-    PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0", ""),
-    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL, ""),
+    PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of rom.lua"),
+    PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
+          "frames in which the current music fades out first; not with at"),
+    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", "restart it if it is playing already; otherwise it continues"),
+    PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
+          "set the current music aside, up to three pieces deep, and continue it when this piece ends or when "
+          "music.play asks for it"),
+    PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL,
+          "\"beat\" or \"bar\": start on the next one of the current music; at once if left out; not with fade"),
 };
-static const struct api_param volume[] = { PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, ""),
-                                           PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "") };
-static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0", "") };
-static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL, "") };
-static const struct api_param until[] = { PARAM("n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1", "") };
+static const struct api_param volume[] = {
+    PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; only reads it if left out"),
+    PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "frames the change takes")
+};
+static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
+                                                            "frames in which it fades out") };
+static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
+                                                "number of beats, which are quarter notes") };
+static const struct api_param until[] = { PARAM(
+    "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1",
+    "number of beats to wait for, or the name of a marker of the current piece") };
 
 /* On the way to a mark nothing is heard. */
 static bool skips(const struct board *b)
@@ -272,25 +284,24 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
-      HELP("plays a sound of rom.lua, from left (pan -1) to right, or from where a thing is; nothing while a stage is "
-           "skipped") },
-    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("ends that sound; without a name, all") },
+      HELP("plays a sound of rom.lua; silent while a stage is skipped on the way to a practice mark") },
+    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("stops a sound, or all of them") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
-      HELP("begins a piece of rom.lua's music, after what plays has faded; the same one goes on, unless again; back: "
-           "what "
-           "plays is put aside, and goes on where it was when this one has ended, or when it is asked for; at: on the "
-           "next beat or bar of what plays, to the sample") },
+      HELP("plays a piece of rom.lua's music in place of the current one") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
-      HELP("ends the music, and what was put aside") },
+      HELP("stops the music, including pieces that were set aside") },
     { "music.volume", music_volume, PARAMS(volume), 2, API_CHANGES, "number",
-      HELP("how loud all music is, 0 to 1, in so many frames; gives what it was; 1 in each new game") },
-    { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", HELP("the piece that plays") },
-    { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer", HELP("whole quarter notes since it began, from 0") },
-    { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", HELP("whole bars since it began, from 0") },
-    { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil", HELP("the last marker that it came by") },
+      HELP("changes the volume of all music and returns the previous one; each new game starts at 1") },
+    { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", HELP("returns the name of the piece that is playing") },
+    { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer",
+      HELP("returns how many beats, which are quarter notes, the piece has played, from 0") },
+    { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", HELP("returns how many bars the piece has played, from 0") },
+    { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil",
+      HELP("returns the name of the last marker the piece has passed") },
     { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
-      HELP("how long so many beats last at its tempo; 120 a minute with nothing playing") },
+      HELP("converts beats to frames at the current tempo; at 120 beats a minute if nothing is playing") },
     { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
-      HELP("until its n-th next beat, or until a marker of that name that still comes; gives the beat. In a task") },
+      HELP("pauses the task until a beat or a marker and returns the beat; a marker that won't come again, or any with "
+           "nothing playing, doesn't pause it") },
 };
 const struct api_module api_sound = { entries, sizeof entries / sizeof *entries };
