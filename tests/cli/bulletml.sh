@@ -71,7 +71,7 @@ refuse "check: room for nothing" 'board.bulletml: there is no document bulletml/
 # ---- curtain bulletml ----
 
 same "what it says" "$gallery/bulletml/gulls.xml: 1 action runs by itself, 6 others, 3 fires, 2 bullets, 51 elements
-  uses \$rank, \$1 to \$2, the right for up (horizontal)
+  uses \$rank, \$1 to \$2, left for up (horizontal)
   run by themselves: top
   other actions: cry
   fires: pair

@@ -36,7 +36,7 @@ void as_lua_number(struct lua_text *t, double v);
 /* Is it the same for all bullets of a run: neither drawn by chance nor a parameter? */
 bool as_lua_fixed(const struct document_node *node);
 
-/* 90 degrees are between the two: 0 is up there, or to the right in a horizontal document. */
+/* Degrees to add to an absolute direction of a document, whose 0 is up, or left in a horizontal document. */
 double as_lua_up(const struct document *d);
 
 /* Adds the steps of a motion program that does what a bullet's actions do, "{ wait = 30 }, { speed = 2 }"; false, and
