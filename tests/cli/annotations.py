@@ -218,7 +218,7 @@ GIVEN = {"player": "player", "bullet": "bullet", "enemy": "enemy", "item": "item
          "a": "bullet", "b": "bullet", "e": "enemy", "p": "player", "o": "option", "by": "bullet|enemy",
          "late": "boolean", "id": "string", "won": "boolean", "captured": "boolean", "name": "string",
          "state": '"start"|"clear"', "args": "table", "i": "integer", "run": "table", "stage": "string",
-         "row": "integer", "rows": "integer"}
+         "row": "integer", "rows": "integer", "damage": "integer", "label": "string"}
 MAKERS = ["bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam"]
 
 

@@ -25,7 +25,7 @@ check "texts have words, not letters" lacks turn board.dip
 check "arguments count as text" before radius query.near item.def
 check "capitals are no matter" before AIM pattern.aimed bullet.fire
 check "a step is found" says turn 'in each step of motion.def:'
-check "a property is found by its text" says clockwise 'property spin of a laser: degrees that it turns'
+check "a property is found by its text" says clockwise 'property spin of a laser: degrees a beam turns'
 check "a function of hud is found by its text" says banner 'hud.banner(lines?, frames?)'
 check "a value is found by its text" says alarm 'hud.banks'
 once() { # WORD: each entry stands there once

@@ -465,6 +465,10 @@ enum { RUN_REGISTERS = -1 };
  * after the other. */
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
 
+/* What the table of a register may hold. */
+enum { REGISTER_SETTINGS = 10 };
+extern const struct api_param api_register_settings[REGISTER_SETTINGS];
+
 /* The number of a register that the argument `what` names, or an error. */
 int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name);
 

@@ -126,7 +126,7 @@ static const struct {
     { "won", "boolean" },   { "captured", "boolean" }, { "name", "string" },  { "state", "\"start\"|\"clear\"" },
     { "shot", "shot" },     { "o", "option" },         { "owner", "any" },    { "args", "table" },
     { "i", "integer" },     { "run", "table" },        { "stage", "string" }, { "row", "integer" },
-    { "rows", "integer" },
+    { "rows", "integer" },  { "damage", "integer" },   { "label", "string" },
 };
 
 static const char *given_type(const char *name, size_t n)

@@ -24,10 +24,13 @@ enum { MOST_PARTS = 64, DEEP_BYTES = 4, PART_BYTES = 24 };
 enum { P_KIND, P_DX, P_DY, P_SHARE, P_TAG, P_HP, P_RATE };
 
 static const struct api_param part_params[] = {
-    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""), PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", ""),   PARAM("share", A_FX, OPT, 0, 1, NULL, "0", ""),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),        PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, ""),
-    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, ""),
+    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the part"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of its body"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below its body"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage it takes that its body takes too"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points, in place of those of its kind"),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "factor on the damage it takes, in place of that of its kind"),
 };
 static const struct api_entry part_entry = { .name = "enemy.def part", .params = part_params, .count = P_RATE + 1 };
 
@@ -218,31 +221,33 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
 
 /* ---- orbits and wandering ---- */
 
-#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "")
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
 
 enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVER };
 static const struct api_param orbit[] = {
     SELF,
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, ""),
-    PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL, ""),
-    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", ""),
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing to circle; once it is gone, the point where it was; give around, or x and y"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal center of the circle"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical center of the circle"),
+    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the start; its present distance if left out"),
+    PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the end of over; radius if left out; needs over"),
+    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees it moves around the center per frame, clockwise"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction from the center at the start; its present one if left out"),
+    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", "duration"),
 };
 
 enum { W_W = 1, W_H, W_EVERY, W_OVER, W_X, W_Y, W_EASE };
 static const struct api_param wander[] = {
     SELF,
-    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, ""),
-    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, ""),
-    PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, ""),
-    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, ""),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", ""),
+    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, "width of the area, centered on x and y"),
+    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centered on x and y"),
+    PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the next"),
+    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; at most every"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal center of the area; where it is if left out"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical center of the area; where it is if left out"),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
+          "how its speed changes on the way: in starts slowly, out ends slowly, both does both"),
 };
 
 static bool forever(const struct api_value *v)
@@ -310,29 +315,23 @@ static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
     return api_enemy_act(L, b, wander_one, v);
 }
 
-static const struct api_param parts_params[] = { PARAM("self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
-                                                 PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "") };
+static const struct api_param parts_params[] = {
+    PARAM("self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, "the thing itself"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of the parts to list; all parts if left out")
+};
 
+#define NEXT_ENDS "; the next move, orbit, wander or write of x or y ends it; needs board = { bodies = true }"
 #define VERBS(thing, it)                                                                                               \
-    API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL,                                                              \
-             it " goes round a thing or x, y, spin degrees a frame, for over frames, and the call returns at once; "   \
-                "radius left out: as far off as it is, dir left out: from where it is; when the thing is gone, on "    \
-                "round where that was; a later move, orbit, wander or write of x or y ends it"),                       \
+    API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL, "moves " it " in a circle and returns at once" NEXT_ENDS),   \
         API_VERB(thing ":wander", enemy_wander, wander, 1, NULL,                                                       \
-                 it " flies to a place by chance in the w by h px about x, y (left out: about where it is), in over "  \
-                    "frames, and to the next one every so many frames; the call returns at once")
+                 "moves " it " to random places in an area and returns at once" NEXT_ENDS)
 
 static const struct api_entry entries[] = {
     VERBS("enemy", "it"),
     VERBS("enemies", "each"),
     { "enemy:parts", parts_of, PARAMS(parts_params), 2, API_METHOD, "list",
-      HELP("its parts, with that tag or all, in slot order, which is that of parts in enemy.def when all came at once; "
-           "not "
-           "the parts of parts") },
+      HELP("returns a list of its parts in slot order, without the parts of parts; needs board = { bodies = true }") },
     { "enemy.def part", NULL, PARAMS(part_params), 0, API_LUA | API_SYS, NULL,
-      HELP("one of parts: an enemy that is spawned along, dx, dy from the body; share (0 to 1) of the damage it takes "
-           "goes "
-           "on "
-           "to the body") },
+      HELP("one enemy attached to the body: it spawns with it, moves with it and dies with it") },
 };
 const struct api_module api_body = { entries, sizeof entries / sizeof *entries };

@@ -21,9 +21,15 @@ struct bomb {
 enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, ""),     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL, ""),
-    PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, ""),      PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL, ""),
-    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", ""), PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", ""),
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
+          "name of the bomb, for bomb and bomb_focus of player.def; must be new"),
+    PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
+          "frames it lasts; then run is stopped, with all that it started and spawned"),
+    PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
+    PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
+          "frames nothing can hit the ship; those of over if left out"),
+    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "register of the ship that pays for it"),
+    PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount it takes from stock; 0 needs no register"),
 };
 
 /* Pushes the list; false: there is none, and nothing is pushed. */
@@ -163,7 +169,8 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "") };
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL,
+                                               "the thing itself") };
 
 static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -175,9 +182,8 @@ static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a bomb: run(p) is a task that is stopped after `over` frames; it takes cost from the register "
-           "stock") },
+      HELP("declares a bomb: a task that a ship starts and pays for from a register") },
     API_VERB("player:bomb", player_bomb, self, 1, "boolean",
-             "starts its ship's bomb; false: it has none, not enough of the stock, or one that is not over yet"),
+             "starts the bomb of its ship; false if it has none, cannot pay for it, or one is still going on"),
 };
 const struct api_module api_bomb = { entries, sizeof entries / sizeof *entries };

@@ -28,21 +28,24 @@ static const char ENTRY[] = "bullet.ml";
 enum { FASTEST = 64 /* px a frame of speed 1 */ };
 
 static const struct api_param params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "document to run: NAME of bulletml/NAME.xml"),
+    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its bullets"),
     PLACE,
-    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", ""),
-    PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0", ""),
-    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", ""),
-    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", ""),
-    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds of its bullets with a label, { LABEL = kind }"),
+    PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", "value of $rank in the document"),
+    PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0",
+          "start of $rand: the same seed draws the same numbers; 0 draws one from the game"),
+    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", "pixels per frame of a speed of 1 in the document"),
+    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", "degrees the whole document is turned, clockwise"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the document left to right"),
+    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL, "list of up to 9 numbers, $1 to $9 of the actions that run first"),
+    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", "start it again when it has ended"),
+    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", "let it move the enemy given as from"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
+          "number added to the palette bank of its bullets; that of their kind if left out"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put its bullets in"),
+    PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
 };
 
 /* The nearest Q31.32; the range was checked. */
@@ -219,11 +222,13 @@ static int documents(lua_State *L, struct board *b, struct api_value *v)
 enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; of one with from, where that was"),
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position it fires from; with from, that of the thing"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
-    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "what $rank is from now on"), PROP_WRITE },
-    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "the document's"), PROP_READ },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position it fires from; with from, that of the thing"),
+      PROP_WRITE },
+    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE },
+    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -249,7 +254,8 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 
 const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, get, set };
 
-static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL, "") };
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL,
+                                               "the thing itself") };
 
 static int stop(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -261,15 +267,9 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bullet.ml", start, PARAMS(params), 0, API_CHANGES, "bulletml",
-      HELP(
-          "runs the BulletML document bulletml/NAME.xml at a place, or where a thing is (with steer, it moves that "
-          "enemy): "
-          "its bullets are of a kind, or by label of one in kinds; speed is px a frame of its speed 1, angle turns it; "
-          "on_fire(b, label) is called for each bullet; it ends with its owner, as a task does") },
+      HELP("runs a BulletML document until it ends, or its owner does; needs board = { bulletml = n }") },
     PARAM("bullet.documents", documents, NULL, 0, 0, 0, "list",
-          "a list of the game's BulletML documents, each { name = \"..\", labels = { .. } }: the labels of bullets "
-          "that it "
-          "fires"),
-    API_VERB("bulletml:stop", stop, self, 1, NULL, "the document fires no more; its bullets go on with their actions"),
+          "returns a list of the BulletML documents of the game, { name = NAME, labels = { LABEL, .. } }, by name"),
+    API_VERB("bulletml:stop", stop, self, 1, NULL, "stops the document; its bullets fly on and finish their actions"),
 };
 const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

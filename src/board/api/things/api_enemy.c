@@ -29,16 +29,33 @@ enum {
 };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),          PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL, ""), PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", ""),
-    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", ""),   PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true", ""),      PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, ""),       PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL, ""),       PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true", ""),      PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", ""),    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", ""),     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, ""),
-    PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL, ""),       PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", ""),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true", "hits players who touch it; false lets them fly through it"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+          "kind of the twelve sparks it leaves when it dies; nil leaves none"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it dies, { NAME = count }"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task started when it spawns; it ends with the enemy"),
+    PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_hit(e, p, damage): called when a shot or a laser hits it and it survives; p may be nil"),
+    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
+    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
+          "test its whole path of each frame for players; false tests only where the frame ends"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "removes bullets that touch it"),
+    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "up to 7 sprites that it can show by name, { NAME = sprite }; hurt replaces its sprite while it blinks"),
+    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; 0 never blinks"),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
+          "factor on the damage it takes: 0 takes none; 1 if left out; needs board = { bodies = true }"),
+    PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "list of 1 to 64 enemies that are attached to it; needs board = { bodies = true }"),
+    PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along its outline"),
 };
 
 static const char *const first_pictures[] = { "hurt", NULL };
@@ -113,20 +130,27 @@ enum {
 };
 
 static const struct api_param spawn[] = {
-    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PLACE,
-    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, ""),
-    PARAM("share", A_FX, OPT, 0, 1, NULL, NULL, ""),
-    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, ""),
+    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
+          "route to fly; the enemy is removed at its end; in place of x and y, or from"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points, in place of those of its kind"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
+          "number added to the palette bank of its sprite; that of its kind if left out"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task in place of the run of its kind; it ends with the enemy"),
+    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_death(e, p): called in place of the on_death of its kind; p may be nil"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that spawned it ends"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "items dropped when it dies, { NAME = count }, in place of those of its kind"),
+    PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL,
+          "enemy it becomes a part of, at dx and dy; in place of a position; needs board = { bodies = true }"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
+          "fraction of the damage it takes that its body takes too; 0 if left out; needs follow"),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
+          "factor on the damage it takes, in place of that of its kind; needs board = { bodies = true }"),
 };
 
 /* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
@@ -358,29 +382,41 @@ enum {
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; a write ends its move"), PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; a write ends its move"), PROP_WRITE },
-    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "hit points left"), PROP_WRITE },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },
-    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "its group's tag, or nil"), PROP_WRITE },
-    { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it takes no damage, or forever"), PROP_WRITE },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position in the field; a write teleports it and ends its move"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position in the field; a write teleports it and ends its move"),
+      PROP_WRITE },
+    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "hit points left, rounded up; writing 0 does not kill it"),
+      PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
+    { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
+            "frames it takes no damage, or forever; shots still hit it"),
+      PROP_WRITE },
     { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it came, without those it stood"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames it stands, or forever; 0: it goes on as it was"),
+            "frames it stays frozen, or forever; 0 lets it continue"),
       PROP_WRITE },
-    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL, "which of its kind's pictures it shows; nil: the sprite"),
+    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL, "picture of its kind that it shows; nil shows its sprite"),
       PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "left and right exchanged"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn, but there as before"), PROP_WRITE },
-    { PARAM("rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL, "of the damage it takes: 1 all, 0 none"), PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "of a part: how far right of its body; a write ends its move"),
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "drawn mirrored left to right"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it still moves, hits and is hit"), PROP_WRITE },
+    { PARAM("rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL,
+            "factor on the damage it takes: 0 takes none; needs board = { bodies = true }"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "of a part: how far below its body; a write ends its move"),
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "of a part: distance to the right of its body; a write ends its move"),
       PROP_WRITE },
-    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "of a part: of the damage it takes, for its body"), PROP_WRITE },
-    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "the enemy it is a part of, or nil"), PROP_READ },
-    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL, "how many living enemies have the tag; the one to read"),
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "of a part: distance below its body; a write ends its move"),
+      PROP_WRITE },
+    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "of a part: fraction of the damage it takes that its body takes too"),
+      PROP_WRITE },
+    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body that it is a part of, or nil"), PROP_READ },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
+            "number of live enemies with the tag; the only property of a group that can be read"),
       PROP_READ },
 };
 
@@ -508,21 +544,27 @@ enum {
     KILL_PLAYER = 1
 };
 
-#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "")
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
 static const struct api_param move[] = {
     SELF,
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, ""),
-    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", ""),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal target; give x and y, or dx and dy"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical target"),
+    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of the move"),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
+          "how its speed changes on the way: in starts slowly, out ends slowly, both does both"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance to the right; for a part, its new dx"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance down; for a part, its new dy"),
 };
-static const struct api_param shift_by[] = { SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
-                                             PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
-static const struct api_param hurt[] = { SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, ""),
-                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param shift_by[] = {
+    SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left"),
+    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
+};
+static const struct api_param hurt[] = {
+    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before its rate"),
+    PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score of a kill; the nearest player if left out")
+};
+static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
+                                                        "player who gets its score; the nearest player if left out") };
 static const struct api_param self[] = { SELF };
 
 static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -641,26 +683,23 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 /* The verbs of one and of a group; `it` names who does it. */
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
-             it                                                                                                        \
-             " starts a move to x, y, or by dx, dy (a part: to that dx, dy), and the call returns at once; in each "   \
-             "frame it is at the nearest 1/65536 px of its way"),                                                      \
+             "starts moving " it " to a position or by a distance, and returns at once"),                              \
         API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
-                 it " is moved on by dx, dy at once, and so is the rest of its move"),                                 \
-        API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL,                                                         \
-                 it " takes damage, unless it is safe; a death counts for p, without p for the nearest player"),       \
+                 "moves " it " by a distance at once, with the rest of its move"),                                     \
+        API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL, "damages " it " unless it is safe"),                    \
         API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
-                 it " dies with score (p's; without p the nearest player's), spark and on_death" order),               \
-        API_VERB(thing ":remove", enemy_remove, self, 1, NULL, it " just goes")
+                 "kills " it ", with its score, sparks, drops and on_death" order),                                    \
+        API_VERB(thing ":remove", enemy_remove, self, 1, NULL,                                                         \
+                 "removes " it " without score, sparks, drops or on_death")
 
 static const struct api_entry entries[] = {
-    { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, HELP("declares a kind of enemy") },
+    { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of enemy: its sprite, its hitbox and its rules") },
     { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES | API_VALUES, "enemy",
-      HELP("brings an enemy; run(e) is a task it owns; with a path it follows that and goes at its end; with stay the "
-           "boss's phase "
-           "it came from does not take it along") },
+      HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
     API_GROUPS("enemy", enemy_group, enemy_each),
     { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
-      HELP("how many enemies live, of that tag or of all") },
+      HELP("returns the number of live enemies, with a tag or in all") },
     ENEMY_VERBS("enemy", "it", ""),
     ENEMY_VERBS("enemies", "each", ", in slot order"),
 };

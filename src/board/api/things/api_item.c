@@ -98,17 +98,20 @@ void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
 enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_TAKE };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL, ""),
-    PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("full", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04", ""),
-    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", ""),
-    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true", ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
+          "radius of the circle that the hitbox of a ship must touch to take it"),
+    PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "what the player who takes it gets, { score = n, lives = n, REGISTER = n }"),
+    PARAM("full", A_STR, OPT, 1, 31, NULL, NULL,
+          "register of the ship or the run; while it is at its max, the item gives only its score"),
+    PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04", "added to its speed downwards each frame"),
+    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "highest speed it falls at"),
+    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true", "flies to ships that attract it; false flies only when pulled"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL, "on_take(p, item): called after the player got what it gives"),
 };
 
 static const char DEF[] = "item.def";
@@ -247,13 +250,13 @@ void api_items_check(lua_State *L, struct board *b)
 enum { P_KIND, P_PLACE, P_N = P_PLACE + PLACE_PARAMS, P_DIR, P_SPREAD, P_SPEED, P_TAG };
 
 static const struct api_param drop[] = {
-    PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, ""),
+    PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "declared kind to drop"),
     PLACE,
-    PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", ""),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", ""),
-    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", ""),
-    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", ""),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "direction of the middle of them, clockwise from the right"),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", "angle they are spread over evenly, centered on dir"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", "speed they start at"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
 };
 
 static uint64_t spread_of(double degrees)
@@ -296,17 +299,21 @@ enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
 
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
-    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },
-    { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed downwards"), PROP_WRITE },
-    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "its group's tag, or nil"), PROP_WRITE },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position in the field"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position in the field"), PROP_WRITE },
+    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "horizontal velocity"), PROP_WRITE },
+    { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "vertical velocity; positive falls"),
+      PROP_WRITE },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames it stands, or forever; 0: it goes on as it was"),
+            "frames it stays frozen, or forever; 0 lets it continue"),
       PROP_WRITE },
     { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it came, without those it stood"), PROP_READ },
-    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL, "how many items have the tag; the one to read"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"),
+      PROP_READ },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
+            "number of live items with the tag; the only property of a group that can be read"),
+      PROP_READ },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -372,8 +379,9 @@ const struct api_thing api_items_thing = { "items", props, PROPS + 1, get_group,
 
 enum { ARG_SELF, PULL_PLAYER };
 
-#define SELF PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "")
-static const struct api_param pull[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "") };
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
+static const struct api_param pull[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
+                                                     "player to fly to; the nearest one if left out") };
 static const struct api_param self[] = { SELF };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
@@ -423,18 +431,31 @@ static int item_remove(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+#ifndef WITHOUT_HELP
+static const struct api_param gives[] = {
+    PARAM("score", A_ANY, OPT, 0, 0, "number or { low, high }", "0",
+          "points; { low, high } gives low at the bottom of the field and high from the collect line up"),
+    PARAM("lives", A_INT, OPT, 0, MOST_LIVES, NULL, "0", "extra lives"),
+};
+#endif
+
 static const struct api_entry entries[] = {
     { "item.def", item_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of item; gives = { score = n or { low, high }, lives = n, REGISTER = n }") },
+      HELP("declares a kind of item: its sprite, how it falls and what it gives; needs board = { items = n }") },
     { "item.drop", item_drop_run, PARAMS(drop), 0, API_CHANGES, NULL,
-      HELP("n items from a place, laid out evenly over spread degrees about dir, without chance") },
+      HELP("drops items from a position or a thing, spread evenly") },
     API_GROUPS("item", item_group, item_each),
     { "item:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("it flies to the player, or to the nearest, until taken; when that one dies, it falls again") },
-    { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("gone, without being taken") },
+      HELP("makes it fly to a player until it is taken; it falls again if that player dies") },
+    { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes it without giving anything") },
     { "items:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("each flies to the player, or to its nearest") },
+      HELP("makes each fly to a player until it is taken; it falls again if that player dies") },
     { "items:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("all gone, without being taken") },
+      HELP("removes each without giving anything") },
+#ifndef WITHOUT_HELP
+    { "item.def gives", NULL, PARAMS(gives), 0, API_LUA | API_SYS, NULL,
+      HELP("what the item gives; any other name is a register of the ship or the run, to which its number is added") },
+#endif
 };
 const struct api_module api_item = { entries, sizeof entries / sizeof *entries };

@@ -28,19 +28,24 @@ enum {
 };
 
 static const struct api_param laser_def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, ""),
-    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, ""),
-    PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8", ""),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", ""),
-    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL, ""),
-    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", ""),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
+    PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
+          "sprite repeated along it and stretched to its width, drawn pointing right"),
+    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "width once it has grown"),
+    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "share of its width that hits; \"none\" never hits"),
+    PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
+          "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
+    PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
+          "frames until a player can graze it again; 0 makes it impossible to graze"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "clears remove it; false makes it immune unless they say all"),
+    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+          "spark left along it when it is cleared and the clear names no spark; nil leaves none"),
+    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
+          "hp it takes from each enemy it touches; makes it a laser of players, harmless to them"),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames between two hits; needs damage"),
 };
 
 /* The share of its width that hits, or -1: nothing does. */
@@ -99,10 +104,18 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 
 /* What all three have, in this order. */
 #define LASER_PARAMS                                                                                                   \
-    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, ""), PLACE, PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90", ""),     \
-        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", ""), PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, ""),          \
-        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, ""), PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL, ""),  \
-        PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL, "")
+    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
+        PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
+              "direction, clockwise from the right; with aim, an offset from the target and 0 if left out"),           \
+        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
+              "point at the nearest target: an enemy if its kind has damage, otherwise a player"),                     \
+        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
+              "number added to the palette banks of its sprites; that of its kind if left out"),                       \
+        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
+        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL,                                                        \
+              "width once it has grown; that of its kind if left out"),                                                \
+        PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
+              "player who owns it and gets its score; the owner of from or follow if left out")
 enum {
     F_KIND,
     F_PLACE,
@@ -130,24 +143,30 @@ enum {
 };
 
 #define FLIGHT_PARAMS                                                                                                  \
-    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, ""),                                            \
-        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, ""), PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", ""),   \
-        PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "")
+    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "pixels per frame; negative flies backwards"),  \
+        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
+        PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames it waits in place before it flies"),                 \
+        PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
+              "thing that the orbit steps of its motion circle; needs board = { around = true }")
 
 static const struct api_param bolt_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
-                                                PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "") };
+                                                PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,
+                                                      "length once all of it has come out") };
 static const struct api_param curve_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
-                                                 PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32", "") };
+                                                 PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32",
+                                                       "frames of flight that its body is long") };
 static const struct api_param beam_params[] = {
     LASER_PARAMS,
-    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL, ""),
-    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, ""),
-    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, ""),
-    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40", ""),
-    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8", ""),
-    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12", ""),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", ""),
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing to start from, dx and dy away; the beam ends with it; in place of x and y, or from"),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
+          "turn with the bullet, shot or laser that it follows; needs follow"),
+    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from its start to its end"),
+    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames it stays at its full width, or forever"),
+    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40", "frames it shows first as a dotted line that never hits"),
+    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8", "frames it takes to reach its width; it hits from their start"),
+    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12", "frames it takes to disappear; it no longer hits"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees it turns per frame once warn is over, clockwise"),
 };
 
 static uint8_t player_of(const struct board *b, const struct api_value *v)
@@ -301,57 +320,60 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first 
 
 #define LASER_PROPS                                                                                                    \
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
-            "where its head is, px: where a beam begins, the front of a bolt or curve; a write moves all of it"),      \
+            "horizontal position of its head: the start of a beam, the front of others; a write moves all of it"),     \
       PROP_WRITE },                                                                                                    \
-        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where its head is, px"), PROP_WRITE },                     \
-        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
-                "where a beam points, where the others fly, degrees from 0 to 360"),                                   \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position of its head; a write moves all of it"),  \
           PROP_WRITE },                                                                                                \
-        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
-                "how fast a bolt or curve flies, px/frame"),                                                           \
+        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction that a beam points or the others fly, 0 to 360"),      \
           PROP_WRITE },                                                                                                \
-        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "sets dir and speed too"), PROP_WRITE },     \
-        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "sets dir and speed too"), PROP_WRITE },     \
+        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of flight; a beam has none"),      \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
+                "horizontal velocity; a write changes dir and speed"),                                                 \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
+                "vertical velocity; a write changes dir and speed"),                                                   \
+          PROP_WRITE },                                                                                                \
         { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },                         \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "palette banks to add"), PROP_WRITE },                          \
-        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "its group's tag, or nil"), PROP_WRITE },                        \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites"),            \
+          PROP_WRITE },                                                                                                \
+        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },                       \
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
-                "the motion that a bolt or curve runs, or nil; a write starts it anew"),                               \
+                "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "the thing that its orbits go round, or nil"),          \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps circle, or nil"),           \
           PROP_WRITE },                                                                                                \
-        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, without those it stood"),             \
+        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
           PROP_READ },                                                                                                 \
         { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
-                "frames it stands, or forever; 0: it goes on as it was"),                                              \
+                "frames it stays frozen, or forever; 0 lets it continue"),                                             \
           PROP_WRITE },                                                                                                \
         { PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,                                                     \
-                "px, of a beam or bolt; a curve is as long as it has flown"),                                          \
+                "length of a beam or bolt; that of a curve can only be read"),                                         \
           PROP_WRITE },                                                                                                \
-        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "px, when it has grown"), PROP_WRITE },              \
-        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
-                "degrees that it turns a frame, clockwise, once its warning is over"),                                 \
+        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "width once it has grown"), PROP_WRITE },            \
+        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees a beam turns per frame once warn is over, clockwise"),  \
           PROP_WRITE },                                                                                                \
-        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
-                "of a beam that follows: how far from that thing's place"),                                            \
+        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of the thing that a beam follows"), \
           PROP_WRITE },                                                                                                \
     {                                                                                                                  \
-        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "the same downwards"), PROP_WRITE                            \
+        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below the thing that a beam follows"), PROP_WRITE  \
     }
 
 static const struct api_prop laser_props[] = {
     LASER_PROPS,
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "\"warn\", \"grow\", \"on\" or \"fade\": only in \"grow\" and \"on\" it hits"),
+            "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
       PROP_READ },
     { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ },
-    { PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "what a beam follows, or nil"), PROP_READ },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "the player whose it is, or nil"), PROP_READ },
+    { PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ },
 };
 
 static const struct api_prop lasers_props[] = {
     LASER_PROPS,
-    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL, "how many live lasers have the tag; the one thing to read"),
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
+            "number of live lasers with the tag; the only property of a group that can be read"),
       PROP_READ },
 };
 
@@ -584,15 +606,20 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { EITHER = 1 << H_LASER | 1 << H_LASERS };
-static const struct api_param self_add[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, ""),
-                                             PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "") };
-static const struct api_param self_by[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, ""),
-                                            PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param self_shift[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, ""),
-                                               PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
-                                               PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
-static const struct api_param self_only[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, "") };
-static const struct api_param self_group[] = { PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "") };
+static const struct api_param self_add[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, "the thing itself"),
+                                             PARAM("add", A_DIR, OPT, 0, 0, NULL, "0",
+                                                   "degrees added to the direction of the target, clockwise") };
+static const struct api_param self_by[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, "the thing itself"),
+                                            PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL,
+                                                  "degrees to turn, clockwise; negative turns counterclockwise") };
+static const struct api_param self_shift[] = {
+    PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, "the thing itself"),
+    PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left"),
+    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
+};
+static const struct api_param self_only[] = { PARAM("self", A_THING, REQ, EITHER, 0, NULL, NULL, "the thing itself") };
+static const struct api_param self_group[] = { PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL,
+                                                     "the thing itself") };
 
 static int group(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -610,57 +637,54 @@ static int each(lua_State *L, struct board *b, struct api_value *v)
 #define BEAM                                                                                                           \
     {                                                                                                                  \
         "laser.beam", beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                              \
-            HELP("a straight laser from a place, or with follow from where a thing is: warns, grows, holds, fades; "   \
-                 "with "                                                                                               \
-                 "turns it turns as that thing does")                                                                  \
+            HELP("fires a straight laser from a position or a thing: it warns, grows, holds and fades")                \
     }
 #define BOLT                                                                                                           \
     {                                                                                                                  \
         "laser.bolt", bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                              \
-            HELP("a straight piece of so many px that flies as a bullet does; it comes out of where it was fired")     \
+            HELP("fires a straight laser of a fixed length that flies like a bullet")                                  \
     }
 #define CURVE                                                                                                          \
     {                                                                                                                  \
         "laser.curve", curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                           \
-            HELP("a head that flies as a bullet does, and a body that follows on its way, points frames long")         \
+            HELP("fires a laser whose head flies like a bullet and whose body follows its path")                       \
     }
 const struct api_entry api_fire_beam = BEAM, api_fire_bolt = BOLT, api_fire_curve = CURVE;
 
 static const struct api_entry entries[] = {
     { "laser.def", define, PARAMS(laser_def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of laser; one that has damage is a player's: it hurts enemies and no player") },
+      HELP("declares a kind of laser: its sprites, its width and its rules; needs board = { lasers = n }") },
     BEAM,
     BOLT,
     CURVE,
     API_GROUPS("laser", group, each),
     { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
-      HELP("removes lasers whole, as bullet.clear: those that the shape touches, as they are drawn, each leaving the "
-           "named "
-           "spark and item every so many px") },
+      HELP(
+          "removes the lasers of enemies that touch a circle, a box or a line, or all of them, and returns how many") },
     { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points it at the nearest player, a player's at the nearest enemy, plus so many degrees") },
-    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("turns it by so many degrees") },
+      HELP("points it at the nearest player, or a player's at the nearest enemy") },
+    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
     { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("all of it is moved on by dx, dy at once") },
+      HELP("moves all of it by a distance at once, with no hits in between") },
     { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("it begins to fade, and hits no more") },
+      HELP("fades it out; it no longer hits") },
     { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
-      API_CHANGES | API_METHOD, NULL, HELP("gone, leaving the named spark and item along it") },
-    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, HELP("gone without a trace") },
+      API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
+    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes it and leaves nothing") },
     { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("each points as laser:aim does") },
-    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("each turns by so many degrees") },
+      HELP("points each at the nearest player, or a player's at the nearest enemy") },
+    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns each by an angle") },
     { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("each is moved on by dx, dy at once") },
-    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL, HELP("each begins to fade") },
+      HELP("moves all of each by a distance at once, with no hits in between") },
+    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("fades each out; it no longer hits") },
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
-      HELP("removes those in the shape, or all, each leaving the named spark and item along it") },
+      HELP("removes those that touch a circle, a box or a line, or all of the group, and returns how many") },
     API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
-             "every laser whose motion waits for this tag (wait_for) goes on; without a tag: for any"),
+             "continues every laser whose motion waits for this tag (wait_for); without a tag, for any"),
     { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("all gone without a trace") },
+      HELP("removes each and leaves nothing") },
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

@@ -10,9 +10,11 @@
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, ""), PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", ""),  PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", ""),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in options of player.def; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", "layer of sprites to draw it in"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(o): task of each one; it ends with the option"),
 };
 
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
@@ -40,24 +42,31 @@ static const char PLAYER[] = "player.def", *const styles[] = { "fixed", "trail",
 enum { O_KIND, O_BY, O_LEVELS, O_OVER, O_STYLE, O_APART, O_RADIUS, O_CLOSE, O_SPIN, O_PARAMS };
 
 static const struct api_param ship_params[O_PARAMS] = {
-    PARAM("options.kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("options.by", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("options.levels", A_TABLE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("options.over", A_INT, OPT, 0, 65535, "frames", "8", ""),
-    PARAM("options.style", A_STR, OPT, 0, 0, NULL, "fixed", ""),
-    PARAM("options.apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8", ""),
-    PARAM("options.radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, ""),
-    PARAM("options.close", A_FX, OPT, 0, MAX_SPEED, "px", NULL, ""),
-    PARAM("options.spin", A_DIR, OPT, 0, 0, NULL, "0", ""),
+    PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind that flies with the ship"),
+    PARAM("by", A_STR, OPT, 1, 31, NULL, NULL,
+          "register of the ship that chooses the level; the last level if left out"),
+    PARAM("levels", A_TABLE, REQ, 0, 0, NULL, NULL,
+          "list of 1 to 16 levels, each with a higher at than the one before"),
+    PARAM("over", A_INT, OPT, 0, 65535, "frames", "8", "frames they take to reach other places; not of trail"),
+    PARAM("style", A_STR, OPT, 0, 0, NULL, "fixed",
+          "fixed at places around the ship, trail on its path, orbit on a circle"),
+    PARAM("apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8",
+          "frames of flight from one to the next; only of trail"),
+    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of the circle; only of orbit, which needs it"),
+    PARAM("close", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius while focused; radius if left out; only of orbit"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only of orbit"),
 };
 
 enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
 
 static const struct api_param level_params[L_PARAMS] = {
-    PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", ""),
-    PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL, ""),
-    PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("close", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
+    PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "value of the register from which the level applies"),
+    PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL,
+          "number of options; only of trail and orbit, which need it"),
+    PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "places around the ship, { { dx, dy }, .. } in px; only of fixed, which needs it"),
+    PARAM("close", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "places while focused, as many as in wide; wide if left out; only of fixed"),
 };
 
 static fx place_axis(lua_State *L, const char *where, int axis)
@@ -174,7 +183,7 @@ static void check_style(lua_State *L, const struct api_value *v, enum option_sty
 
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (v[own[i].param].given && own[i].of != style)
-            api_error(L, PLAYER, "%s: is of the style %s (style = \"%s\")", ship_params[own[i].param].name,
+            api_error(L, PLAYER, "options.%s: is of the style %s (style = \"%s\")", ship_params[own[i].param].name,
                       styles[own[i].of], styles[own[i].of]);
     if (style == OPTION_ORBIT && !v[O_RADIUS].given)
         api_error(L, PLAYER, "options.radius: expected a number of px, got nil");
@@ -238,15 +247,15 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 enum { P_X, P_Y, P_BY, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "where it is, px"), PROP_READ },
-    { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "where it is, px"), PROP_READ },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "the player it flies with"), PROP_READ },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "its number among the player's, from 1 on"), PROP_READ },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "does its player fly slowly?"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it came"), PROP_READ },
+    { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field"), PROP_READ },
+    { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field"), PROP_READ },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player it flies with"), PROP_READ },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "its number among the options of the player, from 1"), PROP_READ },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "its player flies at focus speed"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it appeared"), PROP_READ },
     { PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "which 16 colours"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn, but there as before"), PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it still flies and fires"), PROP_WRITE },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -295,6 +304,10 @@ const struct api_thing api_option_thing = { "option", props, PROPS, get, set };
 
 static const struct api_entry entries[] = {
     { "option.def", option_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of option, which flies with a ship (options of player.def); run(o) is its task") },
+      HELP("declares a kind of option, which flies with a ship and fires; needs board = { options = n }") },
+    { "player.def options", NULL, PARAMS(ship_params), 0, API_LUA | API_SYS, NULL,
+      HELP("the options of the ship: their kind, their levels and how they fly") },
+    { "player.def level", NULL, PARAMS(level_params), 0, API_LUA | API_SYS, NULL,
+      HELP("one level of options; the last one whose at the register has reached applies") },
 };
 const struct api_module api_option = { entries, sizeof entries / sizeof *entries };

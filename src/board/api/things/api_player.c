@@ -31,26 +31,33 @@ enum {
 };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, ""),
-    PARAM("hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL, ""),
-    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", ""),
-    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", ""),
-    PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", ""),
-    PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", ""),
-    PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120", ""),
-    PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", ""),
-    PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL, ""),
-    PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", ""),
-    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, ""),
-    PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0", ""),
-    PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, ""),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the ship, used in players of boot.run; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
+    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle that grazes bullets"),
+    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight"),
+    PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held"),
+    PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", "lives of a new game, the first one included"),
+    PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120", "frames nothing can hit it at the start and after a death"),
+    PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "up to 16 whole numbers of the ship, { NAME = start } or { NAME = { .. } }, read and written as p.NAME"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "run(p): task from the moment it joins the game until the player is out"),
+    PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it"),
+    PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL, "y above which all items fly to it; nil for none"),
+    PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL,
+          "register of the ship or the run; while it is at its max, all items fly to it"),
+    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed of the items that fly to it"),
+    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "up to 15 sprites that it can show by name, { NAME = sprite }; left and right show as it flies there"),
+    PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb that the bomb button starts, a name of bomb.def"),
+    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL,
+          "bomb that the button starts while the ship is focused; bomb if left out"),
+    PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
+          "frames after a hit in which a bomb saves it; at 0 it dies at once"),
+    PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "what flies with it and fires (option.def); needs board = { options = n }"),
+    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock that opens it to players, a name of unlock.def"),
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -192,10 +199,13 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
 enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
-static const struct api_param index_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param xy[] = { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
-                                       PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
-static const struct api_param f_only[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param index_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "number of the player") };
+static const struct api_param xy[] = {
+    PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position to measure from"),
+    PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position to measure from")
+};
+static const struct api_param f_only[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                 "f(player): called with each one; it cannot wait") };
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -241,24 +251,28 @@ enum {
 };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px; a write is a teleport"), PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "where it is, px"), PROP_WRITE },
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position in the field; a write teleports it and hits nothing in between"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position in the field; a write teleports it and hits nothing in between"),
+      PROP_WRITE },
     { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
-            "lives left besides this one; -1 in on.death: that was the last"),
+            "lives left after the one in play; -1 in on.death once the last is lost"),
       PROP_WRITE },
     { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames nothing can hit it"), PROP_WRITE },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "is it moving slowly?"), PROP_READ },
-    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "bullets grazed in this game"), PROP_LASTS },
-    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points; score.add changes them"), PROP_LASTS },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "1 or 2"), PROP_LASTS },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "it flies at its focus speed"), PROP_READ },
+    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "bullets and lasers grazed in this game"), PROP_LASTS },
+    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_LASTS },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_LASTS },
     { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_LASTS },
     { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
-            "which of its kind's pictures it shows; nil: the sprite, or left or right as it flies"),
+            "picture of its kind that it shows; nil shows its sprite, or left or right as it flies"),
       PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "left and right exchanged"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn, but there as before"), PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "drawn mirrored left to right"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it still flies, fires and is hit"), PROP_WRITE },
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "fly, or hit: it stands and does not fire while a bomb can save it (deathbomb of player.def)"),
+            "\"fly\", or \"hit\" while a bomb can save it: it stands still and does not fire (deathbomb)"),
       PROP_READ },
 };
 
@@ -342,14 +356,15 @@ const struct api_thing api_player_thing = { "player", props, PROPS, get, set };
 
 enum { BUTTON_NAME, BUTTON_PLAYER };
 
-static const struct api_param button[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
-                                           PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
+static const struct api_param button[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
+                                           PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player whose buttons to read") };
 
 enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
-static const struct api_param take[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL, ""),
-                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
+static const struct api_param take[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
+                                         PARAM("n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL,
+                                               "greatest age of the press; 0 takes only one of this frame"),
+                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player whose buttons to read") };
 
 static int read_pad(lua_State *L, const struct board *b, const uint16_t *pads, const struct api_value *v)
 {
@@ -392,23 +407,30 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 
 enum { ADD_POINTS, ADD_PLAYER };
 
-static const struct api_param add[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL, ""),
-                                        PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "") };
+static const struct api_param add[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
+                                              "points to add; negative takes points away"),
+                                        PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets them") };
 
 enum { ROWS_TABLE, ROWS_SHIP };
 
-static const struct api_param rows_of[] = { PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
-                                            PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "") };
+static const struct api_param rows_of[] = {
+    PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
+          "name of the score table; boot.run uses the names of the difficulties"),
+    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose own table to read; the best of all if left out")
+};
 
 enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
 
-static const struct api_param enter[] = { PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL, ""),
-                                          PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, ""),
-                                          PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, ""),
-                                          PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, ""),
-                                          PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, ""),
-                                          PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", ""),
-                                          PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "") };
+static const struct api_param enter[] = {
+    PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
+          "name of the score table; boot.run uses the names of the difficulties"),
+    PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, "name of the player, as it is shown"),
+    PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, "points to enter"),
+    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose own table it goes into"),
+    PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, "number of the stage reached"),
+    PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "all stages were cleared; in place of stage"),
+    PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "number of continues used")
+};
 
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -479,25 +501,32 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL, HELP("declares a ship") },
-    { "player.get", player_get, PARAMS(index_only), 1, 0, "player", HELP("player 1 or 2, in the game or not") },
-    { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player", HELP("the living player nearest to a point") },
+    { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a ship: its sprite, its hitbox, its speed and its rules") },
+    { "player.get", player_get, PARAMS(index_only), 1, 0, "player", HELP("returns player 1 or 2, in the game or not") },
+    { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player",
+      HELP("returns the living player nearest to a point; a dead handle if there is none") },
     { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
-      HELP("calls f(player) for each in the game; f cannot wait") },
-    { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", HELP("is the button held?") },
-    { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean", HELP("did it go down this frame?") },
+      HELP("calls a function with each player in the game") },
+    { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", HELP("returns true while a button is held") },
+    { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean",
+      HELP("returns true in the frame in which a button goes down") },
     { "pad.take", pad_take, PARAMS(take), 3, API_CHANGES, "boolean",
-      HELP("takes a press at most n frames old, once: the oldest that nobody took; n = 0: of this frame") },
-    { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean", HELP("did it come up this frame?") },
+      HELP("takes a press that nobody took, the oldest one first; false if there is none") },
+    { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean",
+      HELP("returns true in the frame in which a button comes up") },
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
-      HELP("pressed, then again every 5 frames once held for 20") },
+      HELP("returns true when a button goes down and, once held for 20 frames, every 5 frames") },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
-      HELP("points for a player, from 0 to 999,999,999,999 in all; extends come by themselves") },
+      HELP("adds points to a player's score, from 0 to 999,999,999,999 in all; they may bring lives (extends of "
+           "rom.lua)") },
     { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
-      HELP("a lasting table's rows, best first: { name, score, ship, stage, clear, continues }; of one ship, or the "
-           "best of "
-           "all") },
+      HELP("returns up to ten rows of a saved table, best first: { name, score, ship, stage, clear, continues }") },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
-      HELP("enters a score into a lasting table, that of its ship; its row there, or nil when it is not good enough") },
+      HELP("enters a score into a saved table of ten rows; returns its row, or nil if it is too low") },
+    { "player.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
+      HELP("each register of the ship; a plain number is its start") },
+    { "game.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
+      HELP("each register of the run; a plain number is its start") },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

@@ -16,19 +16,23 @@ static const char *const shows[] = { "none", "number", "icons", "bar", "times", 
                                                                                                             "low",
                                                                                                             NULL };
 
-enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, S_AT, S_LABEL, S_MARK, SETTINGS };
+enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, S_AT, S_LABEL, S_MARK };
 
-static const struct api_param settings[SETTINGS] = {
-    PARAM("start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
-    PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
-    PARAM("max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
-    PARAM("drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
-    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, ""),
-    PARAM("hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL, ""),
-    PARAM("show", A_STR, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, ""),
-    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, ""),
-    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, ""),
+const struct api_param api_register_settings[REGISTER_SETTINGS] = {
+    PARAM("start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
+          "value in a new game; 0 if left out, or min if that is higher"),
+    PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "lowest value; 0 if left out"),
+    PARAM("max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "highest value; without limit if left out"),
+    PARAM("drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
+          "amount lost at each interval, down to min; negative gains, up to max; forever goes to start at once"),
+    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "interval of the drain; 1 if left out"),
+    PARAM("hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
+          "frames without drain after a script or an item changed it the other way; needs drain"),
+    PARAM("show", A_STR, OPT, 0, 0, NULL, NULL,
+          "how the HUD shows it: none, number, icons, bar or times; a bar needs max"),
+    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, "where the HUD shows it: low is the lower edge of the field"),
+    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before it; its name if left out"),
+    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "value from which the HUD shows it bright"),
 };
 
 struct reg {
@@ -58,7 +62,7 @@ static const char *read_word(lua_State *L, const char *entry, const char *name, 
     for (int i = 0; words[i]; i++)
         if (!strcmp(words[i], lua_tostring(L, v[which].at)))
             return words[i];
-    api_error(L, entry, "%s.%s: expected %s, got \"%s\"", name, settings[which].name, expected,
+    api_error(L, entry, "%s.%s: expected %s, got \"%s\"", name, api_register_settings[which].name, expected,
               lua_tostring(L, v[which].at));
     return NULL;
 }
@@ -91,9 +95,9 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
 /* Reads { start = 3, max = 6, show = "icons" } at `at`. */
 static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct reg *r)
 {
-    static const struct api_fields fields = { settings, SETTINGS, NAME_LISTS };
+    static const struct api_fields fields = { api_register_settings, REGISTER_SETTINGS, NAME_LISTS };
     struct register_rule *rule = &r->rule;
-    struct api_value v[SETTINGS];
+    struct api_value v[REGISTER_SETTINGS];
 
     api_read_fields(L, entry, name, &fields, at, v);
     rule->least = setting(&v[S_MIN], 0);
