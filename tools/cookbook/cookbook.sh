@@ -1,12 +1,12 @@
 #!/bin/sh
-# cookbook.sh - what is made of the cookbook, roms/cookbook: `cookbook.sh` writes all of it anew.
+# cookbook.sh - writes all files generated from the cookbook, roms/cookbook:
 #
-#     roms/cookbook/book.txt     the words its window shows, from the first comment of each recipe
-#     tests/cookbook/table       what each recipe comes to, which tests/cli/cookbook.sh compares
-#     docs/images/cookbook       pictures, at the frames that the table names: FRAME:STEP, which are kept
-#     docs/cookbook.md           words, pictures, code and prices
+#     roms/cookbook/book.txt     the text of its window, from the first comment of each recipe
+#     tests/cookbook/table       the results of each recipe, which tests/cli/cookbook.sh compares
+#     docs/images/cookbook       pictures, at the frames in the table (FRAME:STEP), which are preserved
+#     docs/cookbook.md           text, pictures, code and costs
 #
-# `cookbook.sh --book`, `--table` and `--page` print the first, the second and the last.
+# `cookbook.sh --book`, `--table` and `--page` print the first, second and last of them.
 set -eu
 cd "$(dirname "$0")/../.."
 out=${OUT:-build/release}
@@ -60,26 +60,27 @@ price() { # NAME
     awk -v page="$1" -v book="$(book_work)" '$1 == page {
         if ($4) s = s "at most " $4 " bullet" ($4 > 1 ? "s" : "") "; "
         if ($5) s = s "at most " $5 " laser" ($5 > 1 ? "s" : "") "; "
-        printf "%s%.0f units of work a frame, at most %.0f\n", s, $6 - book, $7 - book }' $table | comma
+        printf "%s%.0f units of work per frame, at most %.0f\n", s, $6 - book, $7 - book }' $table | comma
 }
 
 page() {
     cat <<END
 # The cookbook
 
-Small patterns and effects, one a file in [roms/cookbook/recipes](../roms/cookbook/recipes), to look at and to copy.
-\`curtain play roms/cookbook\` shows them: the arrows turn the pages, fire begins one again, and START closes the list,
-so that the arrows fly the ship. \`curtain play roms/cookbook --stage flower\` begins at one, and
-\`curtain render roms/cookbook --stage flower --frames 300 -o out\` makes a picture of it.
+This is a collection of small patterns and effects to look at and copy, one per file in
+[roms/cookbook/recipes](../roms/cookbook/recipes). \`curtain play roms/cookbook\` shows them: the arrow keys turn the
+pages, fire restarts a recipe, and START closes the list so that the arrows fly the ship.
+\`curtain play roms/cookbook --stage flower\` starts at one recipe, and
+\`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
 
-A file returns a task: \`f(e, p)\`, of an enemy \`e\`, with the player \`p\`. Some return a table with that task as
-\`run\`, and \`ship\` or others besides; what they fire and who flies stands in
-[kinds.lua](../roms/cookbook/kinds.lua). [The guide](README.md) explains what they are written in.
+A file returns a task \`f(e, p)\` with an enemy \`e\` and the player \`p\`. Some files return a table with that task as
+\`run\`, and other fields such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines the kinds that recipes fire and
+the ships that fly. [The guide](README.md) explains the API.
 
-Below each is what it comes to in its first $frames frames: bullets and lasers at most at a time, and how much work it
-is in a frame, on average and at most. A unit is about one instruction of Lua, and a call of the engine is 100 or more;
-a frame may have 200,000,000. What flies, hits and is drawn comes on top:
-[The guide](guide/21-capacities.md) has the prices. \`make cookbook\` writes this page.
+The line below each recipe shows its cost over the first $frames frames: the maximum number of bullets and lasers at once,
+and the work per frame, on average and at most. A unit is about one Lua instruction, and a call of the engine costs 100
+or more; a frame may use 200,000,000. Flying, hits and drawing cost extra:
+[the guide](guide/21-capacities.md) lists the costs. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do
         if [ "$what" = chapter ]; then

@@ -1,5 +1,5 @@
--- amulets.lua - Homing amulets: they fan out, slow down, and then turn towards the player by at
--- most two degrees a frame for two seconds. That is few enough to be led past: fly aside late.
+-- amulets.lua - Homing amulets: They fan out, slow down, and home at the player for two seconds,
+-- by at most two degrees per frame. That is little enough to sidestep: move late.
 local seek = motion.def { { speed = 1.2, over = 25 }, { home = 2, over = 110 },
                           { accel = 0.02, over = 60 } }
 

@@ -1,6 +1,5 @@
--- atom.lua - An atom: three ellipses through one middle, tilted by 60 degrees against each other,
--- and a slow ring for the nucleus. Each figure keeps its shape while it grows, so the whole one
--- does.
+-- atom.lua - Atom: Three ellipses with a common centre are tilted by 60 degrees, and a slow ring
+-- is the nucleus. Each figure keeps its shape while it grows, so the whole atom does too.
 return function(e)
   for k = 0, forever do
     for i = 0, 2 do

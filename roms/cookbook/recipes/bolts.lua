@@ -1,5 +1,5 @@
--- bolts.lua - Bolts that bounce: short lasers leave in a fan and are thrown back three times by the
--- sides. They grow out of where they are fired, and hit with all of their length.
+-- bolts.lua - Bouncing bolts: Short lasers leave in a fan and bounce off the sides three times.
+-- They grow out of their origin and hit with their whole length.
 local banks = motion.def { { bounce = 3, walls = "left right", { bank = 2 } } }
 
 return function(e)

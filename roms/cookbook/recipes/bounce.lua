@@ -1,6 +1,5 @@
--- bounce.lua - Bounce once: the sides and the top throw each bullet back a single time, to the
--- exact place, and it changes its colour there. So a green bullet will still turn and a gold one
--- flies away.
+-- bounce.lua - Bounce once: The sides and the top reflect each bullet once, at the exact position,
+-- and change its colour. A green bullet will still bounce; a gold one flies away.
 local once = motion.def { { bounce = 1, walls = "left right top", { bank = 3 } } }
 
 return function(e)

@@ -1,5 +1,6 @@
--- butterfly.lua - A butterfly: arcs to both sides whose bullets turn back, the outer ones more
--- slowly, so that wings open and fold. One program for the left wing, one for the right.
+-- butterfly.lua - Butterfly: Arcs to both sides have bullets that turn back, the outer ones more
+-- slowly, so the wings open and fold. The left wing has one motion program, the right wing
+-- another.
 local wing = { [-1] = motion.def { { turn = -1.4, over = 90 }, { accel = 0.02, over = 60 } },
                [1] = motion.def { { turn = 1.4, over = 90 }, { accel = 0.02, over = 60 } } }
 

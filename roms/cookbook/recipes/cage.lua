@@ -1,5 +1,5 @@
--- cage.lua - Laser cage: bars close in on both sides of the player and stay, and what comes between
--- them is aimed. The warning lasts for a second: who does not like the cage may leave it.
+-- cage.lua - Laser cage: Bars close in on both sides of the player and stay, with aimed bullets
+-- between them. The warning lasts a second, time enough to leave the cage.
 return function(e, p)
   while true do
     local x = p.x

@@ -1,5 +1,5 @@
--- cancel.lua - Bullets into items: when the time is up, all bullets turn into stars where they
--- stand, and the stars fly to the player. One clear with items does it; score is what they give.
+-- cancel.lua - Bullets into items: When time is up, all bullets turn into stars on the spot, and
+-- the stars fly to the player. One clear with items does it; each star gives score.
 item.def("credit", { sprite = "shard", bank = 3, radius = 10, gives = { score = 10 },
                      gravity = 0.02, top = 1 })
 

@@ -1,6 +1,5 @@
--- clock.lua - A clock: two hands of light that never stop, the long one twelve times as fast, and
--- bullets strike the hours between them. The hands hold forever; they go with the enemy they
--- follow.
+-- clock.lua - Clock: Two hands of light never stop, the long one twelve times as fast, and bullets
+-- strike the hours between them. The hands last until the enemy they follow dies.
 return function(e)
   e:move { x = 120, y = 140, over = 60, ease = "both" }
   wait(60)

@@ -1,5 +1,5 @@
--- counter.lua - Two spirals: against each other, one turns right and one left, with another step,
--- so their crossings wander and make a lace that never repeats soon. Two tasks are all it takes.
+-- counter.lua - Two spirals: One turns right and one turns left with a different step, so their
+-- crossings wander and form a lace that takes long to repeat. Two tasks are enough.
 local function arms(e, bank, step)
   pattern.spiral { from = e, kind = "petal", bank = bank, n = forever, arms = 5, step = step,
                    every = 6, speed = 1.5 }

@@ -1,6 +1,5 @@
--- crossfire.lua - Cross fire: fans from two corners weave a lattice of diamonds, whose holes are
--- where the player goes. Both corners fire in the same frame and with the same fan, mirrored, so
--- the holes are exact.
+-- crossfire.lua - Crossfire: Fans from two corners weave a lattice of diamonds; the player flies
+-- through its holes. Both corners fire mirrored fans in the same frame, so the holes are exact.
 return function()
   for k = 0, forever do
     for i = 0, 4 do

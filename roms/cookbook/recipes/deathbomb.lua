@@ -1,5 +1,5 @@
--- deathbomb.lua - The last moment: twelve frames after a hit in which the bomb button still saves
--- the ship. The field turns red so that it is seen; who is late dies, and bullets near the ship go.
+-- deathbomb.lua - Deathbomb: For twelve frames after a hit, the bomb button still saves the ship.
+-- The field turns red to show it. Too late, the ship dies, and the bullets near it are cleared.
 bomb.def("rescue", { over = 60, safe = 120, run = function(p)
   screen.flash { over = 20 }
   bullet.sweep { from = p, radius_to = 300, over = 40, spark = "glint" }

@@ -1,6 +1,6 @@
--- difficulty.lua - By difficulty: one pattern, and its numbers say for whom. by_difficulty takes
--- the value of the difficulty that is played, or of the nearest easier one. Here it changes as you
--- look.
+-- difficulty.lua - By difficulty: One pattern has numbers for each difficulty. by_difficulty
+-- returns the value of the current difficulty or of the nearest easier one. This page cycles
+-- through them.
 local function volley(e)
   local n = by_difficulty { easy = 7, normal = 13, hard = 21 }
   local lines = by_difficulty { easy = 1, hard = 3 }

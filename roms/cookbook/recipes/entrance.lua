@@ -1,6 +1,6 @@
--- entrance.lua - An entrance: a warning band before the boss, a second in which she cannot be hurt
--- and three in which she hardly can, and with her spell a portrait that crosses the field. All of
--- it are settings of boss.def.
+-- entrance.lua - Entrance: A warning band announces the boss. She is invulnerable for a second and
+-- nearly so for three, and a portrait crosses the field with her spell. All of it is options of
+-- boss.def.
 local function bloom(e)
   for k = 0, forever do
     pattern.rose { from = e, kind = "petal", bank = 7 - k % 2 * 6, n = 48, petals = 6, dir = 15 * k,

@@ -1,5 +1,5 @@
--- escorts.lua - Escorts: wisps that circle a jelly which wanders by chance in a box. They begin on
--- the circle where they are, keep to it as it moves, and fire outwards in turn.
+-- escorts.lua - Escorts: Wisps circle a jelly that wanders randomly in a box. They spiral out to
+-- their circle, follow it as it moves, and fire outwards one after the other.
 local function escort(me, around, i)
   me:orbit { around = around, radius = 20, radius_to = 48, spin = 2.4, dir = 90 * i, over = 60 }
   wait(60)

@@ -1,6 +1,5 @@
--- familiars.lua - Familiars: six bullets that circle their owner, at a distance that breathes, and
--- fire outwards. Each has a task of its own, which ends with it; when the owner dies the orbit is
--- over, and so are they.
+-- familiars.lua - Familiars: Six bullets orbit their owner at a pulsing distance and fire
+-- outwards. Each has its own task, which ends with the bullet; when the owner dies, they die too.
 local round = motion.def { { orbit = 0, radius_to = 46, spin = 2, over = 40 },
   { loop = 99, { orbit = 46, radius_to = 26, spin = 2, over = 60 },
     { orbit = 26, radius_to = 46, spin = 2, over = 60 } }, { die = true } }

@@ -1,6 +1,6 @@
--- fortress.lua - A boss of parts: four turrets that stay with the body, each with hp, a shape and a
--- task of its own. A third of what they take goes on to the body, which takes none until all are
--- gone.
+-- fortress.lua - Boss with parts: Four turrets move with the body, each with its own hp, shape and
+-- task. A third of their damage passes to the body, which is invulnerable until all turrets are
+-- destroyed.
 enemy.def("turret", { sprite = "wisp", hit = { circle = 10 }, hp = 30, score = 500, bank = 1,
                       spark = "glint", blink = 4, run = function(e)
   wait(rng.int(30, 90))

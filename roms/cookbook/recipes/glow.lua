@@ -1,5 +1,5 @@
--- glow.lua - Bullets of light: with blend = "glow" a picture adds its colours to what lies under
--- it, so where bullets cross it is brightest. rom.lua declares the blend; the kind asks for it.
+-- glow.lua - Bullets of light: With blend = "glow" a sprite adds its colours to the pixels below,
+-- so crossings are brightest. rom.lua declares the blend, and the kind uses it.
 bullet.def("ember", { sprite = "ember", hit = { circle = 5 }, blend = "glow" })
 
 return function(e)

@@ -1,5 +1,5 @@
--- gravity.lua - Gravity well: a mass bends every bullet that comes near it. A task looks at those
--- close to it only, each frame, and adds to their speed; who flies far round it is not asked.
+-- gravity.lua - Gravity well: A mass bends every bullet that comes near it. Each frame a task
+-- looks only at the bullets close to it and changes their velocity; distant bullets cost nothing.
 return function(e)
   local well = sprite.put { sprite = "lamp", x = 120, y = 170, layer = "back", bank = 6,
                             blend = "glow" }

@@ -1,5 +1,5 @@
--- heart.lua - A heart: rows of signs, a bullet each. It pulses as its bullets are told to stand and
--- go by their tag, all with one line each.
+-- heart.lua - Heart: Rows of characters place one bullet each. The heart pulses because one line
+-- stops and one line releases all bullets with its tag.
 local heart = [[
   .##...##.
   ####.####

@@ -1,5 +1,5 @@
--- hit_stop.lua - Hit-stop: when a big one dies, the field stands for eight frames, the picture
--- shakes, and only then it bursts. Tasks of the field stand too, so nothing has to be told to wait.
+-- hit_stop.lua - Hit-stop: When a big enemy dies, the field freezes for eight frames and the
+-- picture shakes before it bursts. Tasks of the field freeze too, so no script has to wait.
 enemy.def("heavy", { sprite = "jelly", hit = { box = { 28, 26 } }, hp = 24, score = 2000, blink = 4,
   on_death = function(e)
     board.stop(8)

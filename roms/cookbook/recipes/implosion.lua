@@ -1,6 +1,5 @@
--- implosion.lua - Implosion: bullets come from all round to one place, pass through it, and open
--- again on the other side. They are told to lie on a ring and to fly inwards; nothing else is
--- needed.
+-- implosion.lua - Implosion: Bullets converge on one point from all sides, pass through it and
+-- open again on the other side. They only need to start on a ring and fly inwards.
 return function()
   for k = 0, forever do
     local x, y = 120 + 40 * angle.cos(90 * k), 130 + 30 * angle.sin(90 * k)

@@ -1,5 +1,5 @@
--- lanterns.lua - Lanterns to shoot: lanterns have hp, stop shots, and burst into an aimed ring when
--- they are shot down; left alone they only drift. So it is the player who says when and where.
+-- lanterns.lua - Lanterns to shoot: Lanterns have hp, stop shots, and burst into an aimed ring
+-- when shot down; left alone they only drift. So the player decides when and where they burst.
 local function burst(b)
   pattern.ring { kind = "rice", bank = 3, x = b.x, y = b.y, n = 14, aim = true, speed = 1.5 }
 end

@@ -1,6 +1,5 @@
--- laser_shot.lua - A player's laser: a beam that follows the ship while fire is held and fades when
--- it is let go, or the ship is hit. A laser kind with damage hurts enemies, every few frames, and
--- nobody else.
+-- laser_shot.lua - Player laser: A beam follows the ship while fire is held, and fades when fire
+-- is released or the ship is hit. A laser kind with damage hurts only enemies, every few frames.
 laser.def("lance", { strip = "ray", width = 10, hit = { share = 1 }, damage = 2, every = 4,
                      bank = 4 })
 

@@ -1,5 +1,5 @@
--- mirror.lua - Mirror: one fires, and its image on the other side fires the same mirrored. A
--- pattern that is fired through a function of its own can be turned over in one place.
+-- mirror.lua - Mirror: One side fires, and its mirror image fires the same pattern flipped. A
+-- pattern that fires through its own function can be mirrored in one place.
 local function both(a)
   bullet.fire(a)
   a.x, a.dir, a.bank = 240 - a.x, 180 - a.dir, 7

@@ -1,6 +1,6 @@
--- options.lua - Options: what flies with the ship, as many as its power says; spread wide, and
--- close together in front of it while focus is held. Where they stand is data; what they fire is
--- their task.
+-- options.lua - Options: Options accompany the ship; their number depends on its power. They
+-- spread wide, and close in front of it while focus is held. Their positions are data, and their
+-- task fires.
 option.def("bead", { sprite = "bead", run = function(o)
   while true do
     if pad.down("fire", o.by) then shot.fire { kind = "dart", from = o, dy = -8, speed = 9 } end

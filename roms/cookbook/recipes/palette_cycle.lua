@@ -1,6 +1,5 @@
--- palette_cycle.lua - Palette cycle: twelve colours of one bank rotate, and everything drawn in it
--- shimmers without a script. Then the field darkens to dusk and comes back: a fade of the colours
--- alone.
+-- palette_cycle.lua - Palette cycle: Twelve colours of a bank rotate, so everything drawn with it
+-- shimmers without a script. Then the field fades to dusk and back by changing colours only.
 return function(e)
   palette.cycle { first = 16 * 7 + 3, last = 16 * 7 + 14, every = 3 }
   for k = 0, forever do

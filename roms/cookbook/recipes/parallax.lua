@@ -1,5 +1,5 @@
--- parallax.lua - Parallax: a sea below, cloud shadows that only darken it, and clouds above, each
--- at its own speed. The lines of the sea sway, which no picture had to be drawn for.
+-- parallax.lua - Parallax: A sea below, cloud shadows that darken it, and clouds above, each with
+-- its own scroll speed. The lines of the sea sway without any extra pictures.
 bg.def("coast", function()
   local sea, shadow, cloud = bg.layer(1), bg.layer(2), bg.layer(3)
   sea.map, sea.bank, sea.vy = "sea", 9, 0.5

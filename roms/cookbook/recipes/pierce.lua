@@ -1,5 +1,6 @@
--- pierce.lua - A spear that goes through: it hits up to three enemies in its way, each again after
--- six frames, and is spent then. Its kind says so; what it hurts blinks and blocks nothing.
+-- pierce.lua - Piercing spear: It hits up to three enemies on its path, each again after six
+-- frames, and is then used up. Its kind declares this; an enemy it hits blinks and does not block
+-- it.
 shot.def("spear", { sprite = "dart", hit = { capsule = { 8, 3 } }, damage = 4, turns = true,
                     bank = 2, pierce = 3, every = 6 })
 

@@ -1,5 +1,6 @@
--- pinwheel.lua - Pinwheel: bullets circle the enemy while their distance grows, and are let go one
--- after the other, along their circle. orbit leads them; after it they fly on as they flew.
+-- pinwheel.lua - Pinwheel: Bullets circle the enemy at a growing distance and are released one
+-- after the other along the tangent. The step orbit leads them; afterwards they keep their
+-- velocity.
 local wind_up = motion.def { { orbit = 0, radius_to = 60, spin = 5, over = 50 },
                              { speed = 1.4, over = 20 } }
 

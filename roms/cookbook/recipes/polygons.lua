@@ -1,5 +1,5 @@
--- polygons.lua - Polygons: triangle, square, pentagon and hexagon, each with a side more, open
--- inside each other and keep their straight sides. Every second set is turned by half a corner.
+-- polygons.lua - Polygons: A triangle, square, pentagon and hexagon open inside each other and
+-- keep their straight sides. Every second set is rotated by half a corner.
 return function(e)
   for k = 0, forever do
     for sides = 3, 6 do

@@ -1,5 +1,5 @@
--- rain.lua - Rain: rows of drops fall with a wind that swings. All of a row have one direction, so
--- there is always a lane to follow; chance only says where in the row each of them starts.
+-- rain.lua - Rain: Rows of drops fall in a swinging wind. All drops of a row share one direction,
+-- so there is always a lane to follow; only their start positions in the row are random.
 return function()
   for k = 0, forever do
     local wind = 18 * angle.sin(1.5 * k)

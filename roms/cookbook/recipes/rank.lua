@@ -1,6 +1,5 @@
--- rank.lua - Rank: a register of the ship that rises while it grazes and is not hit, and falls when
--- it is. What is fired asks it for its number and its speed, so the game follows how well it is
--- played.
+-- rank.lua - Rank: A register of the ship rises with grazing and survival and falls with each hit.
+-- Patterns read their number and speed from it, so the game adapts to the player's skill.
 player.def("ranked", { sprite = "ship", hit = { circle = 2 }, graze = 24,
                        registers = { rank = { start = 20, max = 100, show = "bar" } } })
 

@@ -1,5 +1,5 @@
--- red_blue.lua - Red ends blue: bullets of two tags that meet take each other away. Both fountains
--- cover the field; where they meet, a calm line comes to be, which goes where the weaker one is.
+-- red_blue.lua - Red cancels blue: Bullets of two tags cancel each other when they meet. Both
+-- fountains cover the field; a calm line forms between them and moves towards the weaker one.
 bullet.meet("red", "blue", { clear = "both", spark = "glint" })
 
 return function()

@@ -1,6 +1,6 @@
--- reflect.lua - Turned round: shots out of bullets. A parry button opens a bubble for a third of a
--- second, and what is in it flies back as shots. A bullet is removed and a shot of the same
--- direction, turned round, takes its place.
+-- reflect.lua - Reflection: A parry button opens a bubble for a third of a second and turns the
+-- bullets in it into shots. Each bullet is removed and replaced by a shot in the opposite
+-- direction.
 shot.def("returned", { sprite = "orb", hit = { circle = 4 }, damage = 1, bank = 4 })
 
 local function parry(p)

@@ -1,6 +1,5 @@
--- revenge.lua - Revenge bullets: a wisp that is shot down answers with an aimed fan; one that dies
--- close to the ship does not, so courage pays. on_death belongs to the kind, and the distance is
--- asked with a query.
+-- revenge.lua - Revenge bullets: A wisp that is shot down answers with an aimed fan, unless it
+-- dies close to the ship, so courage pays. The kind has on_death, and a query checks the distance.
 enemy.def("avenger", { sprite = "wisp", hit = { box = { 16, 16 } }, hp = 4, score = 100,
                        spark = "glint", bank = 1,
   on_death = function(e)

@@ -1,5 +1,5 @@
--- shield.lua - A shield: six leaves circle the ship and eat the bullets they touch. They are
--- bullets that hurt nobody, led round the player, and bullet.meet says what becomes of what they
+-- shield.lua - Shield: Six leaves circle the ship and absorb the bullets they touch. They are
+-- harmless bullets that orbit the player; bullet.meet decides what happens to the bullets they
 -- meet.
 bullet.def("leaf", { sprite = "petal", hit = { circle = 7 }, turns = true, bank = 4,
                      harmless = true, clearable = false })

@@ -1,6 +1,5 @@
--- shower.lua - A shower of items: what a wisp drops flies up in an arc and falls; near the ship it
--- comes by itself, and above the collect line all of it comes. Points are worth more the higher the
--- ship is.
+-- shower.lua - Shower of items: Items from a wisp rise in an arc and fall. Near the ship they fly
+-- to it; above the collect line all of them do. They are worth more points the higher the ship is.
 item.def("coin", { sprite = "point", bank = 3, radius = 10, gives = { score = { 100, 1000 } } })
 item.def("gem",  { sprite = "shard", bank = 5, radius = 9, gives = { score = 50 }, gravity = 0.03,
                    top = 1.4 })

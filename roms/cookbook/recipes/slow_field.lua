@@ -1,6 +1,6 @@
--- slow_field.lua - A slow field: what flies into the bubble goes at a third of its speed, what
--- leaves it gets it back. The bullets inside have another tag, so each is slowed once, and only
--- those few are asked whether they left.
+-- slow_field.lua - Slow field: Bullets in the bubble fly at a third of their speed and regain it
+-- when they leave. Bullets inside have another tag, so each is slowed once and only they are
+-- checked for leaving.
 local X, Y, R <const> = 120, 200, 64
 
 local function hold_up()

@@ -1,5 +1,5 @@
--- snow.lua - Snow: every flake sways by its own width and in its own time, which are declared
--- values. Chance is drawn when they are fired; the program stays one for all.
+-- snow.lua - Snow: Every flake sways with its own width and timing, which are declared values.
+-- They are random when it is fired; one motion program serves all flakes.
 value.def("sway")
 value.def("period")
 local drift = motion.def { { wave = "sway", every = "period", over = forever } }

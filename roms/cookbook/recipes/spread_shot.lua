@@ -1,5 +1,5 @@
--- spread_shot.lua - A spread shot: seven darts over a wide fan, three close together while focus is
--- held. fire = "shot" makes any pattern one of shots; by says whose they are.
+-- spread_shot.lua - Spread shot: Seven darts in a wide fan, three close together while focus is
+-- held. With fire = "shot" any pattern fires shots; by names their owner.
 player.def("fan", { sprite = "ship", hit = { circle = 2 }, run = function(p)
   while true do
     if pad.down("fire", p) then

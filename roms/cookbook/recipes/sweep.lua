@@ -1,5 +1,5 @@
--- sweep.lua - A sweeping laser: two beams warn as dotted lines, open, and close like a pair of
--- scissors. They follow the enemy, spin only once they are on, and leave a way out below.
+-- sweep.lua - Sweeping laser: Two beams warn with dotted lines, open, and close like a pair of
+-- scissors. They follow the enemy, rotate only after the warning, and leave an exit below.
 return function(e)
   for k = 0, forever do
     for side = -1, 1, 2 do

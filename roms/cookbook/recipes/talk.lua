@@ -1,6 +1,6 @@
--- talk.lua - A talk: before the fight. Who speaks has a name and faces, a line of talk is a line of
--- the script, and choose asks. Fire goes on, special held skips; the answer chooses the phase's
--- pace.
+-- talk.lua - Dialogue: Talk before the fight. Speakers have names and faces, a line of dialogue is
+-- a line of script, and choose asks a question. Fire continues, holding special skips; the answer
+-- sets the pace of the phase.
 talk.def("heron", { name = "Heron", faces = { calm = "ship_200" }, bank = 0 })
 talk.def("jelly", { name = "Old Jelly", faces = { calm = "jelly_200" }, side = "right" })
 local pace = 40

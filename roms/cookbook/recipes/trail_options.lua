@@ -1,6 +1,6 @@
--- trail_options.lua - A tail of options: four that follow the ship's own way, frames apart, and
--- stand when it stands. They fire to the side they fly on, so the player draws the pattern of the
--- shots.
+-- trail_options.lua - Trailing options: Four options follow the ship's path, some frames apart,
+-- and stop when it stops. Each fires at its own angle, so the player's path draws the shot
+-- pattern.
 option.def("tail", { sprite = "bead", bank = 4, run = function(o)
   while true do
     if pad.down("fire", o.by) then

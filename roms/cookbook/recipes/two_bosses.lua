@@ -1,5 +1,6 @@
--- two_bosses.lua - A duel with two: a cast of a boss, with a bar each. Iris throws nets, Opal
--- needles through them; who has lost her bar stops, and the phase is over when both have.
+-- two_bosses.lua - Duel with two: A cast of two bosses, each with its own bar. Iris throws nets,
+-- and Opal fires needles through them. A boss with an empty bar stops; the phase ends when both
+-- are empty.
 local function nets(e)
   for k = 0, forever do
     pattern.ring { from = e, kind = "orb", bank = 7, n = 22, dir = 8 * k, speed = 1.3 }

@@ -1,6 +1,5 @@
--- wall.lua - A moving gap: a wall of rows right across, each without four of its bullets, and the
--- hole goes to and fro by one place a row. skip counts from the right end, for a line that flies
--- down.
+-- wall.lua - Moving gap: Full-width rows leave out four bullets each, and the gap moves by one
+-- place per row, left and right. In a line that flies down, skip counts from the right end.
 return function()
   for k = 0, forever do
     local at = math.abs(k % 28 - 14) + 3

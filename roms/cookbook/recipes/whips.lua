@@ -1,6 +1,5 @@
--- whips.lua - Whips: two stacks that bend, from the left and from the right, aimed at the player
--- from both sides. The slow bullets of a whip stand for its handle and the fast ones for its tip,
--- so it cracks as it comes.
+-- whips.lua - Whips: Two bent stacks fly from the left and the right, aimed at the player. The
+-- slow bullets of a whip are its handle and the fast ones its tip, so it cracks on arrival.
 return function(e)
   for k = 0, forever do
     local side = k % 2 == 0 and 1 or -1
