@@ -335,9 +335,9 @@ class Piece:
         self.row = [("key", d.key), ("tempo", f"{d.tempo:g}"), ("bars", str(self.n_bars)),
                     ("seconds", f"{seconds:.1f}"),
                     ("in the scale", percent(scale)), ("bass on chords", percent(bass)), ("on roots", percent(roots)),
-                    ("harmony", percent(harmony)), ("melody", percent(strong)), ("rubs", percent(clashes)),
+                    ("harmony", percent(harmony)), ("melody", percent(strong)), ("clashes", percent(clashes)),
                     ("steps", percent(steps)), ("leap", str(leap)), ("range", str(wide)), ("rests", f"{rest:.1f}"),
-                    ("sings", percent(sings)), ("again", percent(again)), ("sections", str(sections))]
+                    ("sounding", percent(sings)), ("repeated", percent(again)), ("sections", str(sections))]
 
     def likeness(self):
         chords = tuple((frozenset(t), b) for _, _, t, b in self.spans)
@@ -430,7 +430,7 @@ def flaws(name, samples):
         faults.append(f"{name}: {100 * curve:.1f} % of it is in the limiter's curve, {100 * ROUND:g} % at most")
     if dc > DC:
         faults.append(f"{name}: its mean is {dc:.4f}, {DC:g} at most")
-    return [("peak, dB", f"{decibels(peak):.1f}"), ("in the limiter's curve", f"{100 * curve:.2f} %"),
+    return [("peak, dB", f"{decibels(peak):.1f}"), ("in limiter curve", f"{100 * curve:.2f} %"),
             ("mean", f"{dc:.6f}")], faults
 
 
@@ -442,7 +442,7 @@ def check_loop(curtain, game, name, tune):
     if 2 * at + 2 * 192000 > len(samples):
         return [], [f"{name}: expected its loop within 116 seconds, got {at / 48000:.1f}"]
     here, near = click(samples, at)
-    return [("bend at the loop", f"{here} of {near}")], [
+    return [("second difference at the loop", f"{here} of {near}")], [
         f"{name}: a click where it repeats: second difference {here}, {near} around it"] if here > near else []
 
 
@@ -453,7 +453,7 @@ def level(curtain, game, name):
         samples, loud = render(curtain, game, name, folder)
     flat, faults = flaws(name, samples)
     looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
-    row = [("LUFS", f"{loud:.1f}")] + flat + (looped or [("bend at the loop", "-")])
+    row = [("LUFS", f"{loud:.1f}")] + flat + (looped or [("second difference at the loop", "-")])
     return row, faults + clicks, loud
 
 
@@ -504,19 +504,20 @@ def check_sounds(curtain, game, names):
 
 PAGE = """# The music of Glass Tide
 
-Made by `tools/music.py --page roms/glasstide >docs/measured/music.md`; [music.sh](../../tests/cli/music.sh) checks it.
+`tools/music.py --page roms/glasstide >docs/measured/music.md` writes this page; [music.sh](../../tests/cli/music.sh)
+checks it.
 
-{count} pieces and {sounds} sounds, all of them MML: [music](../../{game}/music) and
-[sfx](../../{game}/sfx). One motif goes through all pieces, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
+{count} pieces and {sounds} sounds, all written in MML: [music](../../{game}/music) and
+[sfx](../../{game}/sfx). All pieces share one motif, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
 falls back, and rises less.
 
-| piece | title | where | key | tempo | form, and bars | seconds |
+| piece | title | used for | key | tempo | form and bars | seconds |
 |---|---|---|---|---|---|---|
 {pieces}
 
-## What is declared, and checked
+## Declarations and checks
 
-Beside its notes a piece says in comments what they are meant to be:
+Comments in a piece declare the intended music:
 
 ```
 ;= key D minor
@@ -527,51 +528,51 @@ Beside its notes a piece says in comments what they are meant to be:
 ;= A      Dm9 | Fmaj7/A | Bbmaj7 | C
 ```
 
-`form` names sections, and a line of each section's name has its chords, a bar between `|`, a bar of two chords in
-halves, `%` for the bar before again; `A'` without a line of its own has those of `A`. Keys are major, minor, harmonic
-minor, melodic minor, dorian, phrygian, lydian and mixolydian. `tools/music.py GAME` asks the packer for the notes
-(`curtain sound GAME NAME --notes`) and compares them:
+`form` lists the sections. For each section, a line with its name has the chords: `|` separates bars, two chords share a
+bar in halves, and `%` repeats the previous bar. `A'` without its own line has the chords of `A`. Keys are major, minor,
+harmonic minor, melodic minor, dorian, phrygian, lydian and mixolydian. `tools/music.py GAME` reads the notes from the
+packer (`curtain sound GAME NAME --notes`) and compares them:
 
-| | asked for |
+| | required |
 |---|---|
 {rules}
 
-A piece that loops lasts {long:g} seconds at least before it does, and its loop begins with a section; one that ends
-lasts {short[0]:g} to {short[1]:g}. No two pieces have key, tempo and chords in common.
+A looping piece lasts at least {long:g} seconds before it loops, and its loop starts with a section. A piece that ends lasts
+{short[0]:g} to {short[1]:g} seconds. No two pieces share key, tempo and chords.
 
 {notes}
 
 ## Levels
 
-Loudness is that of ITU-R BS.1770 as `curtain sound` prints it, {spread:g} LU apart at most. The peak is {peak:g} dB at
-most, {round:g} % at most is in the limiter's curve, the mean {dc:g} of full scale at most. Where a piece repeats it is
-rendered without its drums: its second difference within a hundredth of a second of that place is compared with the
-largest in four seconds around it.
+Loudness follows ITU-R BS.1770, as printed by `curtain sound`; pieces differ by at most {spread:g} LU. The peak is at
+most {peak:g} dB, at most {round:g} % of the samples are in the limiter's curve, and the mean is at most {dc:g} of full scale.
+To check the loop point, the piece is rendered without drums: its second difference within 10 ms of that point is
+compared with the largest in the four seconds around it.
 
 {levels}
 
 ## Sounds
 
-Of each, up to where it stays below -60 dB; the loudest is the root mean square of its loudest twentieth of a second.
+Each sound is measured until it stays below -60 dB. *Loudest* is the root mean square of its loudest 50 ms.
 
 {heard}
 
-## What it costs
+## Cost
 
 {cost}
 """
 
 RULES = (
     ("notes of melody, second part, harmony and bass in the scale", IN_SCALE),
-    ("bass on tones of the chord", BASS_FITS),
-    ("chords that the bass begins with their root, or the note behind `/`", ROOTS),
-    ("harmony on tones of the chord", HARMONY_FITS),
-    ("melody's notes on strong beats that are the chord's", STRONG_FITS),
-    ("moves of the melody by a tone at most", STEPS), ("bars in which the melody sounds", SINGS),
+    ("bass on chord tones", BASS_FITS),
+    ("chords that the bass starts with their root or the note after `/`", ROOTS),
+    ("harmony on chord tones", HARMONY_FITS),
+    ("melody notes on strong beats that are chord tones", STRONG_FITS),
+    ("melody moves of at most a whole tone", STEPS), ("bars in which the melody sounds", SINGS),
 )
 LIMITS = (
-    ("long notes of the melody a semitone above the chord", percent(CLASHES) + " at most"),
-    ("bars that are as an earlier one, in all parts or in the melody", percent(REPEATED) + " at most"),
+    ("long melody notes a semitone above a chord tone", percent(CLASHES) + " at most"),
+    ("bars that repeat an earlier one, in all parts or in the melody", percent(REPEATED) + " at most"),
     ("the melody's longest rest", f"{RESTS:g} bars at most"),
     ("melody, second part and harmony a semitone apart in one octave", "less than a beat"),
 )
@@ -592,10 +593,10 @@ def about(game, name, where):
     return f"| `{name}` | {title} | {where} | {d.key} | {d.tempo:g} | {form} |"
 
 
-WHERE = {"title": "title", "opening": "what came before", "tide": "stage one", "works": "stage two",
+WHERE = {"title": "title", "opening": "the prologue", "tide": "stage one", "works": "stage two",
          "abyss": "stage three", "caravan": "the caravan", "lantern": "midbosses", "claws": "the Chandelier Crab",
-         "furnace": "Cinder and Quench", "queen": "the Queen", "moon": "the Drowned Moon", "clear": "a game is won",
-         "over": "a game is lost", "ending": "endings", "true_ending": "the last ending", "staff": "the staff roll",
+         "furnace": "Cinder and Quench", "queen": "the Queen", "moon": "the Drowned Moon", "clear": "game won",
+         "over": "game over", "ending": "endings", "true_ending": "the true ending", "staff": "the staff roll",
          "scores": "scores"}
 
 
@@ -616,13 +617,13 @@ def page(curtain, game):
     return bad + worse + worst
 
 
-COST = """In the ROM {music:,} bytes of music and {sounds:,} of sounds.
+COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
-To render the sound of a frame takes 0.68 million instructions in the title, 1.35 million in the stage while a ship
-fires, 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 % of a frame.
-Counted by callgrind as the difference of `curtain render roms/glasstide --press fire --invincible --stage one` with
-`--wav` and without, frames 600 to 1200; `--stage queen/flower`, and nothing but the ROM for the title. It is no part
-of the game: what a run hashes to is the same with and without it."""
+Rendering the sound of a frame takes 0.68 million instructions on the title screen, 1.35 million in a stage while the
+ship fires, and 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 % of
+a frame. callgrind counts them as the difference of `curtain render roms/glasstide --press fire --invincible --stage one`
+with and without `--wav`, frames 600 to 1200; with `--stage queen/flower` for the queen, and with only the ROM for the
+title. Sound is not part of the game state: a run has the same hashes with and without it."""
 
 # ---- the command ----
 

@@ -197,11 +197,12 @@ def page(files, games):
     order = list(dict.fromkeys(key for found in met.values() for key in found))
     told, n = phases(files), 0
     stages = list(dict.fromkeys(key[0] for key in order))
-    yield """# What is fired
+    yield """# Patterns of Glass Tide
 
-Written by `make patterns`: the patterns of *Glass Tide*, stage by stage, as they come. Each has its words from the
-script, and two pictures, of a whole game on normal and of one on abyss, from the frame in which most was about
-(`tests/demos/glasstide`; a bot plays, and is not hit). How patterns are written is in the [cookbook](../cookbook.md).
+`make patterns` writes this page. It shows the patterns of *Glass Tide* stage by stage, in the order of play. Each has
+its comment from the script and two pictures, one from a whole game on normal and one on abyss, at the frame with the
+most objects (`tests/demos/glasstide`; an invincible bot plays). The [cookbook](../cookbook.md) shows how to write
+patterns.
 """
     for stage in stages:
         yield "\n## %s\n" % stage.title()
@@ -219,11 +220,11 @@ script, and two pictures, of a whole game on normal and of one on abyss, from th
                 continue # the mark of a boss: its phases follow
             else:
                 words = said.get("" if kind == "stage" else name, "")
-                head = "Its first waves" if kind == "stage" else name.title()
+                head = "First waves" if kind == "stage" else name.title()
                 yield "**%s**%s\n" % (head, ": " + words if words else "")
             yield pictures(stage, kind, name, shown) + "\n"
             n += 1
-    yield "\n%d of them." % n
+    yield "\n%d patterns." % n
     for d, demo in games.items():
         draw(demo, list(met[d].values()), [file_name(*key, d) for key in met[d]])
 

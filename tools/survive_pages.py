@@ -64,17 +64,17 @@ def harder(easier, more):
     """Why a section at one difficulty is harder than at the next one; as measure_compare of src/cab/survive."""
     good = [one["verdict"] in ("survived", "lasted") for one in (easier, more)]
     if not all(good):
-        return "no way was found there, and one then" if good[1] else ""
+        return "no way was found, then one" if good[1] else ""
     live, live_then, frames, frames_then = lived(easier), lived(more), easier["bots"]["frames"], more["bots"]["frames"]
     a, b = easier["tenths"], more["tenths"]
     if live + 2 < live_then:
-        return "%d of %d bots live, and %d then" % (live, BOTS, live_then)
+        return "%d of %d bots live, then %d" % (live, BOTS, live_then)
     if live <= live_then and frames + frames // 5 + 60 < frames_then:
-        return "bots last %.1f s, and %.1f then" % (frames / 60, frames_then / 60)
+        return "bots last %.1f s, then %.1f" % (frames / 60, frames_then / 60)
     if a["rate"] > b["rate"] * 1.1 + 10 and live <= live_then:
-        return "%d bullets a second, and %d then" % (a["rate"] // 10, b["rate"] // 10)
+        return "%d bullets a second, then %d" % (a["rate"] // 10, b["rate"] // 10)
     if 0 < a["gap"] < b["gap"] - 20 and live <= live_then:
-        return "a narrowest gap of %.1f px, and %.1f then" % (a["gap"] / 10, b["gap"] / 10)
+        return "a narrowest gap of %.1f px, then %.1f" % (a["gap"] / 10, b["gap"] / 10)
     return ""
 
 
@@ -96,28 +96,28 @@ def table(told, sections, difficulties):
 
 def holding(folder, game):
     text = open("%s/%s.verified" % (folder, game)).read()
-    return "%d demos hold." % text.count(": holds,")
+    return "%d demos verified." % text.count(": holds,")
 
 
 def survive_page(folder):
-    yield """# What can be survived
+    yield """# Clearable sections
 
-Written by `make survive`: what `curtain survive` finds in every stage and every phase of a boss of *Glass Tide*, at
-every difficulty, and on every page of the cookbook. [The guide](../guide/28-survive.md) says
-what the columns mean, and what they cannot say. Each run that was found is a demo that `curtain verify` was given;
-those of phases are in `tests/demos/phases`. [game.md](game.md) has the curves.
+`make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase of *Glass Tide*
+at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the columns and
+their limits. Each run found is a demo that passes `curtain verify`; those of phases are in `tests/demos/phases`.
+[game.md](game.md) has the curves.
 
-`gap px` is the width of a ship that could still fly through, as far as that was tried (36 px); `last` is how many
-seconds sixteen simple bots last, on average; `reaction` is in frames.
+`gap px` is the width of the widest ship that still gets through, tested up to 36 px; `last` is the average number of
+seconds that sixteen simple bots last; `reaction` is in frames.
 
 ## Glass Tide
 """
     told, sections, difficulties = read(folder, "glasstide")
     yield from table(told, sections, difficulties)
-    yield "\n%s\n\nWhat is harder where it should be easier:\n" % holding(folder, "glasstide")
+    yield "\n%s\n\nSections that are harder at the easier difficulty:\n" % holding(folder, "glasstide")
     worse = ["* %s: %s is harder than %s: %s" % (section, a, b, why) for section, a, b, one, two in
              pairs(told, sections, difficulties) for why in [harder(one, two)] if why]
-    yield from worse or ["Nothing."]
+    yield from worse or ["None."]
     yield "\n## The cookbook\n"
     yield from table(*read(folder, "cookbook"))
     yield "\n" + holding(folder, "cookbook")
@@ -214,7 +214,7 @@ def lower(told, difficulty, sections, groups, group_of, compared):
     means = [(g, mean(told, [s for s in sections if group_of(s) == g], difficulty)) for g in groups]
     for (g, v), (h, w) in zip(means, means[1:]):
         if w <= v and compared(g, h):
-            yield "%s: `%s` has %.1f on average, and `%s` after it %.1f." % (difficulty, g, v, h, w)
+            yield "%s: `%s` has %.1f on average, then `%s` %.1f." % (difficulty, g, v, h, w)
 
 
 def falls(told, order, difficulties):
@@ -223,7 +223,7 @@ def falls(told, order, difficulties):
     for s in order:
         for a, b in zip(difficulties, difficulties[1:]):
             if rate(told[s][b]) <= rate(told[s][a]):
-                yield "`%s`: %s has %.1f, and %s %.1f." % (s, a, rate(told[s][a]), b, rate(told[s][b]))
+                yield "`%s`: %s has %.1f, but %s %.1f." % (s, a, rate(told[s][a]), b, rate(told[s][b]))
     for parts in (True, False):
         of = [s for s in order if is_part(s) == parts and group(s) not in APART]
         groups, stages = list(dict.fromkeys(group(s) for s in of)), list(dict.fromkeys(order[s] for s in of))
@@ -231,7 +231,7 @@ def falls(told, order, difficulties):
         for d in difficulties:
             for s, t in zip(of, of[1:]):
                 if group(s) == group(t) and rate(told[t][d]) <= rate(told[s][d]):
-                    yield "%s: `%s` has %.1f, and `%s` after it %.1f." % (
+                    yield "%s: `%s` has %.1f, then `%s` %.1f." % (
                         d, s, rate(told[s][d]), t, rate(told[t][d]))
             yield from lower(told, d, of, groups, group, lambda g, h: stage_of[g] == stage_of[h])
             yield from lower(told, d, of, stages, order.get, lambda a, b: True)
@@ -247,20 +247,21 @@ def game_page(folder):
     order = {s: stage for s, stage in in_order(sorted(told)).items() if len(told[s]) == len(difficulties)}
     whole = [s for s in order if group(s) not in APART]
     write("docs/images/game-curve.svg", curve(told, whole, difficulties))
-    yield """# How hard the game is
+    yield """# Difficulty of Glass Tide
 
-Written by `make survive`, with [survive.md](survive.md): *Glass Tide* in the order in which a game meets it, a curve a
-difficulty. Dots on the whole lines are phases of bosses, those on the dotted ones the parts of stages between them.
+`make survive` writes this page together with [survive.md](survive.md). The sections of *Glass Tide* are in the order of
+play, with one curve per difficulty. Dots on solid lines are boss phases; dots on dotted lines are the stage sections
+between them.
 
-![Hits a minute, a curve for each difficulty, over the sections of the game](../images/game-curve.svg)
+![Hits per minute over the sections of the game, one curve per difficulty](../images/game-curve.svg)
 
-**The measure is hits a minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`): eight
-stand somewhere, twelve wander about, twelve dodge with a reaction of a fifth of a second. What hits them costs nothing,
-and for 90 frames nothing more is counted. So it says how much of the field is how often in danger. It is steady, for
-hundreds of hits are in it. Sixteen bots that are out at their first hit, as [survive.md](survive.md) has them, are not:
-they measure a section's first seconds. The narrowest gap says how exact a way must be, but nothing of how often, and
-bullets a second say nothing of where they fly. What the bots cannot say: they neither learn a pattern nor fear it, so
-what is hard to read is easier for them than for you. In brackets are hits a minute of those that dodge.
+**The measure is hits per minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`):
+eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A hit costs nothing, and
+the next 90 frames do not count. So the figure measures how much of the field is in danger, and how often. It is stable,
+because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their first hit, so they
+measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but not how often;
+bullets per second do not measure where they fly. Bots neither learn nor fear a pattern, so a pattern that is hard to
+read is easier for them than for you. Hits per minute of the dodging bots are in parentheses.
 """
     yield "| section |%s" % "".join(" %s |" % d for d in difficulties)
     yield "|---|%s" % ("---:|" * len(difficulties))
@@ -268,13 +269,14 @@ what is hard to read is easier for them than for you. In brackets are hits a min
         yield "| %s |%s" % (s, "".join(" %.1f (%.1f) |" % (rate(told[s][d]), rate(told[s][d], ["dodge"]))
                                        for d in difficulties))
     yield """
-It is to rise: in each section from a difficulty to the next; within a stage from part to part, within a boss from phase
-to phase; by their means from a stage's first boss to its last, and from stage to stage. A stage begins easier than the
-one before it ended. The caravan and the boss rush stand apart, and are to rise with the difficulty alone.
+The figure must rise in each section from one difficulty to the next, within a stage from section to section, and within
+a boss from phase to phase. The averages must rise from a stage's first boss to its last and from stage to stage. A stage
+may start easier than the previous one ended. The caravan and the boss rush are separate and must rise only with the
+difficulty.
 
-**Where it does not:**
+**Exceptions:**
 """
-    yield from ["* " + line for line in falls(told, order, difficulties)] or ["Nowhere."]
+    yield from ["* " + line for line in falls(told, order, difficulties)] or ["None."]
 
 
 if __name__ == "__main__":

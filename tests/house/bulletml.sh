@@ -8,8 +8,8 @@ list=tools/bulletml/documents.list
 
 cat >"$scratch/sections" <<'END'
 Every document
-Begun anew
-What the last bit decides
+Restarted
+Decided by the last bit
 Speed
 Pictures
 END

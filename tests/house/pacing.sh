@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # pacing.sh - docs/measured/pacing.md is a whole page of `make pacing`. What is simulated is computed again and
-# compared; of what it costs the tables are there, for each machine has its own times.
+# compared; the tables of costs only have to exist, because times depend on the machine.
 . "$(dirname "$0")/../tap.sh"
 pacing=$OUT/pacing
 
 mkdir "$scratch/new"
 check "screens and switches are simulated" "$pacing" --exact --out "$scratch/new" screens latency
-simulated() { sed '/^## What it costs/,$d' "$1"; }
+simulated() { sed '/^## Cost/,$d' "$1"; }
 same_figures() { diff -B <(simulated "$1") <(simulated "$scratch/new/pacing.md"); }
 check "docs/measured/pacing.md has these figures" same_figures docs/measured/pacing.md
 sed '0,/| 59.94 Hz | yes | 36,000 |/s//| 59.94 Hz | yes | 35,964 |/' docs/measured/pacing.md >"$scratch/a.md"
@@ -31,7 +31,7 @@ refuse "planted: a screen that makes the game faster" "uneven" even "$scratch/a.
 
 whole() {
     local n
-    n=$(awk '/^## What it costs/ { on = 1 } on && /^\| [0-9]+ x [0-9]+ \|/' "$1" | wc -l)
+    n=$(awk '/^## Cost/ { on = 1 } on && /^\| [0-9]+ x [0-9]+ \|/' "$1" | wc -l)
     [ "$n" = 9 ] || { echo "$n windows"; return 1; }
     grep -q '^| roms/glasstide | ' "$1" && grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`' "$1"
 }

@@ -14,7 +14,7 @@ check "docs/measured/sound has the plots the ear draws" same_plots docs/measured
 plots_hold 3 1 polyline
 
 planted "another alias" "-99.9 dB" '/^| alias of a saw/s/-[0-9.]* dB/-99.9 dB/' same_page
-planted "another click" "167" '/taken by another note/s/168/167/' same_page
+planted "another click" "167" '/stolen by another note/s/168/167/' same_page
 cp -r docs/measured/sound "$scratch/plots"
 sed -i '0,/ [0-9]*\.[0-9],/s// 1.1,/' "$scratch/plots/limiter.svg"
 refuse "planted: another plot" "limiter" same_plots "$scratch/plots"
@@ -36,5 +36,5 @@ without_tails() {
         $(pkg-config --libs lua5.4) -lm -pthread || return 2
     "$scratch/ear" --out "$scratch/new" clicks
 }
-refuse "planted: voices without tails" "does not hold: a voice that is taken" without_tails
+refuse "planted: voices without tails" "does not hold: a stolen voice" without_tails
 finish

@@ -11,15 +11,15 @@ Targets
 The machine
 A boss fight
 The crowd
-What a bullet costs
+Cost per bullet
 Shots against enemies
 Pictures
 Lasers
 All together
 Threads
 The built-in game
-Snapshots and going back
-Playing again
+Snapshots and rewind
+Replay and reload
 Memory
 Sound
 Endless loops

@@ -110,16 +110,15 @@ void section_battle(void)
 
     double us = (samples_median(&ns[0]) - samples_median(&ns[1])) / 1e3;
     report_section("Shots against enemies");
-    report_text(
-        "%s shots at 8 px a frame among %s enemies whose boxes are so large that, of %s pairs a frame, %s touch on "
-        "their way (%s). Each shot that touches hits the nearest, and another is fired in its place. Hits take "
-        "%s µs a frame, without enemies %s: **%s µs** for the pairs. In %s frames every pair was asked anew by "
-        "comparing boxes in doubles, and each shot had hit the enemy it must.",
-        report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),
-        report_count((int64_t)(counted.pairs / counted.frames)),
-        report_count((int64_t)(counted.touching / counted.frames)),
-        report_percent((double)counted.touching / (double)counted.pairs), samples_figure(&ns[0], 1e3),
-        samples_figure(&ns[1], 1e3), report_figure(us), report_count(CHECKED));
+    report_text("%s shots fly at 8 px/frame among %s enemies with boxes so large that of %s pairs per frame %s touch "
+                "(%s). Each shot that touches hits the nearest enemy, and a new shot replaces it. Hits take %s µs per "
+                "frame, and %s without enemies: **%s µs** for the pairs. In %s frames every pair was checked again by "
+                "comparing boxes in doubles, and each shot had hit the right enemy.",
+                report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),
+                report_count((int64_t)(counted.pairs / counted.frames)),
+                report_count((int64_t)(counted.touching / counted.frames)),
+                report_percent((double)counted.touching / (double)counted.pairs), samples_figure(&ns[0], 1e3),
+                samples_figure(&ns[1], 1e3), report_figure(us), report_count(CHECKED));
     bench_claim(counted.shots == (uint64_t)SHOTS * counted.frames ? NULL : "there are too few shots", "the battle");
     bench_target("512 shots against 256 enemies, a tenth of the pairs overlapping", "12 µs",
                  report_string("%s µs", report_figure(us)), us < 12);

@@ -14,8 +14,8 @@ static const int sizes[SIZES] = { 3000, 10000, 30000 };
 static const struct left_out {
     const char *dip, *what;
 } LEFT_OUT[] = {
-    { "no_scenery", "two layers of tiles that scroll" },
-    { "no_lasers", "8 beams that turn, 220 px long and 8 wide" },
+    { "no_scenery", "two scrolling tile layers" },
+    { "no_lasers", "8 rotating beams, 220 px long and 8 px wide" },
     { "no_items", "64 items of 12 px" },
     { "no_sparks", "300 sparks of 12 px" },
 };
@@ -113,7 +113,8 @@ static void parts(void)
         for (int i = -1; i < LEFT_OUTS; i++)
             for (int k = 0; k < FRAMES; k++)
                 frame(i < 0 ? &whole : &without[i], k > 0);
-    report_text("What is in it beside bullets: microseconds of %s live beyond the same fight without it.",
+    report_text("Cost of the parts other than bullets: microseconds with %s live bullets beyond the same fight without "
+                "the part.",
                 report_count(whole.live / whole.frame.n));
     report_table(NULL, "part | tick> | draw>");
     for (int i = 0; i < LEFT_OUTS; i++)
@@ -137,10 +138,10 @@ void section_boss(void)
                 frame(&fights[i], k > 0); /* the first fetches its board into the caches */
     }
     report_section("A boss fight");
-    report_text("Microseconds a frame of a fight as games have them: rings of 20 to 200 bullets of 8 to 16 px, four of "
-                "five turned, one of five blended, two of five running a program that turns or drives; a boss, 300 "
-                "sparks, 8 lasers that turn, 64 items, two layers of tiles, a row of text, on 320x240 px. The player "
-                "flies about among it. Live bullets stand in front.");
+    report_text("Microseconds per frame of a typical boss fight: rings of 20 to 200 bullets of 8 to 16 px, of which "
+                "four in five are rotated, one in five is blended and two in five run a motion program that turns or "
+                "accelerates; a boss, 300 sparks, 8 rotating lasers, 64 items, two tile layers and a row of text, on "
+                "320x240 px. The player flies around among them. The first column is the number of live bullets.");
     report_table(NULL, "live> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum>");
     for (int i = 0; i < SIZES; i++)
         print_row(&fights[i]);

@@ -237,7 +237,7 @@ static void split_table(void)
 {
     static const char *const names[LAPS] = { "scripts", "motion", "hits", "events", "rest", "draw", "present" };
 
-    report_table("Nanoseconds a bullet, a frame: where the engine's go, which skips what is hidden (the last table)",
+    report_table("Nanoseconds per bullet and frame, by part; the engine skips hidden bullets (see the last table)",
                  "n> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum> | (hash)>");
     for (int i = 0; i < n_sizes; i++) {
         const char *cells[LAPS + 3] = { report_count(sizes[i].n) };
@@ -248,10 +248,9 @@ static void split_table(void)
         report_cells(0, cells, LAPS + 3);
     }
     report_table_end();
-    report_plot(&(struct report_plot){ "split", "A crowd's frame, split", "bullets", "ns a bullet, a frame",
-                                       .timed = true,
-                                       .described = "Nanoseconds a bullet against the number of bullets, a line for "
-                                                    "each part of a frame" });
+    report_plot(&(struct report_plot){
+        "split", "A frame of the crowd, by part", "bullets", "ns per bullet and frame", .timed = true,
+        .described = "Nanoseconds per bullet by number of bullets, one line for each part of a frame" });
     for (int k = 0; k < LAPS; k++) {
         double x[MOST_SIZES], y[MOST_SIZES];
         if (k == LAP_SCRIPTS || k == LAP_REST) /* they do not depend on n */
@@ -274,10 +273,9 @@ static const char *beside(struct size *s, int r)
 
 static void parts_table(void)
 {
-    report_table(
-        "The parts: nanoseconds a bullet, a frame, of engine / (a) / (b) / (c), the engine painting all; its tick "
-        "and draw together, in those of (b) and (c)",
-        "n> | tick> | draw> | present> | of (b)> | of (c)>");
+    report_table("The parts in nanoseconds per bullet and frame: engine drawing all / (a) / (b) / (c); the last "
+                 "columns give the engine's tick plus draw relative to (b) and (c)",
+                 "n> | tick> | draw> | present> | vs (b)> | vs (c)>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
         const struct samples drawn[RIVALS] = { s->over, s->draw[1], s->draw[2], s->draw[3] };
@@ -296,23 +294,22 @@ static void parts_table(void)
 
 static void rivals_table(void)
 {
-    static const char *const names[RIVALS] = { "the engine", "doubles, byte loop", "columns, words", "the least" };
+    static const char *const names[RIVALS] = { "the engine", "doubles, byte loop", "columns, words", "the minimum" };
 
     report_text(
-        "**Beside plain C.** The same crowd, three times more without an engine, from the same first frame on, the "
-        "player going the same way: (a) an *array of structs of doubles*, every bullet tested in full, a branch a "
-        "pixel; (b) *columns of int32*, tested 64 at a time, drawn by masked 8-byte words made once for each kind; "
-        "(c) *the least*, the same columns with two rows a vector and a kind's masks in registers, and without all "
-        "that this one scene could do without: nothing is grazed, nothing can leave, every picture is 8x8 in one bank. "
-        "All keep a kind's bullets together and so need not sort; none has scripts, motion programs, "
-        "handles, deaths, or a state that can be saved. Each presents with a table look-up a pixel.");
+        "**Compared with plain C.** Three programs without an engine run the same crowd from the same first frame, "
+        "with the player on the same path: (a) an *array of structs of doubles*, which tests every bullet in full and "
+        "branches per pixel; (b) *columns of int32*, tested 64 at a time and drawn with masked 8-byte words that are "
+        "prepared once per kind; (c) *the minimum*, the same columns with two rows per vector and a kind's masks in "
+        "registers, without everything this scene does not need: no graze, no leaving the field, every sprite 8x8 in "
+        "one bank. All three store bullets grouped by kind and so need no sorting. None has scripts, motion programs, "
+        "handles, deaths, or a state that can be saved. Each presents with one table look-up per pixel.");
     report_text(
-        "The references paint every bullet. Of the largest crowds the engine paints those that are seen, which is "
-        "another task; *painting all* is its frame when it paints every bullet too, and that is what the ratios "
-        "are of.");
-    report_table("Microseconds a frame, and how many times as long as the engine's, painting all",
-                 "n> | engine> | painting all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
-                 "least> | ratio>");
+        "The references draw every bullet. In the largest crowds the engine draws only the visible ones, which is a "
+        "different task. *Drawing all* is its frame when it also draws every bullet; the ratios use that column.");
+    report_table("Microseconds per frame, and ratio to the engine drawing all",
+                 "n> | engine> | drawing all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
+                 "minimum> | ratio>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
         const char *cells[4 + 2 * REFERENCES] = { report_count(s->n), samples_figure(&s->total[0], 1e3),
@@ -326,9 +323,9 @@ static void rivals_table(void)
     }
     report_table_end();
     report_plot(&(struct report_plot){
-        "crowd", "A crowd's frame: move, hits, picture, pixels", "bullets", "ns a bullet, a frame", .timed = true,
-        .described = "Nanoseconds a bullet against the number of bullets, for the engine "
-                     "and the three references" });
+        "crowd", "A frame of the crowd: motion, hits, picture, pixels", "bullets", "ns per bullet and frame",
+        .timed = true,
+        .described = "Nanoseconds per bullet by number of bullets, for the engine and the three references" });
     for (int r = 0; r < RIVALS; r++) {
         double x[MOST_SIZES], y[MOST_SIZES];
         for (int i = 0; i < n_sizes; i++) {
@@ -343,8 +340,7 @@ static void rivals_table(void)
 
 static void counts_table(void)
 {
-    report_table("What all counted, alike, over so many frames",
-                 "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
+    report_table("Counts, the same in all four programs", "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
     for (int i = 0; i < n_sizes; i++) {
         const struct crowd_counts *c = &sizes[i].counts[0];
         report_row(0, report_count(sizes[i].n), report_count(sizes[i].frames), report_count((int64_t)c->moved),
@@ -352,24 +348,25 @@ static void counts_table(void)
                    report_count((int64_t)c->drawn), NULL);
     }
     report_table_end();
-    report_text("*Tested* are those whose way of the frame, as a box, comes within reach of the player; each grazes a "
-                "player once. At the end of each n all have every bullet in the same place and show the same "
-                "pixels, and the picture is that of a painter who copies byte by byte and knows nothing of batches.");
+    report_text(
+        "*Tested* counts the bullets whose path in the frame, as a box, comes within reach of the player; each bullet "
+        "grazes a player once. At the end of each n all programs have every bullet at the same position and show the "
+        "same pixels, and the picture equals that of a reference renderer that copies byte by byte without batches.");
 }
 
 static void limits_table(void)
 {
+    report_text("**Limits of the machine.** Moving a bullet reads 16 bytes and writes 8. The memory's limit is the "
+                "bandwidth of `x[i] += v[i]` over the memory of that many bullets. Motion and hits together visit "
+                "every bullet once or twice, so they can approach this limit. A sprite of 8x8 needs 8 stores to 8 "
+                "lines, which is the limit for drawing all.");
     report_text(
-        "**The machine's share.** Moving a bullet reads 16 bytes and writes 8; the memory of that many bullets gives "
-        "so "
-        "much to `x[i] += v[i]`. Motion and hits together look at every bullet once or twice, and so can come near "
-        "that. A picture of 8x8 is 8 stores to 8 lines, and that is what painting all is held against.");
-    report_text("When bullets would cover the field %d times over, the engine draws them front to back and skips what "
-                "is *hidden*: that share of them in the last picture. They count as drawn, but nothing is stored for "
-                "them, so there is nothing to compare with stores.",
-                VIDEO_OVERDRAW);
-    report_table(NULL, "n> | motion + hits> | of memory's limit> | painting all> | of the stores' limit> | hidden> | "
-                       "drawn without those>");
+        "When the bullets would cover the field %d times, the engine draws them front to back and skips *hidden* ones; "
+        "the column shows their share in the last picture. They count as drawn but cause no stores, so the last "
+        "column, the draw time per bullet when skipping them, has no limit to compare with.",
+        VIDEO_OVERDRAW);
+    report_table(NULL, "n> | motion + hits> | of memory's limit> | drawing all> | of the stores' limit> | hidden> | "
+                       "draw, skipping them>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
         double tick = samples_median(&s->laps[LAP_MOTION]) + samples_median(&s->laps[LAP_HITS]);
@@ -427,10 +424,10 @@ static int find_60(double (*cost)(struct size *), int n)
 /* A target with hidden bullets skipped, and with everything painted. */
 static void target_60(struct size *seen, struct size *all)
 {
-    bench_target("bullets at 60 frames a second, hidden ones skipped", "2,500,000",
+    bench_target("bullets at 60 frames a second, skipping hidden ones", "2,500,000",
                  report_string("%s in %s ms", report_count(seen->n), report_figure(total(seen) / 1e6)),
                  seen->n >= 2500000);
-    bench_target("... everything painted", "2,500,000",
+    bench_target("... drawing all", "2,500,000",
                  report_string("%s in %s ms", report_count(all->n), report_figure(painted(all) / 1e6)),
                  all->n >= 2500000);
 }
@@ -441,15 +438,15 @@ static void targets(void)
     double words = times(k16, 2), bytes = times(k16, 1);
     double growth = total(m1) / m1->n / (total(k16) / k16->n);
 
-    bench_target("1,048,576 bullets of 8x8, a frame, hidden ones skipped", "6 ms, if possible 4.5",
+    bench_target("a frame of 1,048,576 bullets of 8x8, skipping hidden ones", "6 ms, ideally 4.5",
                  report_string("%s ms", report_figure(total(m1) / 1e6)), total(m1) <= 6e6);
-    bench_target("... everything painted", "6 ms", report_string("%s ms", report_figure(painted(m1) / 1e6)),
+    bench_target("... drawing all", "6 ms", report_string("%s ms", report_figure(painted(m1) / 1e6)),
                  painted(m1) <= 6e6);
-    bench_target("16,384 bullets, beside columns and words", "1.3 times as fast",
+    bench_target("16,384 bullets, compared with columns and words", "1.3 times as fast",
                  report_string("%s times", report_figure(words)), words >= 1.3);
-    bench_target("16,384 bullets, beside structs of doubles and bytes", "4 times as fast",
+    bench_target("16,384 bullets, compared with structs of doubles and bytes", "4 times as fast",
                  report_string("%s times", report_figure(bytes)), bytes >= 4);
-    bench_target("cost of a bullet from 16,384 to 1,048,576, hidden ones skipped", "grows less than 2 times",
+    bench_target("growth of the cost per bullet from 16,384 to 1,048,576, skipping hidden ones", "less than 2 times",
                  report_string("%s times", report_figure(growth)), growth < 2);
 }
 
@@ -469,11 +466,10 @@ static void without_programs(void)
         if (f >= FRAMES / 8)
             samples_add(&ns, l.ns[LAP_MOTION] + l.ns[LAP_HITS]);
     }
-    report_text(
-        "**Without programs.** %s bullets all over the field that fly on for ever, a player among them: the move, "
-        "the keep box, the swept hit and the graze take %s ns a bullet, a frame.",
-        report_count(N), samples_figure(&ns, N));
-    bench_target("move, keep box, swept hit and graze of one of 16,384 bullets without programs", "0.5 ns",
+    report_text("**Without programs.** With %s bullets that fly straight forever all over the field and a player among "
+                "them, motion, keep box, swept hit test and graze take %s ns per bullet and frame.",
+                report_count(N), samples_figure(&ns, N));
+    bench_target("motion, keep box, swept hit and graze of one of 16,384 bullets without programs", "0.5 ns",
                  report_string("%s ns", report_figure(samples_median(&ns) / N)), samples_median(&ns) / N <= 0.5);
     samples_free(&ns);
     scene_close(&s);
@@ -484,12 +480,11 @@ void section_crowd(void)
     static const int USUAL[] = { K1, 4096, K16, 65536, 262144, M1 };
 
     report_section("The crowd");
-    report_text(
-        "n bullets of 8x8 px and 16 kinds in 8 banks on 320x240 px, a hit circle of 3 px each, all over the field "
-        "at 0.5 to 3 px a frame. Each flies 60 frames, turns round and comes back, so that in every frame a "
-        "sixtieth of them runs a step of its motion program and the others fly straight. A player with a hit "
-        "circle of 2 px and a graze ring of 12 wanders among them. The pictures' pixels are shuffled anew "
-        "for each n. It is `roms/bench`, DIP `does=crowd`, on the board that runs any game.");
+    report_text("n bullets of 8x8 px, 16 kinds and 8 banks, with a hit circle of 3 px, fly all over a field of 320x240 "
+                "px at 0.5 to 3 px/frame. Each flies for 60 frames, then turns around and comes back, so in every "
+                "frame a sixtieth of them runs a step of its motion program and the others fly straight. A player with "
+                "a hit circle of 2 px and a graze ring of 12 px wanders among them. The sprites' pixels are reshuffled "
+                "for each n. The scene is `roms/bench` with DIP `does=crowd`, on the board that runs any game.");
     for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
         run(USUAL[i]);
     const int n = find_60(total, 2500032), n_all = find_60(painted, M1);
@@ -499,17 +494,17 @@ void section_crowd(void)
     counts_table();
     limits_table();
     struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n), *all = size_of(n_all);
-    report_text("**Growth.** A bullet of %s costs %s ns, of %s %s ns, of %s %s ns: %s times from %s to %s, where the "
-                "fixed cost of a frame (an empty picture, presenting) no longer shows.",
+    report_text("**Growth.** One bullet among %s costs %s ns, among %s %s ns, among %s %s ns: %s times as much from %s "
+                "to %s, a range in which the fixed cost of a frame (an empty picture, presenting) is negligible.",
                 report_count(k1->n), per_bullet(&k1->total[0], k1->n), report_count(k16->n),
                 per_bullet(&k16->total[0], k16->n), report_count(m1->n), per_bullet(&m1->total[0], m1->n),
                 report_figure(total(m1) / m1->n / (total(k16) / k16->n)), report_count(k16->n), report_count(m1->n));
-    report_text(
-        "**Sixty frames a second** on one core hold with **%s bullets**, found by measuring: %s ms of 16.67, %s "
-        "of them hidden and skipped. With everything painted they hold with **%s**: %s ms. The chip's most is "
-        "%s.",
-        report_count(found->n), samples_figure(&found->total[0], 1e6), report_percent((double)found->hidden / found->n),
-        report_count(all->n), report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));
+    report_text("**Sixty frames a second.** By measurement, one core reaches 60 frames a second with **%s bullets**: "
+                "%s ms of 16.67, with %s of the bullets hidden and skipped. Drawing all, it reaches 60 frames a second "
+                "with **%s**: %s ms. The chip's maximum is %s.",
+                report_count(found->n), samples_figure(&found->total[0], 1e6),
+                report_percent((double)found->hidden / found->n), report_count(all->n),
+                report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));
     without_programs();
     target_60(found, all);
     targets();

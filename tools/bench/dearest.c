@@ -64,7 +64,7 @@ static const char DOCUMENT[] =
     "<times>40000</times><action>" SPEEDS "</action></repeat></action></bullet></bulletml>";
 
 const struct dearest DEAREST[] = {
-    { "`bullet.meet`: 60,000 bullets and 60,000 in one place",
+    { "`bullet.meet`: 60,000 bullets and 60,000 at one point",
       "bullet.meet: 60000 bullets",
       2,
       WORK_LIMIT,
@@ -119,7 +119,7 @@ const struct dearest DEAREST[] = {
       { .manifest = wide_pools,
         .script = FILL TARGET "shot.def('axe', { sprite = 'd8', hit = " WIDE " }) " WIDE_ENEMIES("")
             GO(SPAWN "fill(65536, { x = 130, y = 100, kind = 'axe', speed = 0.0001, fire = 'shot' })") } },
-    { "65,536 shots that go through all, and 4,096 enemies",
+    { "65,536 shots that pierce everything, and 4,096 enemies",
       "shots that hit enemies: 65536 shots and 4096 enemies",
       2,
       WORK_LIMIT,
@@ -166,7 +166,7 @@ const struct dearest DEAREST[] = {
         "bullet.def('orb', { sprite = 'd8', hit = { circle = 3 } }) "
         "local m = motion.def { { emit = { pattern = 'ring', n = 60000, kind = 'orb', speed = 0.01 } } } " GO(
             "fill(4096, { x = 20, y = 20, kind = 'orb', speed = 0.0001, motion = m })") } },
-    { "300,000 grazes, each told to 100 handlers",
+    { "300,000 grazes, each reported to 100 handlers",
       "events: ",
       2,
       WORK_LIMIT,

@@ -158,11 +158,10 @@ void floor_prices(void)
         for (int i = 0; i < COUNT; i++)
             slice(&runs[i], round >= 0);
     bench_own_clock(false);
-    report_text("**Lua's own floor.** Nanoseconds for each of %s, beside those of the same lines in a Lua without an "
-                "engine, whose functions and properties do nothing, both in turns. No binding can save what Lua takes "
-                "itself.",
+    report_text("**Lua's minimum.** Nanoseconds for each of %s, compared with the same lines in plain Lua, where "
+                "functions and properties do nothing; both are interleaved. No binding can be faster than Lua itself.",
                 report_count(N));
-    report_table(NULL, "what a script does | the engine> | Lua alone> | times>");
+    report_table(NULL, "script | engine> | Lua only> | ratio>");
     for (int i = 0; i < COUNT; i++) {
         struct run *r = &runs[i];
         report_row(false, PAIRS[i].what, samples_figure(&r->engine, N),

@@ -134,10 +134,9 @@ static void plot_run(const double *ns, uint32_t frames)
     static const char *const names[] = { "tick alone", "tick and draw" };
     static double x[512], y[512];
 
-    report_plot(&(struct report_plot){ "run", "The built-in game: each second of its run", "seconds into the run",
-                                       "frames a second", .x_linear = true, .timed = true,
-                                       .described = "Frames a second along the built-in game's run, with and without "
-                                                    "drawing" });
+    report_plot(&(struct report_plot){
+        "run", "The built-in game, second by second", "seconds into the run", "frames a second", .x_linear = true,
+        .timed = true, .described = "Frames a second over the built-in game's run, with and without drawing" });
     for (int k = 0; k < 2; k++) {
         uint32_t step = (frames / SECOND / 512 + 1) * SECOND;
         int n = 0;
@@ -166,11 +165,10 @@ void section_game(void)
 
     struct pace tick = pace_of(ns, demo.frames, 0), both = pace_of(ns, demo.frames, 1);
     report_section("The built-in game");
-    report_text(
-        "Its whole-run demo (`%s`): %s frames, %s minutes, each frame's median of %d runs. At the end of each run "
-        "the state's hashes are those recorded.",
-        BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
-    report_table(NULL, "| frames a second> | in the slowest 600 frames> | which begin at second>");
+    report_text("Its whole-run demo (`%s`): %s frames, %s minutes. Each frame's time is the median of %d runs. At the "
+                "end of each run the hashes equal the recorded ones.",
+                BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
+    report_table(NULL, "| frames a second> | in the slowest 600 frames> | starting at second>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),
                report_count(tick.at / SECOND), NULL);
     report_row(0, "tick and draw", report_count((int64_t)both.all), report_count((int64_t)both.slowest),
@@ -220,17 +218,17 @@ void section_games(void)
     if (!rom_image_load(BENCH_GAME, false, &image, err, sizeof err))
         report_fail(err);
     report_section("Whole games");
-    report_text("Each recorded game of `tests/demos/glasstide`: frames a second, each frame's median of %d runs, of "
-                "which two boards, one that draws and one that does not, take a second each in turn.",
+    report_text("Each recorded game of `tests/demos/glasstide`: frames a second, each frame's time being the median of "
+                "%d runs. Two boards, one with and one without drawing, alternate every second.",
                 RUNS);
     report_table(NULL,
-                 "| frames> | ticks a second> | and drawn> | in the slowest 600 frames> | which begin at second>");
+                 "| frames> | ticks a second> | with drawing> | in the slowest 600 frames> | starting at second>");
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const double now = whole_game(&image.rom, names[i]);
         slowest = now < slowest ? now : slowest;
     }
     report_table_end();
-    bench_target("the slowest 600 frames of all whole games, drawn", "3,000 frames a second",
+    bench_target("the slowest 600 frames of all whole games, with drawing", "3,000 frames a second",
                  report_count((int64_t)slowest), slowest >= 3000);
     rom_image_free(&image);
 }
@@ -272,10 +270,9 @@ void section_memory(void)
 
     report_section("Memory");
     report_text(
-        "A bullet's room takes **%s bytes** of RAM, its columns and the events it can raise in one frame. A snapshot "
-        "copies %s bytes for each live one, and nothing for room that is not used. A board with the default "
-        "capacities (`examples/first`, which asks for none) has **%s MiB** of RAM, 4 of them for Lua; the "
-        "built-in game's has %s.",
+        "A bullet slot takes **%s bytes** of RAM: its columns and the events it can raise in one frame. A snapshot "
+        "copies %s bytes for each live bullet and nothing for free slots. A board with the default capacities "
+        "(`examples/first`, which sets none) has **%s MiB** of RAM, 4 of them for Lua; the built-in game's has %s.",
         report_figure(reserved), report_figure(live_bytes()), report_figure(usual), report_figure(game));
     bench_target("RAM of a board with the default capacities", "8 MiB", report_string("%s MiB", report_figure(usual)),
                  usual < 8);

@@ -60,10 +60,10 @@ static void dearest_frames(void)
     double worst = 0;
     const char *what = "";
 
-    report_section("The dearest frames");
-    report_text("Work in C is counted as that of scripts is. Of each feature whose work the manifest does not bound, a "
-                "frame that has as much of it as there may be: what it counted, and how long its tick and its picture "
-                "took, in seconds. What counts more than %s ends in a fault.",
+    report_section("The most expensive frames");
+    report_text("Work in C counts like the work of scripts. For each feature whose work the manifest does not limit, "
+                "the table has a frame with as much of it as possible: its counted work, and the time of its tick and "
+                "its picture in seconds. A frame that counts more than %s ends in a fault.",
                 report_count(WORK_LIMIT));
     report_table(NULL, "a frame of | counted> | tick> | picture> | ends");
     bench_own_clock(true);
@@ -77,8 +77,8 @@ static void dearest_frames(void)
     }
     bench_own_clock(false);
     report_table_end();
-    bench_target("the dearest frame of any feature", "2 s", report_string("%s s: %s", report_figure(worst), what),
-                 worst < 2);
+    bench_target("the most expensive frame of any feature", "2 s",
+                 report_string("%s s: %s", report_figure(worst), what), worst < 2);
 }
 
 void section_guards(void)
@@ -87,8 +87,8 @@ void section_guards(void)
     const char *what = "";
 
     report_section("Endless loops");
-    report_text("A frame that runs for ever ends in the fault that it has more than %s instructions. Some operations "
-                "take longer than others for what they count; these are the ones known to. Seconds until the fault.",
+    report_text("A frame that runs forever ends in a fault after %s instructions. Some operations take long relative "
+                "to their count; the table lists the slowest known ones, with the seconds until the fault.",
                 report_count(WORK_LIMIT));
     report_table(NULL, "a loop of | seconds> | instructions counted for each>");
     bench_own_clock(true);
@@ -102,7 +102,7 @@ void section_guards(void)
     }
     bench_own_clock(false);
     report_table_end();
-    bench_target("the slowest endless loop until it is found", "30 s",
+    bench_target("the slowest endless loop until it is stopped", "30 s",
                  report_string("%s s: %s", report_figure(worst), what), worst < 30);
     dearest_frames();
 }

@@ -9,7 +9,7 @@ static const struct way {
     const char *dip, *what;
 } WAYS[] = {
     { "plain", "a strip one pixel wide" },
-    { "sprite", "a strip of 16 px that repeats" },
+    { "sprite", "a repeating strip of 16 px" },
     { "blended", "a strip one pixel wide, blended" },
 };
 enum { COUNT = sizeof WAYS / sizeof *WAYS };
@@ -47,8 +47,8 @@ void section_lasers(void)
     measure(&s, &still, &empty);
     scene_close(&s);
     report_section("Lasers");
-    report_text("Microseconds a frame of %s curves of 64 points, 2.5 px a frame and 8 px wide, that go round, "
-                "beyond a frame without them. The player stands among them: grazes and hits are among the tick's work.",
+    report_text("Microseconds per frame of %s circling curves of 64 points, 8 px wide, at 2.5 px/frame, beyond a frame "
+                "without them. The player stands among them, so the tick includes grazes and hits.",
                 report_count(CURVES));
     report_table(NULL, "drawn with | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {

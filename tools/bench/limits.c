@@ -163,10 +163,10 @@ void section_machine(void)
     static const size_t SIZES[] = { 16 << 10, 512 << 10, 8 << 20, 64 << 20, 256 << 20 };
 
     report_section("The machine");
-    report_text("What memory gives, in GB/s, for so much of it gone through over and over: the smallest is in the "
-                "first cache, the largest in no cache. Copy counts what it reads and what it writes; update is "
-                "`x[i] += v[i]`, which is how bullets move: two parts read and one written. Copying is the C "
-                "library's, the others are plain C with the flags above.");
+    report_text("Memory bandwidth in GB/s for repeated passes over a block of the given size: the smallest fits in the "
+                "first-level cache, the largest in no cache. *Copy* counts bytes read and bytes written; it uses the C "
+                "library. *Update* is `x[i] += v[i]`, which is how bullets move: two reads and one write. *Read* and "
+                "*update* are plain C with the flags above.");
     report_table(NULL, "memory> | copy> | read> | update>");
     for (size_t i = 0; i < sizeof SIZES / sizeof *SIZES; i++)
         report_row(0, size_name(SIZES[i]), rate(copy, SIZES[i], 1), rate(read_all, SIZES[i], 1),
@@ -175,9 +175,8 @@ void section_machine(void)
 
     size_t l1 = 16 << 10;
     double in_turn = time_of(&(struct work){ store_in_turn, l1 }) / (double)(l1 / 8);
-    report_text(
-        "A store of 8 bytes takes %s ns when one follows the other in memory, and **%s ns** when 8 of them go to "
-        "8 different lines, as the rows of a sprite do in a picture of 320x240. The latter bounds what drawing "
-        "can be: a bullet of 8x8 is 8 such stores, %s ns.",
-        report_figure(in_turn), report_figure(limit_store()), report_figure(SIDE * limit_store()));
+    report_text("An 8-byte store takes %s ns when stores are sequential, and **%s ns** when 8 of them go to 8 "
+                "different lines, like the rows of a sprite in a picture of 320x240. The latter limits drawing: a "
+                "bullet of 8x8 needs 8 such stores, %s ns.",
+                report_figure(in_turn), report_figure(limit_store()), report_figure(SIDE * limit_store()));
 }

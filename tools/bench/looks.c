@@ -14,12 +14,12 @@ static const struct look {
     { "none", NULL, 0, false },
     { "dots", NULL, 0, false },
     { "sparks_fly", "a spark of 12 px that flies, with gravity, drag and colours", 0, true },
-    { "sparks_burst", "a spark that starts at a place, 64 at a time", 0, false },
-    { "sparks_ring", "one that starts on a ring", 0, false },
-    { "sparks_row", "one that starts on a line", 0, false },
-    { "trails", "a trail that leaves a spark", 1, false },
-    { "stand", "a sprite of 12 px that stands", 1, true },
-    { "follow", "one that follows a bullet", 1, true },
+    { "sparks_burst", "a spark that spawns at a point, 64 at a time", 0, false },
+    { "sparks_ring", "a spark that spawns on a ring", 0, false },
+    { "sparks_row", "a spark that spawns on a line", 0, false },
+    { "trails", "a trail that emits a spark", 1, false },
+    { "stand", "a stationary sprite of 12 px", 1, true },
+    { "follow", "a sprite that follows a bullet", 1, true },
 };
 enum { COUNT = sizeof LOOKS / sizeof *LOOKS };
 
@@ -52,8 +52,8 @@ void looks_prices(void)
         bench_scene(&runs[i].scene,
                     &(struct scene_want){ .does = "looks", .price = LOOKS[i].dip, .n = N, .bullets = N, .sparks = N });
     measure();
-    report_text("Nanoseconds for each of %s things that are only seen, beyond a board without them.", report_count(N));
-    report_table(NULL, "a thing | tick> | draw>");
+    report_text("Nanoseconds for each of %s visual effects, beyond a board without them.", report_count(N));
+    report_table(NULL, "an effect | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {
         struct run *r = &runs[i], *b = &runs[LOOKS[i].beyond];
         if (!LOOKS[i].what)

@@ -2,9 +2,9 @@
  * main.c - the bench's command line: bench [--out FOLDER] [SECTION...]
  * floor: tools
  *
- * Prints what it measures; without sections all of them, and then the page is written as well: FOLDER/speed.md and
- * FOLDER/speed/NAME.svg, FOLDER being docs unless named. Run from the repository's folder. Exit 1: something that must
- * hold on any machine did not; a target that was missed is only said.
+ * Prints the measurements of the named sections. Without sections it runs all of them and also writes the page,
+ * FOLDER/speed.md and FOLDER/speed/NAME.svg; FOLDER is docs/measured by default. Run it from the repository's folder.
+ * Exit 1: something that must hold on any machine did not; missed targets are only reported.
  */
 #include <stdio.h>
 #include <time.h>
@@ -42,32 +42,32 @@ static struct {
 } bench;
 
 static const char ABOUT[] =
-    "# Speed: what a frame costs\n"
+    "# Speed: the cost of a frame\n"
     "\n"
-    "`make bench` measures this page and writes it with its plots; do not edit it. All figures are of one core and of "
-    "the\n"
-    "machine named below; another has others. What holds on every machine, that the engine and three programs that "
-    "share\n"
-    "nothing with it move, hit and draw the same, is compared in each run, and a difference fails it.\n"
+    "`make bench` measures and writes this page and its plots; do not edit them. All figures are for one core of the "
+    "machine\n"
+    "named below; other machines give other figures. Each run also compares the engine with three independent "
+    "programs: all\n"
+    "must move, hit and draw the same, or the run fails.\n"
     "\n"
-    "* A figure is the median over many frames; **±** is half the distance of the quartiles. Times are the wall's, but "
-    "of\n"
-    "  what takes long and is likely to be interrupted they are the bench's own share.\n"
-    "* A machine that others share changes its clock within seconds, so a time says little without its second. What "
-    "is\n"
-    "  compared runs in turns, a slice of frames each (the first of a slice warms up), and a ratio is the median of "
-    "the ratios\n"
-    "  of the same turn. Sections end with what the clock did meanwhile.\n"
-    "* A *frame* is what a cabinet does sixty times a second: the tick (scripts, motion, hits, events, rest), the "
-    "picture\n"
-    "  (draw), and its colours as 32-bit pixels (present). *Hash* is the state's hash, which a demo takes once a "
-    "second; it\n"
-    "  is not in the sums. Bullets are tested against players as they move, so *motion* has that too; *hits* raises "
-    "what came\n"
-    "  of it, and has the other collisions. Sixty frames a second leave 16.67 ms each.\n"
+    "* A figure is the median over many frames; **±** is half the interquartile range. Times are wall-clock times, "
+    "except for\n"
+    "  long measurements that may be interrupted, which use CPU time.\n"
+    "* A shared machine changes its clock rate within seconds, so absolute times vary. Compared programs run "
+    "interleaved, a\n"
+    "  slice of frames each (the first frame of a slice is a warm-up), and a ratio is the median of the ratios within "
+    "each\n"
+    "  round. Each section ends with the clock rate during the measurement.\n"
+    "* A *frame* is the work done sixty times a second: the tick (scripts, motion, hits, events, rest), the picture "
+    "(draw), and\n"
+    "  its conversion to 32-bit pixels (present). *Hash* is the hash of the state, which a demo takes once a second; "
+    "it is not\n"
+    "  part of the sums. Bullets are tested against players as they move, so *motion* includes that test; *hits* "
+    "reports the\n"
+    "  results and includes all other collisions. Sixty frames a second leave 16.67 ms for each.\n"
     "* A *straight* bullet runs no program, and no player comes near it.\n"
-    "* Nothing is drawn by the graphics card, no other thread helps, and the compiler's flags are those named below.\n"
-    "* px is a pixel, a frame 1/60 s, 1 GB 10^9 bytes.\n"
+    "* The measurements use one thread, no graphics card, and the compiler flags named below.\n"
+    "* px is a pixel, a frame is 1/60 s, 1 GB is 10^9 bytes.\n"
     "\n";
 
 const struct rom *bench_rom(void)
@@ -116,6 +116,24 @@ void bench_claim(const char *wrong, const char *where)
     bench.wrong = true;
 }
 
+/* The line that names the commit measured, or "" outside a repository. */
+static const char *commit_line(void)
+{
+    static char line[128];
+    char commit[64] = "";
+    FILE *f = popen("git log -1 --format='%h (%cs)' 2>/dev/null", "r");
+
+    if (!f)
+        return "";
+    if (!fgets(commit, sizeof commit, f))
+        commit[0] = 0;
+    pclose(f);
+    commit[strcspn(commit, "\n")] = 0;
+    if (commit[0])
+        snprintf(line, sizeof line, "Measured at commit %s.\n\n", commit);
+    return line;
+}
+
 int main(int argc, char **argv)
 {
     struct report_options o = { .usage = "bench [--out FOLDER]" };
@@ -126,7 +144,7 @@ int main(int argc, char **argv)
     setvbuf(stdout, NULL, _IOLBF, 0);
     report_begin(&(struct report){ .program = "bench",
                                    .folder = o.folder ? o.folder
-                                             : o.all  ? "docs"
+                                             : o.all  ? "docs/measured"
                                                       : NULL,
                                    .page = "speed",
                                    .echo = true });
@@ -134,11 +152,15 @@ int main(int argc, char **argv)
     double from = bench_now();
     bench_own_clock(false);
     report_run(&o, SECTIONS, COUNT);
-    snprintf(intro, sizeof intro, "%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
-             report_machine(), report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
-    report_finish(intro,
-                  "## Targets\n\nWhat was asked of the engine before it was built this way, and whether this run "
-                  "met it.\n\n| | measured | target | |\n|---|---|---|---|\n");
+    snprintf(intro, sizeof intro, "%s%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
+             commit_line(), report_machine(),
+             report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
+    report_finish(intro, "## Targets\n"
+                         "\n"
+                         "The design targets of the engine, and whether this run met them.\n"
+                         "\n"
+                         "| | measured | target | |\n"
+                         "|---|---|---|---|\n");
     rom_image_free(&bench.image);
     return bench.wrong;
 }

@@ -12,13 +12,13 @@ static const struct way {
     const char *dip, *what;
 } WAYS[] = {
     { "plain", "bullets of one kind" },
-    { "banks", "each in a bank of its own" },
-    { "turned", "turned, one of 16 pictures each" },
-    { "clipped", "half of it over the left edge" },
+    { "banks", "each in its own bank" },
+    { "turned", "rotated, each one of 16 pictures" },
+    { "clipped", "half outside the left edge" },
     { "sprite", "free sprites" },
     { "flipped", "free sprites, flipped" },
     { "blended", "bullets of one kind, blended (`add`)" },
-    { "blended_banks", "blended, each in a bank of its own" },
+    { "blended_banks", "blended, each in its own bank" },
     { "ramp", "blended by a ramp's rule (`{ ramp = \"add\" }`)" },
 };
 enum { COUNT = sizeof WAYS / sizeof *WAYS };
@@ -80,7 +80,7 @@ static void presenting(void)
         samples_add(&ns, bench_since(from));
     }
     double us = samples_median(&ns) / 1e3;
-    report_text("**Presenting**: 320x240 px of palette indices become 32-bit pixels in **%s µs**.",
+    report_text("**Presenting**: converting 320x240 px from palette indices to 32-bit pixels takes **%s µs**.",
                 samples_figure(&ns, 1e3));
     bench_target("320x240 px through the palette", "20 µs", report_string("%s µs", report_figure(us)), us < PRESENT_US);
     samples_free(&ns);
@@ -97,10 +97,9 @@ void section_pictures(void)
     for (int i = 0; i < SIZES; i++)
         measure(SIDES[i], how_many(SIDES[i]), ns[i]);
     report_section("Pictures");
-    report_text(
-        "Nanoseconds a sprite by its size; 13 of 16 pixels are opaque and stand at random. What an empty picture "
-        "takes, %s µs, is left out.",
-        samples_figure(&empty[0], 1e3));
+    report_text("Nanoseconds per sprite by size; 13 of 16 pixels are opaque, at random positions. The time of an empty "
+                "picture, %s µs, is subtracted.",
+                samples_figure(&empty[0], 1e3));
     report_table(NULL, "| 8x8> | 16x16> | 32x32> | 64x64> | 128x128>");
     for (int w = 0; w < COUNT; w++) {
         cells[0] = WAYS[w].what;
@@ -109,9 +108,9 @@ void section_pictures(void)
         report_cells(w == 0, cells, 1 + SIZES);
     }
     report_table_end();
-    report_plot(&(struct report_plot){ "pictures", "Drawing a sprite", "px, each way", "ns a sprite", .timed = true,
-                                       .described = "Nanoseconds a sprite against its side, a line for each way of "
-                                                    "drawing it" });
+    report_plot(&(struct report_plot){
+        "pictures", "Drawing a sprite", "side, px", "ns per sprite", .timed = true,
+        .described = "Nanoseconds per sprite by side length, one line for each way of drawing it" });
     for (int w = 0; w < COUNT; w++) {
         double x[SIZES], y[SIZES];
         for (int i = 0; i < SIZES; i++) {

@@ -27,21 +27,21 @@ static const struct price MOTION[] = {
     { "home", "runs `home`", PLAIN },
     { "go_to", "runs `go_to`", PLAIN },
     { "polar", "runs `polar`", PLAIN },
-    { "orbit", "runs `orbit` round a place", PLAIN },
-    { "around", "runs `orbit` round its `around`", GROUPS },
+    { "orbit", "runs `orbit` around a point", PLAIN },
+    { "around", "runs `orbit` around its `around`", GROUPS },
     { "wave", "runs `wave`", PLAIN },
-    { "bounce", "runs `bounce`, and no wall is near", PLAIN },
+    { "bounce", "runs `bounce`, with no wall near", PLAIN },
     { "path", "runs `path`", PLAIN },
     { "await", "runs `wait_for` with `near`", PLAIN },
     { "signal", "runs `wait_for` with `tag`", PLAIN },
-    { "named", "runs `turn`, by a declared value", GROUPS },
+    { "named", "runs `turn` with a declared value", GROUPS },
     { "mixed",
-      "runs a program: ten, one an op (`wait kind bank dir aim turn home speed accel loop`), equally many of each",
+      "runs one of ten programs, one per op (`wait kind bank dir aim turn home speed accel loop`), in equal numbers",
       PLAIN },
-    { "fine", "is `fine`, and flies straight", PLAIN },
-    { "fine_drive", "is `fine`, and runs `turn` and `speed`", PLAIN },
+    { "fine", "is `fine` and flies straight", PLAIN },
+    { "fine_drive", "is `fine` and runs `turn` and `speed`", PLAIN },
     { "frozen", "is `frozen`", GROUPS },
-    { "delay", "has a delay, and waits", PLAIN },
+    { "delay", "waits for its delay", PLAIN },
     { "task", "has a Lua task that waits one frame", PLAIN },
     { "half", "", UNLISTED },
 };
@@ -53,31 +53,31 @@ static const struct price SHAPES[] = {
     { "capsule", "is a capsule, close to the player", PLAIN },
     { "circles", "is three circles, close to the player", PLAIN },
     { "turned_circles", "is three circles with `turns`, close to the player", PLAIN },
-    { "hp", "has hp, while 64 shots far from it look for such bullets", GROUPS },
+    { "hp", "has hp, while 64 distant shots search for such bullets", GROUPS },
 };
 
 static const struct price VERBS[] = {
     { "straight", "flies straight", PLAIN },
-    { "group", "is written to through a group", PLAIN },
-    { "value", "is written a declared value through a group", GROUPS },
+    { "group", "is written through a group", PLAIN },
+    { "value", "has a declared value written through a group", GROUPS },
     { "shift", "is shifted through a group", PLAIN },
     { "turn_all", "is turned through a group", PLAIN },
     { "aim_all", "is aimed through a group", PLAIN },
-    { "each", "is visited by `bullet.each`, and written to", PLAIN },
-    { "clear_circle", "is asked by a `clear` in a circle, and is not in it", PLAIN },
-    { "clear_box", "is asked by a `clear` in a box, and is not in it", PLAIN },
-    { "clear_line", "is asked by a `clear` along a line, and is not in it", PLAIN },
-    { "sweep", "is asked by a `bullet.sweep`, and not reached", PLAIN },
-    { "near", "is asked by `query.near`, and is not there", PLAIN },
-    { "near_box", "is asked by `query.box`, and is not there", PLAIN },
-    { "near_line", "is asked by `query.line`, and is not there", PLAIN },
+    { "each", "is visited by `bullet.each` and written", PLAIN },
+    { "clear_circle", "is tested by a `clear` in a circle, and is outside it", PLAIN },
+    { "clear_box", "is tested by a `clear` in a box, and is outside it", PLAIN },
+    { "clear_line", "is tested by a `clear` along a line, and is not on it", PLAIN },
+    { "sweep", "is tested by a `bullet.sweep`, and not reached", PLAIN },
+    { "near", "is tested by `query.near`, and not found", PLAIN },
+    { "near_box", "is tested by `query.box`, and not found", PLAIN },
+    { "near_line", "is tested by `query.line`, and not found", PLAIN },
     { "found", "is found by `query.box`", PLAIN },
 };
 
 static const struct price FIRING[] = {
-    { "fire", "`bullet.fire`, of a table written out in the call", PLAIN },
-    { "kept", "`bullet.fire`, of one table that is kept and changed", PLAIN },
-    { "valued", "`bullet.fire`, written out, with a declared value", GROUPS },
+    { "fire", "`bullet.fire` with a table constructor in the call", PLAIN },
+    { "kept", "`bullet.fire` with one table that is reused", PLAIN },
+    { "valued", "`bullet.fire` with a table constructor and a declared value", GROUPS },
     { "ring", "`pattern.ring`", PLAIN },
     { "fan", "`pattern.fan`", PLAIN },
     { "arc", "`pattern.arc`", PLAIN },
@@ -164,13 +164,13 @@ static struct run *print_prices(const struct price *prices, int n, const char *c
 static void print_motion(void)
 {
     enum { COUNT = sizeof MOTION / sizeof *MOTION, HALF = COUNT - 1 };
-    struct run *runs = print_prices(MOTION, COUNT, "a bullet that | in all> | beyond straight> | times>");
+    struct run *runs = print_prices(MOTION, COUNT, "a bullet that | total> | beyond straight> | ratio>");
     double half = samples_median(&runs[HALF].ns) / 1e3;
 
-    report_text("Of %s bullets every other one runs one of those ten programs, each with an op active in every frame, "
-                "equally many of each: the tick takes **%s µs**.",
+    report_text("When every other one of %s bullets runs one of those ten programs, in equal numbers and with an op "
+                "active in every frame, the tick takes **%s µs**.",
                 report_count(N), samples_figure(&runs[HALF].ns, 1e3));
-    bench_target("4,096 bullets, half of them running programs, all ops in equal parts: the tick", "60 µs",
+    bench_target("the tick of 4,096 bullets, half of them running programs, all ops equally often", "60 µs",
                  report_string("%s µs", report_figure(half)), half < 60);
     free_runs(runs, COUNT);
 }
@@ -201,11 +201,10 @@ static void fire_in_c(void)
             bullets_drop(&s.b->bullets, i);
         slots_trim(&s.b->bullets.s);
     }
-    report_text(
-        "**C alone.** `bullets_fire`, which a script's call ends in, takes %s ns: a free slot, the velocity of a "
-        "direction, all columns. What is beyond that in the table is Lua, the reading and checking of arguments, "
-        "the digest of the call, and the bullet's one frame.",
-        samples_figure(&ns, N));
+    report_text("**C only.** `bullets_fire`, the C function behind a script's call, takes %s ns: it finds a free slot, "
+                "computes the velocity from the direction and writes all columns. The rest of a table's figure is Lua, "
+                "reading and checking the arguments, the digest of the call, and the bullet's one frame.",
+                samples_figure(&ns, N));
     samples_free(&ns);
     scene_close(&s);
 }
@@ -236,7 +235,7 @@ static void item_prices(void)
                 samples_add(&tick[i], ticked - from);
                 samples_add(&draw[i], bench_now() - ticked);
             }
-    report_text("Nanoseconds for each of %s items of 12 px, beyond a board without any.", report_count(ITEMS));
+    report_text("Nanoseconds for each of %s items of 12 px, beyond a board without items.", report_count(ITEMS));
     report_table(NULL, "an item that | tick> | draw>");
     for (int i = 1; i < ROWS; i++)
         report_row(i == 1, rows[i].what, report_figure((samples_median(&tick[i]) - samples_median(&tick[0])) / ITEMS),
@@ -251,20 +250,18 @@ static void item_prices(void)
 
 void section_prices(void)
 {
-    report_section("What a bullet costs");
-    report_text(
-        "Nanoseconds of a tick for each of %s bullets that all do the same in every frame, what that is beyond those "
-        "of "
-        "a straight one, and how many times those, turn by turn. Nothing is drawn; no bullet comes near the player but "
-        "where that is said.",
-        report_count(N));
+    report_section("Cost per bullet");
+    report_text("Nanoseconds of a tick for each of %s bullets that all do the same in every frame, the difference from "
+                "a straight bullet, and the ratio to it, measured interleaved. Nothing is drawn, and no bullet comes "
+                "near the player unless stated.",
+                report_count(N));
     print_motion();
-    report_text("Hits: close is a bullet that the exact test is asked about in every frame; it touches nothing.");
-    print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | in all> | beyond straight> | times>");
-    report_text("What a script does with all of them once a frame:");
-    print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | in all> | beyond straight> | times>");
-    report_text("What it takes to fire one, in figures of 64; it is gone in the same frame.");
-    print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | in all> | beyond the first> | times>");
+    report_text("Hits: a bullet is close if it needs the exact test in every frame; it touches nothing.");
+    print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | total> | beyond straight> | ratio>");
+    report_text("A script acts on all of them once a frame:");
+    print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | total> | beyond straight> | ratio>");
+    report_text("Cost of firing one bullet, in patterns of 64; it despawns in the same frame.");
+    print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | total> | beyond the first> | ratio>");
     fire_in_c();
     floor_prices();
     item_prices();

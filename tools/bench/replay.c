@@ -99,16 +99,14 @@ void section_replay(void)
     remove_game(changed);
 
     double median = samples_median(&rate);
-    report_section("Playing again");
-    report_text(
-        "**Verifying** the whole-run demo, every part's print after every frame and every row of hashes, goes at "
-        "**%s frames a second** on one core (the median of %d runs).",
-        report_count((int64_t)median), ROUNDS);
-    report_text(
-        "**Reloading.** When a script of the game changes after five minutes of play (%s frames), the run is at "
-        "the same frame of the changed game **%s s** later, packing the folder included; a minute after the "
-        "start of a stage, %s s.",
-        report_count(FIVE_MINUTES), report_figure(whole), report_figure(piece));
+    report_section("Replay and reload");
+    report_text("**Verifying** the whole-run demo, with every part's checksum after every frame and every row of "
+                "hashes, runs at **%s frames a second** on one core (the median of %d runs).",
+                report_count((int64_t)median), ROUNDS);
+    report_text("**Reloading.** When a script of the game changes after five minutes of play (%s frames), the changed "
+                "game reaches the same frame **%s s** later, including packing the folder; a minute after the start of "
+                "a stage it takes %s s.",
+                report_count(FIVE_MINUTES), report_figure(whole), report_figure(piece));
     bench_target("verifying the built-in game's whole run", "3,000 frames a second", report_count((int64_t)median),
                  median >= 3000);
     bench_target("a reload after five minutes of play", "8 s", report_string("%s s", report_figure(whole)), whole <= 8);

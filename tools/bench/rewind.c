@@ -200,20 +200,18 @@ static void report_snapshots(struct past_run *r)
 {
     double us = samples_median(&r->again) / 1e3, key_us = samples_median(&r->key) / 1e3;
 
-    report_text(
-        "**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. It takes **%s µs** into "
-        "memory that was just used (%s in the slowest hundredth). A cabinet keeps its past in %d MiB, so a key "
-        "frame goes to memory that was last used long ago and is in no near cache: **%s µs** (%s in the slowest "
-        "hundredth), where the C library copies as many bytes in one piece in %s. It takes one every few frames: "
-        "%s µs a frame.",
-        report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
-        samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3), REWIND_BYTES >> 20,
-        samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
-        samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
+    report_text("**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. It takes **%s µs** into "
+                "recently used memory (%s at the 99th percentile). The host stores the rewind history in %d MiB, so a "
+                "key frame goes to cold memory: **%s µs** (%s at the 99th percentile), where the C library copies the "
+                "same number of bytes in one block in %s. The host takes one every few frames: %s µs per frame.",
+                report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
+                samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3),
+                REWIND_BYTES >> 20, samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
+                samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
     bench_target("a snapshot of the built-in game", "20 µs", report_string("%s µs", report_figure(us)),
                  us < SNAPSHOT_US);
-    bench_target("... as a key frame of its past, in memory long unused", "20 µs",
-                 report_string("%s µs", report_figure(key_us)), key_us < SNAPSHOT_US);
+    bench_target("... as a rewind key frame, in cold memory", "20 µs", report_string("%s µs", report_figure(key_us)),
+                 key_us < SNAPSHOT_US);
 }
 
 static void report_late(struct past_run *r)
@@ -221,7 +219,7 @@ static void report_late(struct past_run *r)
     double worst = samples_quantile(&r->late, 1) / 1e6;
     const char *median = report_figure(samples_median(&r->late) / 1e6);
 
-    report_text("At frame %s a step back takes %s ms (the median of %d steps one after the other), %s at worst.",
+    report_text("At frame %s a step back takes %s ms (the median of %d consecutive steps), %s at worst.",
                 report_count(LATE), median, LATE_STEPS, report_figure(worst));
     bench_target("a step back at frame 36,000", "16 ms", report_string("%s ms, worst %s", median, report_figure(worst)),
                  worst < STEP_MS);
@@ -233,17 +231,17 @@ static void report_steps(struct past_run *r, double kept, int keys, uint64_t aga
     const char *median = report_figure(samples_median(&r->step) / 1e6);
     const char *slow = report_figure(samples_quantile(&r->step, 0.99) / 1e6);
 
-    report_text(
-        "**Going back.** The densest minute of its run ends at second %s and has %s bullets on average. There the "
-        "past holds %s seconds in %d key frames. Stepping back through that minute, a frame at a time, takes "
-        "%s ms a step, %s in 99 of 100, and %s at worst; a step ticks %s frames again on average, %s at most. "
-        "Each frame that was come back to has the hash it had.",
-        report_count(r->end / SECOND), report_count((int64_t)(r->bullets + 0.5)), report_figure(kept), keys, median,
-        slow, report_figure(worst), report_figure((double)again / MINUTE), report_count((int64_t)r->most_ticks));
-    bench_target("past kept in 64 MiB at the end of the built-in game's densest minute", "60 s",
+    report_text("**Rewind.** The densest minute of the run ends at second %s and has %s bullets on average. There the "
+                "history covers %s seconds in %d key frames. Stepping back through that minute frame by frame takes %s "
+                "ms per step, %s at the 99th percentile, and %s at worst. A step replays %s frames on average, %s at "
+                "most. Each restored frame has its original hash.",
+                report_count(r->end / SECOND), report_count((int64_t)(r->bullets + 0.5)), report_figure(kept), keys,
+                median, slow, report_figure(worst), report_figure((double)again / MINUTE),
+                report_count((int64_t)r->most_ticks));
+    bench_target("rewind history in 64 MiB at the end of the built-in game's densest minute", "60 s",
                  report_string("%s s", report_figure(kept)), kept >= 60);
     bench_target("a step back in that minute", "16 ms",
-                 report_string("%s ms, 99 of 100 in %s, worst %s", median, slow, report_figure(worst)),
+                 report_string("%s ms, 99th percentile %s, worst %s", median, slow, report_figure(worst)),
                  worst < STEP_MS);
 }
 
@@ -266,7 +264,7 @@ void section_rewind(void)
     from_late(&r);
     bench_own_clock(false);
 
-    report_section("Snapshots and going back");
+    report_section("Snapshots and rewind");
     report_snapshots(&r);
     report_steps(&r, kept, keys, again);
     report_late(&r);

@@ -12,13 +12,13 @@ static const struct landscape {
     const char *what, *map[VIEW_LAYERS], *plane;
     bool lines, blend;
 } VIEWS[] = {
-    { "nothing, and the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
+    { "nothing, the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
     { "a layer without holes", { "sea", NULL, NULL }, NULL, false, false },
-    { "the same, each line moved aside by a wave", { "sea", NULL, NULL }, NULL, true, false },
+    { "the same, each line shifted by a wave", { "sea", NULL, NULL }, NULL, true, false },
     { "a layer with holes", { "clouds", NULL, NULL }, NULL, false, false },
     { "the same, blended", { "clouds", NULL, NULL }, NULL, false, true },
     { "a plane over half of the field", { NULL, NULL, NULL }, "slabs", false, false },
-    { "three layers, lines moved aside, and a plane with fog", { "sea", "clouds", "clouds" }, "slabs", true, false },
+    { "three layers with shifted lines, and a plane with fog", { "sea", "clouds", "clouds" }, "slabs", true, false },
 };
 enum { COUNT = sizeof VIEWS / sizeof *VIEWS };
 
@@ -146,9 +146,9 @@ static const struct look {
 } LOOKS[] = {
     { "nothing", nothing },
     { "100 letters in cells", letters },
-    { "the same with rims", rims },
+    { "the same with outlines", rims },
     { "a flash", flash },
-    { "a shake, and no background: edges are mirrored", bare_shaken },
+    { "a shake without background: edges are mirrored", bare_shaken },
     { "a shake of a layer without holes", layer_shaken },
 };
 enum { LOOK_COUNT = sizeof LOOKS / sizeof *LOOKS };
@@ -166,8 +166,8 @@ static void look_prices(struct stand *s)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text("What else is in the same picture, in microseconds:");
-    report_table(NULL, "what | in all> | beyond nothing>");
+    report_text("Other parts of the same picture, in microseconds:");
+    report_table(NULL, "part | total> | beyond nothing>");
     for (int i = 0; i < LOOK_COUNT; i++)
         report_row(i == 0, LOOKS[i].what, samples_figure(&draw[i], 1e3),
                    i ? report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / 1e3) : "", NULL);
@@ -193,8 +193,8 @@ void scenery_prices(void)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text("Backgrounds, over a field of 240 x 320 px: microseconds of a picture in which there is hardly more.");
-    report_table(NULL, "background | in all> | beyond nothing>");
+    report_text("Backgrounds over a field of 240 x 320 px: microseconds for a picture with little else.");
+    report_table(NULL, "background | total> | beyond nothing>");
     for (int i = 0; i < COUNT; i++)
         report_row(i == 0, VIEWS[i].what, samples_figure(&draw[i], 1e3),
                    i ? report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / 1e3) : "", NULL);

@@ -196,7 +196,7 @@ static void measure_seq(struct samples *s)
 
 static void table(struct band *bands, int n, struct samples *plain)
 {
-    report_table(NULL, "voices | µs a frame> | times the plain loop> | tick, µs>");
+    report_table(NULL, "voices | µs per frame> | ratio to plain loop> | tick, µs>");
     for (int i = 0; i < n; i++)
         report_row(i == 0, bands[i].what, samples_figure(&bands[i].mix, 1e3),
                    report_figure(samples_median(&bands[i].mix) / samples_median(plain)),
@@ -206,28 +206,28 @@ static void table(struct band *bands, int n, struct samples *plain)
 }
 
 static struct band bands[] = {
-    { .what = "16 of recordings, 8 of pulse, saw, triangle, noise",
+    { .what = "16 samples, 8 of pulse, saw, triangle, noise",
       .recorded = 16,
       .recording = &rom.exact,
       .notes = 8,
       .of = { PULSE, SAW, TRIANGLE, NOISE },
       .kinds = 4 },
-    { .what = "16 of recordings, 8 of FM of 4 operators with feedback",
+    { .what = "16 samples, 8 FM of 4 operators with feedback",
       .recorded = 16,
       .recording = &rom.exact,
       .notes = 8,
       .of = { FM4_BACK },
       .kinds = 1 },
-    { .what = "16 of ADPCM, 8 of pulse, saw, triangle, noise",
+    { .what = "16 ADPCM samples, 8 of pulse, saw, triangle, noise",
       .recorded = 16,
       .recording = &rom.packed,
       .notes = 8,
       .of = { PULSE, SAW, TRIANGLE, NOISE },
       .kinds = 4 },
-    { .what = "24 of FM of 4 operators with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
-    { .what = "24 of FM of 4 operators", .notes = 24, .of = { FM4 }, .kinds = 1 },
+    { .what = "24 FM of 4 operators with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
+    { .what = "24 FM of 4 operators", .notes = 24, .of = { FM4 }, .kinds = 1 },
     { .what = "24 of FM of 2 operators, waves, pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
-    { .what = "16 of recordings an octave up, 8 of FM",
+    { .what = "16 samples an octave up, 8 FM",
       .recorded = 16,
       .recording = &rom.exact,
       .higher = 12,
@@ -253,24 +253,22 @@ void section_sound(void)
     }
     measure_seq(&seq);
     report_section("Sound");
-    report_text(
-        "Microseconds that a frame's 800 stereo samples take, and the tick that moves all voices by a frame. With a "
-        "piece of 16 tracks, 12 notes a second each, the tick takes %s µs, its notes' beginnings and ends included. "
-        "The target of 100 µs is for the row of 16 recordings and 8 of FM with feedback. 24 voices of FM, "
-        "and recordings far above their own pitch, which pass a filter of 64 taps, take longer. The plain loop adds up "
-        "24 voices of 16 bits times a gain, left and right, and no more.",
-        samples_figure(&seq, 1e3));
+    report_text("Microseconds for the 800 stereo samples of a frame, and for the tick that advances all voices by a "
+                "frame. With a piece of 16 tracks, 12 notes a second each, the tick takes %s µs, including note starts "
+                "and ends. The target of 100 µs is for the row with 16 samples and 8 FM voices with feedback. 24 FM "
+                "voices take longer, and so do samples far above their original pitch, which pass a 64-tap filter. The "
+                "plain loop only adds up 24 voices of 16 bits times a gain, left and right.",
+                samples_figure(&seq, 1e3));
     table(bands, N, &plain);
-    report_text(
-        "A game without sound has no voices and no sequencer, and nothing of sound runs in its frames. Beside the "
-        "engine of the commit before sound came "
-        "(`make compare BASE=ed089444 GAME=examples/first START= FRAMES=600` on the commit that brought it, in turns) "
-        "a frame takes 1.01 of the time and 1.000 of the instructions, loading 1.00 and 1.002; the Lua heap is the "
-        "same, RAM has 448 bytes more of 6,075,008, a snapshot 512 of 315,904.");
+    report_text("A game without sound has no voices and no sequencer, and no sound code runs in its frames. Compared "
+                "with the engine before sound was added (`make compare BASE=ed089444 GAME=examples/first START= "
+                "FRAMES=600` on the commit that added it, interleaved), a frame takes 1.01 times the time and 1.000 "
+                "times the instructions, and loading takes 1.00 and 1.002 times. The Lua heap is the same; RAM is 448 "
+                "bytes larger at 6,075,008, a snapshot 512 bytes larger at 315,904.");
     const double most = samples_median(&bands[1].mix) / 1e3, tick = mean(&seq) / 1e3;
-    bench_target("a frame of 24 voices: 16 recordings, 8 FM of 4 operators with feedback", "100 µs",
+    bench_target("a frame of 24 voices: 16 samples, 8 FM of 4 operators with feedback", "100 µs",
                  report_string("%s µs", report_figure(most)), most <= 100);
-    bench_target("the tick of sound, of a piece of 16 tracks, on average", "0.5 µs",
+    bench_target("the sound tick of a piece with 16 tracks, on average", "0.5 µs",
                  report_string("%s µs", report_figure(tick)), tick <= 0.5);
     for (int i = 0; i < N; i++) {
         free(bands[i].block);

@@ -218,7 +218,8 @@ static void table(void)
     static const int sizes[] = { 1024, 4096, 16384, 65536, 131072, 262144, 524288, 1048576 };
     int least[WAYS] = { 0 };
 
-    report_table(NULL, "n> | one thread> | halves, spinning> | times> | halves, woken> | times> | by turns> | times>");
+    report_table(NULL,
+                 "n> | one thread> | halves, spinning> | ratio> | halves, woken> | ratio> | alternating> | ratio>");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct samples ns[WAYS] = { { 0 } };
         struct flock f;
@@ -231,9 +232,8 @@ static void table(void)
     }
     report_table_end();
     report_text(
-        "A thread that is woken pays here %s; one that spins, and so takes a whole core all the time, %s. Fights "
-        "have 500 to 10,000 bullets, and what they do must happen in the order of their slots: the engine has one "
-        "thread.",
+        "A thread that is woken pays off here %s; one that spins, and so occupies a whole core all the time, %s. "
+        "Fights have 500 to 10,000 bullets, whose actions must happen in slot order, so the engine uses one thread.",
         from_on(least[SLEEPS]), from_on(least[SPINS]));
 }
 
@@ -242,12 +242,11 @@ void section_threads(void)
     pthread_t thread;
 
     report_section("Threads");
-    report_text(
-        "Would a second thread help? Microseconds of the cheapest work a frame has, the move and the keep box of n "
-        "bullets in columns, without anything of the engine. *Halves*: the second thread gets one half, and the frame "
-        "goes on when both are done; it waits for its turn spinning, or asleep until it is woken. *By turns*: one "
-        "thread "
-        "moves all of them in a frame, the other in the next, so that every column comes from the other core's cache.");
+    report_text("Would a second thread help? Microseconds for the cheapest work of a frame, motion and keep box of n "
+                "bullets in columns, without the engine. *Halves*: the second thread processes one half, and the frame "
+                "continues when both are done; the thread waits by spinning, or sleeps until it is woken. "
+                "*Alternating*: the threads take turns, one moving all bullets in one frame and the other in the next, "
+                "so every column comes from the other core's cache.");
     if (sysconf(_SC_NPROCESSORS_ONLN) < 2) {
         report_text("Not measured: this machine has one core.");
         return;

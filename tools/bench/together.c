@@ -8,12 +8,12 @@ enum { BULLETS = 8192, LASERS = 64, ITEMS = 512, SPARKS = 2048, BURST = 32, WARM
 static const struct share {
     const char *dip, *what;
 } SHARES[] = {
-    { "nothing", "a field that is cleared, and a player" },
+    { "nothing", "a cleared field and a player" },
     { "only_bullets", "8,192 bullets of 8 px" },
     { "only_lasers", "64 lasers: 56 curves of 64 points and 8 beams, 8 px wide" },
     { "only_items", "512 items of 12 px" },
     { "only_sparks", "2,048 sparks of 12 px with gravity, drag and colours" },
-    { "only_scenery", "three layers, lines moved aside, and a plane with fog" },
+    { "only_scenery", "three layers with shifted lines, and a plane with fog" },
     { "everything", "all together" },
 };
 enum { COUNT = sizeof SHARES / sizeof *SHARES, ALL = COUNT - 1 };
@@ -68,7 +68,7 @@ static void print(struct run *runs)
     const double tick = samples_median(&runs[0].tick), draw = samples_median(&runs[0].draw);
     double ticks = tick, draws = draw;
 
-    report_table(NULL, "what | tick> | draw> | both>");
+    report_table(NULL, "part | tick> | draw> | both>");
     for (int i = 0; i < COUNT; i++) {
         report_row(i == ALL, SHARES[i].what, report_string("%s", report_figure(samples_median(&runs[i].tick) / 1e3)),
                    report_string("%s", report_figure(samples_median(&runs[i].draw) / 1e3)),
@@ -77,7 +77,7 @@ static void print(struct run *runs)
         draws += i && i < ALL ? samples_median(&runs[i].draw) - draw : 0;
     }
     report_table_end();
-    report_text("The parts' times beyond the first row's sum up to %s µs of a tick and %s of a picture.",
+    report_text("The parts' times beyond the first row add up to %s µs for the tick and %s for the picture.",
                 report_string("%s", report_figure(ticks / 1e3)), report_figure(draws / 1e3));
 }
 
@@ -98,9 +98,8 @@ void section_together(void)
     measure(runs);
     check(runs[ALL].scene.b);
     report_section("All together");
-    report_text(
-        "Microseconds a frame, on 320x240 px. The player flies about among it, so that bullets and lasers graze "
-        "and hit it all the time.");
+    report_text("Microseconds per frame on 320x240 px. The player flies around among everything, so bullets and lasers "
+                "graze and hit it all the time.");
     print(runs);
     const double us = samples_median(&runs[ALL].frame) / 1e3;
     bench_target("8,192 bullets, 64 lasers, 512 items, 2,048 sparks, three layers and a plane: tick and draw", "2 ms",

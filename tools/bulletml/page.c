@@ -12,24 +12,23 @@
 #include "tool.h"
 
 static const char ABOUT[] =
-    "# BulletML beside libbulletml\n"
+    "# BulletML compared with libbulletml\n"
     "\n"
-    "`make bulletml` measures this page and writes it; do not edit it. It runs the BulletML documents of seven of "
-    "Debian's\n"
-    "packages, in a game of their own on a board, and in libbulletml 0.0.6, which the games they come from use. Both "
-    "are\n"
-    "given the same random numbers, the same rank and the same player, who goes round the lower half of a field of\n"
-    "320 x 240 px. Every bullet is compared in every frame of 1,500, at ranks 0, 0.35, 0.5 and 1: it has to appear "
-    "and\n"
-    "vanish in the same frame, and to be within 1/16 px. The command fails where one does not. A bullet that is "
-    "beyond\n"
-    "192.4 px or 152.4 px from the middle is taken away on both sides, where libbulletml has it: that is no matter of "
-    "a\n"
-    "document.\n"
+    "`make bulletml` measures and writes this page; do not edit it. It runs the BulletML documents of seven Debian "
+    "packages in\n"
+    "a test game on a board, and in libbulletml 0.0.6, the library their games use. Both get the same random numbers, "
+    "the\n"
+    "same rank and the same player, who circles the lower half of a field of 320 x 240 px. Every bullet is compared in "
+    "each\n"
+    "of 1,500 frames, at ranks 0, 0.35, 0.5 and 1: it must appear and vanish in the same frame and stay within 1/16 "
+    "px.\n"
+    "Otherwise the command fails. When libbulletml's bullet is more than 192.4 px or 152.4 px from the centre, it is "
+    "removed\n"
+    "on both sides, because documents do not define borders.\n"
     "\n"
-    "The list of documents is `tools/bulletml/documents.list`; the runner, the comparison and the board's side are "
-    "beside\n"
-    "it. What single elements do is in `tests/bulletml`, with libbulletml's answers, and `make test` looks at those.\n"
+    "The list of documents is `tools/bulletml/documents.list`; the same folder has the runner, the comparison and the "
+    "board's\n"
+    "side. `tests/bulletml` covers single elements with libbulletml's answers, which `make test` checks.\n"
     "\n";
 
 static const char CONCLUSIONS[] = "| | |\n|---|---:|\n";
@@ -134,24 +133,22 @@ static void section_documents(void)
     }
     failed |= s.listed > TOOL_EXCEPTIONS_MOST;
     conclude("documents within 1/16 px", report_string("%d of %d", s.alike, s.documents));
-    conclude("documents excused, for the last bit of a double decides them", report_string("%d", s.listed));
+    conclude("documents excused because the last bit of a double decides them", report_string("%d", s.listed));
     conclude("bullets compared", report_count(s.bullets));
-    conclude("places compared: a bullet in a frame", report_count(s.places));
+    conclude("positions compared (one bullet in one frame)", report_count(s.places));
     conclude("greatest distance", report_string("%.5f px", s.greatest));
     conclude("frames", report_string("%d, at %d ranks", ALL_FRAMES, ALL_RANKS));
     report_section("Every document");
-    report_text(
-        "Bullets and places are those of all four ranks; the greatest distance is in px, at the rank beside it. "
-        "A name is the path in the package, without `/usr/share/games` or `/usr/share/doc`.");
-    report_table(NULL, "document|bullets>|places>|most at once>|greatest distance>|rank>|");
+    report_text("Bullets and positions are totals over all four ranks. The greatest distance is in px, at the rank in "
+                "the next column. A name is the path in the package, without `/usr/share/games` or `/usr/share/doc`.");
+    report_table(NULL, "document|bullets>|positions>|most at once>|greatest distance>|rank>|");
     for (int i = 0; i < documents.n; i++)
         document_row(documents.path[i], &r[i]);
     report_table_end();
-    report_text(
-        "Of %s bullets that went too far, each taken away where libbulletml had it, the board's own place would "
-        "have sent %s in another frame: a border is a line, and no two arithmetics agree on all that ends a frame "
-        "next to it.",
-        report_count(s.left), report_count(s.otherwise));
+    report_text("%s bullets left the area and were removed at libbulletml's position. By the board's own position, %s "
+                "of them would have left in another frame: no two arithmetics agree on every bullet that ends a frame "
+                "next to a border.",
+                report_count(s.left), report_count(s.otherwise));
     all_free(r, documents.n);
 }
 
@@ -164,16 +161,14 @@ static void section_loop(void)
 
     for (int i = 0; i < documents.n; i++)
         add(&s, &r[i]);
-    report_section("Begun anew");
-    report_text(
-        "Most documents end before their 1,500 frames. With `loop = true` a root that has ended begins anew, as "
-        "bosses' do in their games: %d of %d documents are within 1/16 px then as well, in %s places of %s "
-        "bullets; the greatest distance among these is %.5f px.",
-        s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
+    report_section("Restarted");
+    report_text("Most documents end before 1,500 frames. With `loop = true` a root that has ended restarts, like the "
+                "bosses of these games: then %d of %d documents are also within 1/16 px, in %s positions of %s "
+                "bullets, with a greatest distance of %.5f px.",
+                s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
     if (s.alike < s.documents) {
-        report_text(
-            "Where a bullet aims from within a pixel of the player, what rounding has left of its own way, a few "
-            "ten-thousandths of a pixel, turns that aim by so much that it shows on the next one's:");
+        report_text("When a bullet aims from within a pixel of the player, the accumulated rounding error of a few "
+                    "ten-thousandths of a pixel changes the aim so much that the next bullet visibly differs:");
         report_table(NULL, "document|greatest distance>|frame>|rank>|");
         for (int i = 0; i < documents.n; i++) {
             const struct compared *c = &r[i].board[worst(&r[i])];
@@ -212,14 +207,13 @@ static void section_rounding(void)
     struct all_result *r = compare(ALL_ROUNDINGS, false);
     int n = 0;
 
-    report_section("What the last bit decides");
-    report_text(
-        "Doubles are rounded to the nearest, but nothing in a document asks for that: downward, upward and towards "
-        "zero are as right. These documents do otherwise in libbulletml itself when its doubles are rounded "
-        "otherwise, for `0.35 * 20` is then a hair less than 7 rounds of a `repeat`. Only such a one may be on the "
-        "list of the excused, `%s`.",
-        TOOL_EXCEPTIONS);
-    report_table(NULL, "document|rank>|rounded|to nearest (first) and so (second)");
+    report_section("Decided by the last bit");
+    report_text("Doubles round to nearest, but no document requires it: rounding downward, upward and towards zero is "
+                "equally valid. These documents behave differently in libbulletml itself under another rounding mode, "
+                "because `0.35 * 20` is then slightly less than 7 rounds of a `repeat`. Only such documents may be on "
+                "the list of excused ones, `%s`.",
+                TOOL_EXCEPTIONS);
+    report_table(NULL, "document|rank>|rounding|to nearest (first) and with this rounding (second)");
     for (int i = 0; i < documents.n; i++) {
         bool any = false;
         for (int k = 0; k < ALL_RANKS; k++)
@@ -227,10 +221,12 @@ static void section_rounding(void)
         n += any;
     }
     report_table_end();
-    report_text("%s", exceptions.n ? ""
-                                   : "The board does with all of them what libbulletml does when it rounds to the "
-                                     "nearest, so nothing is on the list.");
-    conclude("documents in which libbulletml differs from itself, rounded otherwise", report_string("%d", n));
+    report_text(
+        "%s",
+        exceptions.n
+            ? ""
+            : "For all of them the board does the same as libbulletml rounding to nearest, so the list is empty.");
+    conclude("documents in which libbulletml differs from itself with another rounding mode", report_string("%d", n));
     all_free(r, documents.n);
 }
 
@@ -244,10 +240,10 @@ static void section_speed(void)
         failed = true;
         return;
     }
-    conclude("times as fast as libbulletml, bullets with actions", report_string("%.1f", t.scripted));
-    conclude("beside a host of it that is quick", report_string("%.1f", t.scripted_quick));
-    conclude("times as fast, bullets without actions", report_string("%.1f", t.straight));
-    conclude("beside the quick host", report_string("%.1f", t.straight_quick));
+    conclude("speed relative to libbulletml, bullets with actions", report_string("%.1f", t.scripted));
+    conclude("relative to a fast host of libbulletml", report_string("%.1f", t.scripted_quick));
+    conclude("speed relative to libbulletml, bullets without actions", report_string("%.1f", t.straight));
+    conclude("relative to the fast host", report_string("%.1f", t.straight_quick));
 }
 
 static void section_sheet(void)
@@ -255,9 +251,8 @@ static void section_sheet(void)
     failed |= !tool_sheet(&documents, TOOL_SHEET);
     report_section("Pictures");
     report_text(
-        "Those 64 that have most bullets in the field at once, in that frame, at rank 1 and begun anew as they end; "
-        "each bullet has the colour of its number. The bullets are all that is shown: the documents are their "
-        "games'.");
+        "The 64 documents with the most bullets in the field at once, in that frame, at rank 1 and restarted when they "
+        "end. The colour of a bullet follows its number. Only bullets are shown; the documents belong to their games.");
     report_text("![Eight rows of eight small black fields with patterns of coloured dots, each with the name of its "
                 "document under it](../images/bulletml.png)");
 }
@@ -272,7 +267,7 @@ enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
 int tool_page(int argc, char **argv)
 {
-    struct report_options o = { .usage = "bulletml [--out FOLDER]", .folder = "docs" };
+    struct report_options o = { .usage = "bulletml [--out FOLDER]", .folder = "docs/measured" };
     char err[256];
 
     if (!report_options(&o, argc, argv, SECTIONS, COUNT))

@@ -20,7 +20,7 @@ static const struct timed {
     const char *path, *what;
     int from, frames, scripted;
 } documents[] = {
-    { "/usr/share/games/noiz2sa/boss/[daiouzyou]_hibati_2_2_b.xml", "turns again and again", 130, 100, 168 },
+    { "/usr/share/games/noiz2sa/boss/[daiouzyou]_hibati_2_2_b.xml", "turns repeatedly", 130, 100, 168 },
     { "/usr/share/doc/libbulletml-dev/doc/sample/[G_DARIUS]_homing_laser.xml", "homing", 130, 100, 72 },
     { "/usr/share/doc/libbulletml-dev/doc/sample/[Progear]_round_6_boss_parabola_shot.xml", "accel", 200, 100, 49 },
     { "/usr/share/doc/libbulletml-dev/doc/sample/[Progear]_round_3_boss_back_burst.xml", "waits, then bursts", 300, 100,
@@ -147,8 +147,8 @@ static bool race(const char *path, const char *what, int roots, int from, int fr
     return fine;
 }
 
-static const char columns[] = "document|bullets>|of them scripted>|plain host, ns a bullet>|quick host>|board>|"
-                              "times as fast as plain>|as quick>";
+static const char columns[] =
+    "document|bullets>|scripted>|plain host, ns per bullet>|fast host>|board>|ratio to plain>|ratio to fast>";
 
 static int by_size(const void *a, const void *b)
 {
@@ -221,12 +221,13 @@ bool tool_speed(struct tool_times *out)
 
     report_section("Speed");
     report_text("%s", report_machine());
-    report_text("The same documents from the same places in one process, so often that 1,000 to 64,000 bullets have "
-                "something to do; ten frames of the board and ten of each host by turns, medians of 100. A frame of "
-                "the board is all of its tick, hits and leaving included, and one of libbulletml is its runners, the "
-                "moves, and a box. libbulletml says a bullet's direction and speed, and it is its host that makes a "
-                "velocity of them: the plain one does so in each frame, the quick one when they change. Both drop a "
-                "runner that has ended. A host with many more bullets than its caches hold waits for memory.");
+    report_text(
+        "The same documents run from the same positions in one process, as many times as needed for 1,000 to 64,000 "
+        "active bullets. Ten frames of the board alternate with ten of each host; figures are medians of 100. A frame "
+        "of the board is its whole tick, including hits and leaving the field; a frame of libbulletml is its runners, "
+        "the moves, and a box. libbulletml returns a bullet's direction and speed, and its host computes the velocity: "
+        "the plain host does so in every frame, the fast host when they change. Both delete a runner that has ended. A "
+        "host with far more bullets than its caches hold waits for memory.");
     if (!scripted(ratio) || !straight(line))
         return false;
     *out = (struct tool_times){ median(ratio, DOCUMENTS * SIZES, PLAIN), median(ratio, DOCUMENTS * SIZES, QUICK),

@@ -191,20 +191,20 @@ static const struct method {
     const char *who;
 } METHODS[] = {
     { "`speed = v, over = n`", "half a frame's acceleration", engine_over, time_engine, true, false, false,
-      "everyone" },
-    { "`accel = a`", "the acceleration's rounding, every frame", engine_accel, time_engine, true, true, false,
-      "changes over less than ten seconds, or without end" },
+      "everything" },
+    { "`accel = a`", "a rounding error of the acceleration in every frame", engine_accel, time_engine, true, true,
+      false, "changes that take less than ten seconds or never end" },
     { "`speed = v, over = n`, fine", "half a frame's acceleration", engine_over_fine, time_engine, true, false, true,
-      "places that must agree to 1e-9 px" },
+      "positions that must agree to 1e-9 px" },
     { "`accel = a`, fine", "half a frame's acceleration", engine_accel_fine, time_engine, true, true, true,
       "slow changes over minutes" },
     { "Euler, speed first", "half a frame's acceleration", euler_speed_first, time_euler, false, false, false,
-      "what the engine does, without its rounding" },
-    { "Euler, place first", "the same, the other way", euler_place_first, time_euler, false, false, false,
-      "nobody: no better, and a bullet fired at rest stays a frame" },
-    { "trapezoid", "one addition more", trapezoid, time_trapezoid, false, false, false, "a simulation of physics" },
-    { "closed form", "aiming, turning and changes of mind", closed_form, time_closed, false, false, false,
-      "films: nothing may act on the bullet" },
+      "the engine's method, without its rounding" },
+    { "Euler, position first", "the same, in the other direction", euler_place_first, time_euler, false, false, false,
+      "nothing: no better, and a bullet fired at rest stays there for a frame" },
+    { "trapezoid", "one more addition", trapezoid, time_trapezoid, false, false, false, "a simulation of physics" },
+    { "closed form", "aiming, turning and later changes", closed_form, time_closed, false, false, false,
+      "fixed paths: nothing can act on the bullet" },
 };
 enum { COUNT = sizeof METHODS / sizeof *METHODS, OVER = 0, ACCEL = 1, OVER_FINE = 2, CLOSED = 7 };
 
@@ -259,8 +259,8 @@ static void time_methods(struct lab_rival *rivals)
 
 static void print_methods(const struct lab_rival *rivals)
 {
-    report_table(NULL, "way | gives up | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | "
-                       "1 to 3 in 600> | 0 to 8 in 60> | rms of all> | who should choose it");
+    report_table(NULL, "method | trade-off | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | 1 to 3 in "
+                       "600> | 0 to 8 in 60> | rms of all> | use it for");
     for (int k = 0; k < COUNT; k++) {
         const char *cell[SCENES];
         for (int c = 0; c < SCENES; c++)
@@ -269,7 +269,7 @@ static void print_methods(const struct lab_rival *rivals)
                    report_string("%s px", report_figure(sqrt(squares[k] / frames))), METHODS[k].who, NULL);
     }
     report_table_end();
-    report_table(NULL, "way | rounding alone, 1 to 3 in 3,600> | time a bullet> | ratio>");
+    report_table(NULL, "method | rounding only, 1 to 3 in 3,600> | time per bullet> | ratio>");
     for (int k = 0; k < COUNT; k++)
         report_row(k == OVER, METHODS[k].name,
                    METHODS[k].engine ? report_string("%s px", report_figure(rounding[k][PLOTTED])) : "-",
@@ -286,8 +286,8 @@ static void plot_flights(void)
         .title = "From 1 to 3 px/frame in 3,600 frames",
         .x_name = "frames",
         .y_name = "distance from the continuous motion, px",
-        .described = "Error against frames: an acceleration rounded to Q15.16 is 39 px off after a minute, a speed "
-                     "interpolated between its ends 1 px, the closed form a hundred-thousandth of one",
+        .described = "Error over time: an acceleration rounded to Q15.16 is 39 px off after a minute, an interpolated "
+                     "speed 1 px, the closed form a hundred-thousandth of a pixel",
     });
     for (int i = 0; i < SAMPLES; i++)
         x[i] = SAMPLE[i];
@@ -310,22 +310,21 @@ void section_acceleration(void)
     }
 
     report_section("5. Changing speed");
-    report_text(
-        "Errors are against the continuous motion x₀ + v₀t + at²/2 of a bullet that flies straight: the largest at "
-        "any frame on the way. Each frame the engine first changes the speed and then moves by it, which is ahead of "
-        "the continuous motion by half the change of speed: 1 px from 1 to 3 px/frame, however long it takes. That "
-        "is a matter of definition, and the same every time; the rest is rounding. No way is the default: ▶ is the one "
-        "we recommend.");
+    report_text("Errors are relative to the continuous motion x₀ + v₀t + at²/2 of a bullet that flies straight: the "
+                "largest error in any frame. In each frame the engine first changes the speed, then moves the bullet. "
+                "This puts it ahead of the continuous motion by half the change of speed: 1 px from 1 to 3 px/frame, "
+                "however long the change takes. This offset follows from the definition and is always the same; the "
+                "rest is rounding. No method is the default; ▶ marks the recommended one.");
     print_methods(rivals);
     plot_flights();
     report_text(
-        "`accel = a` adds an acceleration that was rounded once to 2⁻¹⁶ px/frame²; over a minute that is dozens of "
-        "pixels. `speed = v, over = n` works each speed out from both ends, and what it rounds off in one half it "
-        "gives back in the other: it is never more than %s px (fine: %s px) from the exact sum.",
+        "`accel = a` adds an acceleration that was rounded once to 2⁻¹⁶ px/frame²; over a minute the error reaches "
+        "dozens of pixels. `speed = v, over = n` computes each speed from both ends, so the rounding errors of the two "
+        "halves cancel out: the position is never more than %s px (fine: %s px) from the exact sum.",
         report_figure(worst), report_figure(fine));
     lab_claim(fabs(most[OVER][PLOTTED] - 1) < 0.01, "the engine is half a change of speed ahead");
-    lab_conclude("acceleration", "recommended: the speed interpolated, `speed = v, over = n`",
-                 report_string("%s px from the exact sum; an acceleration in Q15.16 added each frame: %s px",
+    lab_conclude("acceleration", "recommended: an interpolated speed, `speed = v, over = n`",
+                 report_string("%s px from the exact sum; adding a Q15.16 acceleration each frame: %s px",
                                report_figure(worst), report_figure(rounding[ACCEL][PLOTTED])),
                  "`accel = a` for short or endless changes",
                  worst < 0.1 && rounding[ACCEL][PLOTTED] > 10 && fine < 1e-4);

@@ -191,14 +191,14 @@ static const struct format {
     void (*turn)(void *data);
     const char *who;
 } FORMATS[] = {
-    { "8 bits", "1.4°", "24 bits for 3 bytes", 8, after_8, ring_8, turn_u8, "a machine with a table of 256 sines" },
+    { "8 bits", "1.4°", "24 bits for 3 bytes", 8, after_8, ring_8, turn_u8, "a machine with a 256-entry sine table" },
     { "16 bits", "0.0055°", "16 bits for 2 bytes", 16, after_16, ring_16, turn_u16,
-      "headings that are set, not turned" },
-    { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everyone" },
-    { "float32 degrees", "to 3.1e-5°", "8 bits; the wrap; time", 0, after_float, NULL, turn_f32,
-      "nobody: not finer, and 360 has to be taken off" },
-    { "double degrees", "to 5.7e-14°", "4 bytes; the wrap; time", 0, after_double, NULL, turn_f64,
-      "the right side of a script's `=`" },
+      "headings that are set but never turned" },
+    { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everything" },
+    { "float32 degrees", "to 3.1e-5°", "8 bits; wrap-around; time", 0, after_float, NULL, turn_f32,
+      "nothing: not finer, and needs an explicit wrap at 360" },
+    { "double degrees", "to 5.7e-14°", "4 bytes; wrap-around; time", 0, after_double, NULL, turn_f64,
+      "calculations in scripts" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, BITS16 = 1, FLOAT = 3 };
 
@@ -228,9 +228,8 @@ static const char *error_cell(int k, int s)
 
 static void print_formats(const struct lab_rival *rivals)
 {
-    report_table(NULL, "heading | unit> | what is traded | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | "
-                       "time a turn> | ratio> | "
-                       "who should choose it");
+    report_table(NULL, "heading | unit> | trade-off | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | time "
+                       "per turn> | ratio> | use it for");
     for (int k = 0; k < COUNT; k++)
         report_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
                    error_cell(k, 1), error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]),
@@ -240,10 +239,9 @@ static void print_formats(const struct lab_rival *rivals)
 
 static void print_rings(void)
 {
-    report_table(
-        "Rings of n shots: widest less narrowest gap, when shot i is at i/n of a turn / when a rounded step is added "
-        "again and again",
-        "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
+    report_table("Rings of n shots: widest minus narrowest gap, with shot i at i/n of a turn / with a rounded step "
+                 "added repeatedly",
+                 "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
     for (int r = 0; r < RINGS; r++) {
         const char *cells[3];
         for (int k = 0; k < 3; k++)
@@ -262,10 +260,10 @@ static void plot_turns(void)
 
     report_plot(&(struct report_plot){
         .file = "turns",
-        .title = "A heading turned by the same step, worst of 64 steps",
+        .title = "A heading turned by a constant step, worst of 64 steps",
         .x_name = "turns",
         .y_name = "distance from the true heading, degrees",
-        .described = "Error of a heading against turns: 8 bits are lost at once, 16 bits are off by a degree after "
+        .described = "Heading error by number of turns: 8 bits fail at once, 16 bits are off by a degree after "
                      "hundreds of turns, 32 bits by 0.004 degrees after 100,000",
     });
     for (int s = 0; s < SPANS; s++)
@@ -289,22 +287,20 @@ void section_angles(void)
         rivals[k] = (struct lab_rival){ .run = FORMATS[k].turn, .ops = LAB_VALUES };
     lab_time(rivals, COUNT, me);
 
-    report_section("4. What a direction is kept in");
-    report_text(
-        "A spiral adds one step to its heading again and again, so half a unit lost in the step is lost every time. "
-        "The error is that of %d steps between 0° and 180°, among them the golden angle; the engine's bullets are "
-        "turned by a motion program.",
-        STEPS);
+    report_section("4. Direction format");
+    report_text("A spiral adds the same step to its heading repeatedly, so a rounding error in the step accumulates. "
+                "The error is over %d steps between 0° and 180°, including the golden angle; a motion program turns "
+                "the engine's bullets.",
+                STEPS);
     print_formats(rivals);
     plot_turns();
     print_rings();
-    report_text(
-        "At 400 px from its source half a unit of 16 bits is 0.02 px: 16 bits are enough to point with. They are not "
-        "enough to turn with. 32 bits cost 2 bytes more, and a whole turn wraps by itself.");
+    report_text("At 400 px from the source, half a unit of a 16-bit angle is 0.02 px: 16 bits are enough for aiming. "
+                "They are not enough for turning. 32 bits cost 2 bytes more, and a full turn wraps automatically.");
     lab_conclude("directions", "32-bit binary angles",
-                 report_string("after 10,000 turns %s° off, where 16 bits are %s° off", report_figure(most[me][2]),
+                 report_string("%s° off after 10,000 turns; 16 bits are %s° off", report_figure(most[me][2]),
                                report_figure(most[BITS16][2])),
-                 "nothing: 16 bits save 2 bytes a bullet",
+                 "nothing: 16 bits save only 2 bytes per bullet",
                  most[me][2] < 0.001 && most[BITS16][2] > 1 && unevenness(ring_engine, 1000, false) < 2e-7 &&
                      (lab_exact() || rivals[me].ns < 1));
 }

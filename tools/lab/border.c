@@ -79,10 +79,10 @@ static int32_t fx_pixels(int32_t v)
 
 static const struct way POSITIONS[] = {
     { "pixels as a double", true, false, fx_double, "nothing", "every script" },
-    { "pixels as text, %.14g", false, true, fx_text14, "time", "files for people; it is what tostring writes" },
+    { "pixels as text, %.14g", false, true, fx_text14, "time", "readable files; tostring writes this format" },
     { "pixels as text, %g", false, true, fx_text6, "10 bits of 32; time", "messages" },
     { "pixels as float32", false, false, fx_float, "8 bits of 32", "drawing" },
-    { "hundredths of a pixel", false, false, fx_hundredths, "9 bits of 32", "level files written by hand" },
+    { "hundredths of a pixel", false, false, fx_hundredths, "9 bits of 32", "hand-written level files" },
     { "whole pixels", false, false, fx_pixels, "16 bits of 32", "tiles" },
 };
 
@@ -137,15 +137,15 @@ static int32_t ang_whole(int32_t v)
 }
 
 static const struct way ANGLES[] = {
-    { "degrees as a double", true, false, ang_double, "nothing", "every script: 90 is a quarter exactly" },
+    { "degrees as a double", true, false, ang_double, "nothing", "every script: 90 is exactly a quarter turn" },
     { "radians as a double", false, false, ang_radians, "exact fractions of a turn",
-      "formulas from books; no fraction of a turn but 0 is one exactly" },
-    { "degrees as text, %.14g", false, true, ang_text14, "time", "files for people; it is what tostring writes" },
+      "textbook formulas; only 0 is an exact fraction of a turn" },
+    { "degrees as text, %.14g", false, true, ang_text14, "time", "readable files; tostring writes this format" },
     { "degrees as text, %g", false, true, ang_text6, "13 bits of 32; time", "messages" },
     { "degrees as float32", false, false, ang_float, "8 bits of 32", "drawing" },
     { "radians as float32", false, false, ang_radians_f, "8 bits of 32", "drawing" },
-    { "16-bit angle", false, false, ang_16, "16 bits of 32", "the look of a 16-bit machine" },
-    { "whole degrees", false, false, ang_whole, "23 bits of 32", "level files written by hand" },
+    { "16-bit angle", false, false, ang_16, "16 bits of 32", "a 16-bit look" },
+    { "whole degrees", false, false, ang_whole, "23 bits of 32", "hand-written level files" },
 };
 
 /* ---- measuring ---- */
@@ -204,9 +204,8 @@ static void measure(const struct way *ways, int n, bool circular, struct lab_riv
     lab_time(time, n, 0);
     report_table(
         circular ? "angles" : "positions",
-        report_string(
-            "%s|what is traded|values|do not come back>|worst, %s>|time, both ways>|ratio>|who should choose it",
-            circular ? "an angle as" : "a position as", circular ? "2⁻³² of a turn" : "ulp"));
+        report_string("%s|trade-off|values|changed by a round trip>|worst, %s>|round-trip time>|ratio>|use it for",
+                      circular ? "angle passed as" : "position passed as", circular ? "2⁻³² of a turn" : "ulp"));
     for (int i = 0; i < n; i++) {
         int count = ways[i].slow ? TEXTS : VALUES;
         int64_t gone = lost(&ways[i], circular, values, count, &most[i]);
@@ -232,13 +231,15 @@ static double degrees_back(void)
 
 static void draw(const struct lab_rival time[], const double most[], int n)
 {
-    const struct report_plot plot = { .file = "border",
-                                      .title = "An angle to a script and back",
-                                      .x_name = "nanoseconds, both ways",
-                                      .y_name = "largest error, 2⁻³² of a turn",
-                                      .timed = true,
-                                      .described = "Cost of each way to hand an angle to a script against its largest "
-                                                   "error; degrees as a double have none" };
+    const struct report_plot plot = {
+        .file = "border",
+        .title = "An angle passed to a script and back",
+        .x_name = "nanoseconds per round trip",
+        .y_name = "largest error, 2⁻³² of a turn",
+        .timed = true,
+        .described =
+            "Cost and largest error of each way to pass an angle to a script; degrees as a double have no error"
+    };
 
     report_plot(&plot);
     for (int i = 0; i < n; i++)
@@ -258,23 +259,25 @@ void section_border(void)
     rng_seed(&rng, 7);
     for (int i = 0; i < VALUES; i++)
         values[i] = i < 7 ? FIRST[i] : (int32_t)(uint32_t)(rng_next(&rng) >> 32);
-    report_section("7. The script border");
+    report_section("7. The script interface");
     report_text(
-        "A script reads a position as pixels and an angle as degrees, both in Lua's numbers, which are doubles, and "
-        "writes them\nback. Random values of the whole range, the ends among them, go there and back. For the "
-        "engine's own way\n`make accuracy` tries all 2³² of either kind (the test that compares this page tries %s "
-        "of them).",
+        "A script reads and writes a position as pixels and an angle as degrees. Both are Lua numbers, which are "
+        "doubles. The\n"
+        "tables test a round trip of random values over the whole range, including its ends. For the engine's own "
+        "method\n"
+        "`make accuracy` tries all 2³² values of each type (the test that compares this page tries %s of them).",
         report_count(VALUES));
     measure(POSITIONS, N_POSITIONS, false, time, most, values);
     bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));
     measure(ANGLES, N_ANGLES, true, time, most, values);
     draw(time, most, N_ANGLES);
-    report_text("The other way round: of all multiples of 0.1° none comes back to a script more than %s° off, half of "
-                "2⁻³² of a turn;\nmultiples of 360°/2ⁿ come back as they are.",
-                report_figure(degrees_back()));
-    lab_conclude("positions at the script border", "pixels as a double", "all 2³² come back",
-                 "text of 14 digits in files", positions);
-    lab_conclude("angles at the script border", "degrees as a double", "all 2³² come back; a quarter is 90 exactly",
-                 "whole degrees where a person writes them",
-                 most[0] == 0 && (lab_exact() || all_come_back(ang_double)));
+    report_text(
+        "In the other direction, no multiple of 0.1° returns to a script more than %s° off, half of 2⁻³² of a turn;\n"
+        "multiples of 360°/2ⁿ return unchanged.",
+        report_figure(degrees_back()));
+    lab_conclude("positions in scripts", "pixels as a double", "all 2³² values survive a round trip",
+                 "text with 14 digits in files", positions);
+    lab_conclude("angles in scripts", "degrees as a double",
+                 "all 2³² values survive a round trip; a quarter turn is exactly 90",
+                 "whole degrees in hand-written files", most[0] == 0 && (lab_exact() || all_come_back(ang_double)));
 }

@@ -569,16 +569,15 @@ static void print_ways(void)
     static const struct {
         const char *name, *trade, *who;
     } NAMES[WAYS] = {
-        { "scan, rejecting in blocks of 64", "nothing", "everyone" },
-        { "scan, testing each exactly", "the reject", "nobody" },
-        { "grid of 16 px", "a sort in every frame", "four players or more against the same bullets" },
-        { "tree of boxes", "a longer sort", "bullets that stand still, or a world of many fields" },
+        { "scan with rejection in blocks of 64", "nothing", "everything" },
+        { "scan that tests each bullet exactly", "the rejection", "nothing" },
+        { "grid of 16 px", "a sort in every frame", "four or more players against the same bullets" },
+        { "tree of boxes", "a longer sort", "stationary bullets, or a world many fields large" },
     };
     const struct result *r = &results[2];
 
-    report_table(
-        report_string("One player against %s bullets: a frame", report_count(SIZE[2])),
-        "way | gives up | pairs found> | looked at> | tested exactly> | time> | ratio> | who should choose it");
+    report_table(report_string("One player against %s bullets: one frame", report_count(SIZE[2])),
+                 "method | trade-off | pairs found> | looked at> | tested exactly> | time> | ratio> | use it for");
     for (int w = 0; w < WAYS; w++)
         report_row(w == ENGINE, NAMES[w].name, NAMES[w].trade, report_count(r->hits),
                    report_count((int64_t)r->looked[w]), report_count((int64_t)r->tested[w]), lab_us(&r->times[w]),
@@ -588,7 +587,7 @@ static void print_ways(void)
 
 static void print_sizes(void)
 {
-    report_table("The same for n bullets; in brackets what is left when grid and tree are built already",
+    report_table("The same for n bullets; in parentheses, the time without building the grid or tree",
                  "n> | pairs> | scan, engine> | exact scan> | grid> | tree> | grid pays from> | tree pays from>");
     for (int i = 0; i < SIZES; i++) {
         const struct result *r = &results[i];
@@ -604,10 +603,8 @@ static void print_sizes(void)
 
 static void print_crowds(void)
 {
-    report_table(
-        "m shots against k enemies of h px: of those it touches, each shot hits the one it was nearest to; exact "
-        "tests",
-        "m> | k> | h> | shots that hit> | a reject in blocks of 64> | grid of 32 px> | every pair>");
+    report_table("Exact tests of m shots against k enemies of h px; each shot hits the nearest enemy it touches",
+                 "m> | k> | h> | shots that hit> | rejection in blocks of 64> | grid of 32 px> | every pair>");
     for (int i = 0; i < CROWDS; i++) {
         const struct crowd_result *r = &crowds[i];
         report_row(false, report_count(CROWD[i][0]), report_count(CROWD[i][1]), report_count(2 * CROWD[i][2]),
@@ -615,9 +612,8 @@ static void print_crowds(void)
                    report_count((int64_t)r->tested[3]), NULL);
     }
     report_table_end();
-    report_table("Time of a frame",
-                 "m> | k> | h> | engine: a grid, nearest first> | a reject in blocks of 64> | ratio> | grid of 32 px> "
-                 "| ratio> | every pair> | ratio>");
+    report_table("Time per frame", "m> | k> | h> | engine: grid, nearest first> | rejection in blocks of 64> | ratio> "
+                                   "| grid of 32 px> | ratio> | every pair> | ratio>");
     for (int i = 0; i < CROWDS; i++) {
         const struct lab_rival *t = crowds[i].times;
         report_row(false, report_count(CROWD[i][0]), report_count(CROWD[i][1]), report_count(2 * CROWD[i][2]),
@@ -643,14 +639,14 @@ static const char *ratios_of(int way)
 static void print_shots(void)
 {
     print_crowds();
-    report_text(
-        "The engine sorts the enemies into a grid with about one enemy a cell, once each, where they were before they "
-        "moved; a shot looks there for the nearest, first in four cells, then in rings. In the last row, where a tenth "
-        "of all pairs touch, it hardly tests a pair: whoever is nearest is hit. The grid of 32 px puts each enemy into "
-        "all cells in which it can be hit, so it suits small enemies, and one of another size needs other cells; its "
-        "frame takes %s times the engine's, the reject's %s times, that of every pair %s times. The engine also looks "
-        "up kinds and shapes and raises events, which its rivals here need not.",
-        ratios_of(2), ratios_of(1), ratios_of(3));
+    report_text("The engine sorts the enemies into a grid with about one enemy per cell. Each enemy is in one cell, at "
+                "its position before it moved. A shot searches for the nearest enemy first in four cells, then in "
+                "rings. In the last row, where a tenth of all pairs touch, it tests few pairs, because the nearest "
+                "enemy is hit. The grid of 32 px puts each enemy into every cell in which it can be hit, so it suits "
+                "small enemies; larger enemies need larger cells. Relative to the engine, a frame takes %s times as "
+                "long with this grid, %s times with the rejection and %s times with every pair. The engine also looks "
+                "up kinds and shapes and raises events; the other methods here do not.",
+                ratios_of(2), ratios_of(1), ratios_of(3));
 }
 
 static void plot_sizes(void)
@@ -661,12 +657,12 @@ static void plot_sizes(void)
 
     report_plot(&(struct report_plot){
         .file = "broad",
-        .title = "One player against n bullets: a frame",
+        .title = "One player against n bullets: one frame",
         .x_name = "bullets",
         .y_name = "time, µs",
         .timed = true,
-        .described = "Time against number of bullets: the engine's scan is fastest at every size, then the grid, the "
-                     "exact scan and the tree",
+        .described = "Time by number of bullets: the engine's scan is fastest at every size, then the grid, the exact "
+                     "scan and the tree",
     });
     for (int w = 0; w < WAYS; w++) {
         for (int i = 0; i < SIZES; i++) {
@@ -710,18 +706,17 @@ void section_broad(void)
         measure_crowd(&crowds[i], CROWD[i]);
 
     report_section("6. Finding the pairs");
-    report_text(
-        "Bullets of r = 4 px, up to 3 px/frame, all over a field of %d x %d px; a player of 2 px. Everything moves, "
-        "so a grid or a tree is built in every frame. A scan is O(n), a tree O(n log n) to build and O(log n) to "
-        "ask; all find the same pairs.",
-        FIELD_W, FIELD_H);
+    report_text("Bullets of r = 4 px move at up to 3 px/frame all over a field of %d x %d px; the player has a radius "
+                "of 2 px. Everything moves, so a grid or tree is rebuilt in every frame. A scan is O(n); a tree is O(n "
+                "log n) to build and O(log n) to query. All methods find the same pairs.",
+                FIELD_W, FIELD_H);
     print_ways();
     plot_sizes();
     print_sizes();
     report_text(
-        "Building the grid for %s bullets costs as much as %s scans, the tree %s: both move every bullet to another "
-        "place in memory, while the scan reads along columns with a test that cannot be mispredicted. For one "
-        "player the scan is fastest at every size. A grid breaks even at %s players; the engine has at most %d.",
+        "Building the grid for %s bullets costs as much as %s scans, the tree %s. Both copy every bullet to another "
+        "place in memory, while the scan reads columns sequentially with a branch-free test. For one player the scan "
+        "is fastest at every size. A grid breaks even at %s players; the engine has at most %d.",
         report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(),
         PADS);
     print_shots();
@@ -730,11 +725,11 @@ void section_broad(void)
                                report_count(SIZE[0]), report_count(SIZE[SIZES - 1]),
                                lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
                  "nothing", lab_exact() || scan_wins());
-    lab_conclude("shots against enemies", "a grid of the enemies' places, searched from the shot outwards",
-                 report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies, %s µs where %s shots and %s "
+    lab_conclude("shots against enemies", "a grid of the enemies' positions, searched from the shot outwards",
+                 report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies; %s µs where %s shots and %s "
                                "enemies overlap in a tenth of all pairs",
                                lab_about(crowds[3].times[0].ns), report_count(FRAME_US),
                                lab_about(crowds[8].times[0].ns), report_count(CROWD[8][0]), report_count(CROWD[8][1])),
-                 "a grid to build in every frame, and more code than a scan",
+                 "a scan: no grid to build in every frame, less code",
                  lab_exact() || (crowds[3].times[1].ratio > 1 && crowds[8].times[1].ratio > 4));
 }

@@ -182,19 +182,20 @@ static const struct rival {
     void (*loop)(void *data);
     const char *who;
 } RIVALS[] = {
-    { "circle, swept", "nothing: exact on the whole way", swept_circle, swept_circle_loop, "everyone" },
-    { "circle", "the way between two frames", circle, circle_loop, "bullets slower than half a contact (r) a frame" },
-    { "circle, 2 substeps", "half of that", two_parts, two_parts_loop,
-      "nobody: far away dearer than swept, and not right" },
-    { "circle, 4 substeps", "three quarters of that", four_parts, four_parts_loop,
-      "nobody: far away dearer than swept, and not right" },
-    { "box around the circle", "corners that hit", box_around, box_around_loop, "things drawn as boxes" },
-    { "box inside the circle", "rim that does not hit", box_inside, box_inside_loop, "a lenient game, at equal cost" },
-    { "box of equal area", "both, by halves", box_equal, box_equal_loop, "nobody" },
-    { "circle, Q15.16 squares", "overflow from 181 px on", fx_squares, fx_squares_loop, "nobody" },
+    { "circle, swept", "nothing: exact along the whole path", swept_circle, swept_circle_loop, "everything" },
+    { "circle", "the path between two frames", circle, circle_loop,
+      "bullets slower than half a contact (r) per frame" },
+    { "circle, 2 substeps", "half of it", two_parts, two_parts_loop,
+      "nothing: slower than swept for distant bullets, and not exact" },
+    { "circle, 4 substeps", "three quarters of it", four_parts, four_parts_loop,
+      "nothing: slower than swept for distant bullets, and not exact" },
+    { "box around the circle", "false hits in the corners", box_around, box_around_loop, "objects drawn as boxes" },
+    { "box inside the circle", "hits at the rim", box_inside, box_inside_loop, "a lenient game, at the same cost" },
+    { "box of equal area", "half of each", box_equal, box_equal_loop, "nothing" },
+    { "circle, Q15.16 squares", "overflow beyond 181 px", fx_squares, fx_squares_loop, "nothing" },
     { "circle, float32", "the last bits of the rim", float_circle, float_circle_loop, "a game without replays" },
-    { "circle, float32 and a root", "the same, and a root", root_circle, root_circle_loop, "nobody" },
-    { "circle, whole pixels", "fractions of a pixel", pixel_circle, pixel_circle_loop, "8-bit processors" },
+    { "circle, float32 and a root", "the same, plus a root", root_circle, root_circle_loop, "nothing" },
+    { "circle, whole pixels", "subpixels", pixel_circle, pixel_circle_loop, "8-bit processors" },
 };
 enum {
     COUNT = sizeof RIVALS / sizeof *RIVALS,
@@ -416,7 +417,7 @@ static void print_shapes(void)
     for (int i = 0; i < N_SHAPES; i++)
         far[i] = (struct lab_rival){ .run = SHAPES[i].loop, .ops = LAB_VALUES };
     time_both(far, near, N_SHAPES);
-    report_table("What each of the engine's shapes costs a pair", "shapes | near> | ratio> | far> | ratio>");
+    report_table("Cost per pair of each of the engine's shapes", "shapes | near> | ratio> | far> | ratio>");
     for (int i = 0; i < N_SHAPES; i++)
         report_row(false, SHAPES[i].name, lab_ns(&near[i]), lab_ratio(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
                    NULL);
@@ -451,8 +452,9 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
 {
     const int r4 = radius_index(4), r160 = radius_index(160), s16 = speed_index(16);
 
-    report_table(NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | "
-                       "who should choose it");
+    report_table(
+        NULL,
+        "test | trade-off | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | use it for");
     for (int i = 0; i < COUNT; i++) {
         const struct area *a = &areas[i][r160];
         report_row(is_standard(i), RIVALS[i].name, RIVALS[i].trade,
@@ -461,9 +463,9 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
                    RIVALS[i].who, NULL);
     }
     report_table_end();
-    report_table(NULL,
-                 "test | crossings missed, r = 4 px at 16 px/frame> | false hits there> | time a pair, near> | far> | "
-                 "ratio, far>");
+    report_table(
+        NULL,
+        "test | crossings missed, r = 4 px at 16 px/frame> | false hits> | time per pair, near> | far> | ratio, far>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(i), RIVALS[i].name, report_percent(wrong[i][r4][s16].missed),
                    report_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
@@ -514,13 +516,13 @@ static void plot_misses(void)
 
     report_plot(&(struct report_plot){
         .file = "misses",
-        .title = "Bullets that pass through: a circle tested at the end of each frame",
+        .title = "Tunnelling: a circle tested at the end of each frame",
         .x_name = "speed, px/frame",
         .y_name = "crossings missed",
         .y_linear = true,
         .y_percent = true,
-        .described = "Missed crossings against speed for radii from 2 to 160 px: none at any speed if swept; else more "
-                     "the faster and the smaller the bullet is",
+        .described = "Missed crossings by speed for radii from 2 to 160 px: swept tests miss none at any speed; "
+                     "otherwise faster and smaller bullets miss more",
     });
     for (int s = 0; s < SPEEDS; s++)
         x[s] = SPEED[s];
@@ -545,12 +547,12 @@ static void plot_areas(void)
 
     report_plot(&(struct report_plot){
         .file = "areas",
-        .title = "Where a test of one frame is wrong",
+        .title = "Errors of a single-frame test",
         .x_name = "radius, px",
         .y_name = "area of false hits and misses, px²",
         .described =
-            "Wrongly judged area against radius: boxes are wrong on an area that grows with the square of the "
-            "radius, whole pixels with the radius, squares in Q15.16 far from every bullet; the engine nowhere",
+            "Wrongly judged area by radius: the area grows with the square of the radius for boxes and with the radius "
+            "for whole pixels; squares in Q15.16 are wrong far from every bullet; the engine is wrong nowhere",
     });
     for (int r = 0; r < RADII; r++)
         x[r] = RADIUS[r];
@@ -585,47 +587,45 @@ void section_collision(void)
     time_rivals(far, near);
 
     report_section("2. Collision");
-    report_text(
-        "Two circles touch when their centres are at most *r* apart, r being the sum of both radii. *False* and "
-        "*missed area* are where a bullet that stands still is judged wrong, within 384 px to either side of the "
-        "player "
-        "and 448 px above and below; the circle of r = 160 px has %s px². A *crossing* is a bullet's way past the "
-        "player, at most 1.5 r + 1 px "
-        "beside it, in any direction; it is missed when no frame finds the touch, and a false hit when some frame "
-        "finds one that never was. Shares are of the true crossings (%s ways for each radius and speed). Times are "
-        "for pairs within 12 px (near) and all over the field (far), r = 8 px, 4 px/frame.",
-        report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
+    report_text("Two circles touch when their centres are at most *r* apart, where r is the sum of both radii. *False "
+                "area* and *missed area* are the places where a stationary bullet is judged wrongly, within 384 px to "
+                "either side of the player and 448 px above and below. The circle of r = 160 px has %s px². A "
+                "*crossing* is a bullet's path past the player, at most 1.5 r + 1 px away, in any direction. It is "
+                "missed when no frame finds the touch, and a false hit when a frame finds a touch that never happened. "
+                "Shares are relative to the true crossings (%s paths for each radius and speed). Times are for pairs "
+                "within 12 px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
+                report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
     print_rivals(far, near);
     print_shapes();
     plot_misses();
-    print_grid("Crossings missed by a circle tested at the end of the frame / with 2 / with 4 substeps", triple);
-    report_text(
-        "What counts is the speed in *contacts* (a contact is r, both radii together): %s are missed at half a contact "
-        "a frame, %s at one, %s at two, %s at four. Substeps only halve the speed.",
-        report_percent(missed_at(1)), report_percent(missed_at(2)), report_percent(missed_at(4)),
-        report_percent(missed_at(8)));
+    print_grid("Crossings missed by a circle tested at the end of the frame / with 2 substeps / with 4 substeps",
+               triple);
+    report_text("The miss rate depends on the speed in *contacts* (a contact is r, the sum of both radii): a test "
+                "misses %s at half a contact per frame, %s at one, %s at two and %s at four. Doubling the substeps "
+                "only halves the effective speed.",
+                report_percent(missed_at(1)), report_percent(missed_at(2)), report_percent(missed_at(4)),
+                report_percent(missed_at(8)));
     lab_claim(missed_at(1) < 0.02 && missed_at(2) < 0.06 && missed_at(4) > 0.2, "misses follow the speed in contacts");
     leaving_report();
     plot_areas();
-    print_grid("The box around the circle: crossings missed / false hits", twin);
-    report_text(
-        "A box claims %s of the circle's area in its corners at every size, but what a player sees is the area: "
-        "%s px² beside a bullet of r = 8 px, %s px² beside one of 160 px. Squares need no roots: the exact circle "
-        "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
-        report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
-        report_figure(areas[AROUND][radius_index(8)].false_hits), report_figure(areas[AROUND][r160].false_hits));
+    print_grid("The box around the circle: missed crossings / false hits", twin);
+    report_text("At every size the corners of a box add %s of the circle's area. Players notice the absolute area: %s "
+                "px² around a bullet of r = 8 px, %s px² around one of 160 px. The exact circle needs no root: it "
+                "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
+                report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
+                report_figure(areas[AROUND][radius_index(8)].false_hits),
+                report_figure(areas[AROUND][r160].false_hits));
 
     lab_claim(areas[SQUARES][r160].false_hits > 100, "squares in Q15.16 hit what is far away");
     lab_claim(lab_exact() || near[CIRCLE].ns < 1.2 * near[ROOT].ns, "the exact circle costs no more than a root");
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
-    lab_conclude(
-        "hit test", "circles, swept, exact",
-        report_string(
-            "0 missed and 0 false of %s ways past the player; a circle at the frame's end misses %s at r = 4 px, 16 "
-            "px/frame",
-            report_count((int64_t)RADII * SPEEDS * TRIALS), report_percent(wrong[CIRCLE][r4][s16].missed)),
-        "`hit = { box = ... }` for what is drawn as a box; `swept = false` for what moves less than half a "
-        "contact (both radii together) a frame, or is meant to pass through",
-        is_standard(SWEPT) && exact(SWEPT) &&
-            (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
+    lab_conclude("hit test", "circles, swept, exact",
+                 report_string("0 missed and 0 false of %s paths past the player; a circle tested at the end of the "
+                               "frame misses %s at r = 4 px, 16 px/frame",
+                               report_count((int64_t)RADII * SPEEDS * TRIALS),
+                               report_percent(wrong[CIRCLE][r4][s16].missed)),
+                 "`hit = { box = ... }` for objects drawn as boxes; `swept = false` for bullets that move less than "
+                 "half a contact (the sum of both radii) per frame or are meant to pass through",
+                 is_standard(SWEPT) && exact(SWEPT) &&
+                     (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
 }

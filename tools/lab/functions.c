@@ -327,45 +327,45 @@ static void to_degrees_is(const struct sample *s, struct truth out[])
     out[0] = (struct truth){ .near = 45 * (int64_t)s->dir };
 }
 
-#define VECTORS "vectors up to 512 px long either way, a quarter of them up to 8 px"
+#define VECTORS "vector components within ±512 px, a quarter of them within ±8 px"
 #define ANG     "unit: 2⁻³² of a turn (a degree is 11,930,465 of them)"
 
 static const struct quantity QUANTITIES[] = {
-    { "Multiplication", "mul", "a product", "the half-up product where nothing can overflow",
-      "a up to 512 px, b up to 1 or 16, either sign", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair,
-      mul_is, false, "ab" },
-    { "Division", "div", "a quotient", "an inverse that is kept, where one number divides many",
-      "a up to 512 px, b from 1/16 to 64, either sign", "unit: 1 ulp", &rivals_div, 1, false, draw_div, edges_div,
-      div_is, false, "ab" },
-    { "Square root", "sqrt", "a square root", "squares compared instead of roots: no error and no cost",
+    { "Multiplication", "mul", "a product", "the product rounded half up, where nothing can overflow",
+      "a within ±512 px, b within ±1 or ±16", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair, mul_is, false,
+      "ab" },
+    { "Division", "div", "a quotient", "a stored inverse, where one number divides many",
+      "a within ±512 px, b from 1/16 to 64, positive and negative", "unit: 1 ulp", &rivals_div, 1, false, draw_div,
+      edges_div, div_is, false, "ab" },
+    { "Square root", "sqrt", "a square root", "compare squares instead of roots: no error, no cost",
       "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is, false,
       "a" },
-    { "Reciprocal square root", "rsqrt", "1/√x", "trig_normalise for a direction: two results, rounded once",
+    { "Reciprocal square root", "rsqrt", "1/√x", "trig_normalise for a direction: two results, each rounded once",
       "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false,
       "a" },
-    { "Length of a vector", "hypot", "a length", "squares compared; larger + ⅜ smaller to sort by distance", VECTORS,
+    { "Length of a vector", "hypot", "a length", "compare squares; larger + ⅜ smaller to sort by distance", VECTORS,
       "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
-    { "Sine", "sin", "a sine", "a small table for show", "all angles", "unit: 1 ulp", &rivals_sin, 1, false, draw_angle,
-      edges_turn, sin_is, false, "d" },
-    { "Cosine", "cos", "a cosine", "a small table for show", "all angles", "unit: 1 ulp", &rivals_cos, 1, false,
-      draw_angle, edges_turn, cos_is, false, "d" },
-    { "Direction of a vector", "atan2", "a direction", "1025 entries where 16 bits of angle are enough", VECTORS, ANG,
-      &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false, "ab" },
-    { "Speed and direction to a velocity", "polar", "a velocity", "fine motion for what lives for minutes",
-      "speeds of 1/16 to 64 px, all angles; errors of both parts", "unit: 1 ulp", &rivals_polar, 2, false, draw_polar,
-      edges_polar, polar_is, false, "ad" },
-    { "Normalising a vector", "normalise", "a unit vector", "the speed and direction kept, not the vector",
-      VECTORS "; errors of both parts", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector, unit_is,
-      false, "ab" },
-    { "Between two values", "lerp", "a value between two", "the 64-bit half-up form where 0 ≤ t ≤ 1",
-      "a and b up to 512 px either way, 0 ≤ t < 1", "unit: 1 ulp", &rivals_lerp, 1, false, draw_lerp, edges_lerp,
-      lerp_is, false, "abt" },
-    { "Degrees to an angle", "degrees", "degrees", "times 2³²/360 where ties do not matter",
-      "multiples of 0.1° and random numbers up to 360° either way", ANG, &rivals_degrees, 1, true, draw_degrees,
-      edges_degrees, degrees_is, false, "g" },
-    { "The turn between two angles", NULL, NULL, NULL, "all pairs of angles", ANG, &rivals_difference, 1, true,
+    { "Sine", "sin", "a sine", "a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_sin, 1, false,
+      draw_angle, edges_turn, sin_is, false, "d" },
+    { "Cosine", "cos", "a cosine", "a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_cos, 1,
+      false, draw_angle, edges_turn, cos_is, false, "d" },
+    { "Direction of a vector", "atan2", "a direction", "a table of 1025 entries where a 16-bit angle is enough",
+      VECTORS, ANG, &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false, "ab" },
+    { "Speed and direction to velocity", "polar", "a velocity", "fine motion for bullets that live for minutes",
+      "speeds from 1/16 to 64 px, all angles; errors of both components", "unit: 1 ulp", &rivals_polar, 2, false,
+      draw_polar, edges_polar, polar_is, false, "ad" },
+    { "Normalising a vector", "normalise", "a unit vector", "store speed and direction instead of the vector",
+      VECTORS "; errors of both components", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector,
+      unit_is, false, "ab" },
+    { "Interpolation between two values", "lerp", "an interpolated value",
+      "the 64-bit form rounded half up, where 0 ≤ t ≤ 1", "a and b within ±512 px, 0 ≤ t < 1", "unit: 1 ulp",
+      &rivals_lerp, 1, false, draw_lerp, edges_lerp, lerp_is, false, "abt" },
+    { "Degrees to angle", "degrees", "degrees", "multiply by 2³²/360 where ties do not matter",
+      "multiples of 0.1° and random numbers within ±360°", ANG, &rivals_degrees, 1, true, draw_degrees, edges_degrees,
+      degrees_is, false, "g" },
+    { "Difference of two angles", NULL, NULL, NULL, "all pairs of angles", ANG, &rivals_difference, 1, true,
       draw_difference, edges_difference, difference_is, false, "de" },
-    { "An angle to degrees", NULL, NULL, NULL, "all angles", "unit: 2⁻²⁹°", &rivals_to_degrees, 1, false, draw_angle,
+    { "Angle to degrees", NULL, NULL, NULL, "all angles", "unit: 2⁻²⁹°", &rivals_to_degrees, 1, false, draw_angle,
       edges_turn, to_degrees_is, true, "d" },
 };
 
@@ -450,7 +450,7 @@ static void print_row(const struct rival *r, const struct found *f, const struct
 static void draw_plot(const struct quantity *q, const struct found found[], const struct lab_rival time[])
 {
     const char *described =
-        report_string("%s: cost against largest error of each way; low and left is better", q->title);
+        report_string("%s: cost and largest error of each method; lower and further left is better", q->title);
     struct report_plot plot = { .file = q->file,
                                 .title = q->title,
                                 .x_name = "nanoseconds",
@@ -600,9 +600,9 @@ static void print_edges(void)
 {
     report_text("### The edges");
     report_text(
-        "What *wrong at edges* was tried with: every combination of the values of these sets, the arguments in the "
-        "order\nof the function's own. Numbers are the bits of Q15.16 (65536 is 1), those with 0x the bits of angles, "
-        "those of\ndegrees are doubles.");
+        "*Wrong at edges* tests every combination of the values in these sets, in the order of the function's "
+        "arguments.\n"
+        "Plain numbers are Q15.16 bits (65536 is 1), numbers with 0x are the bits of angles, and degrees are doubles.");
     report_table(NULL, "function|sets|inputs>|combinations");
     for (int i = 0; i < n_edge_rows; i++) {
         const char *cell[4];
@@ -645,7 +645,7 @@ static void measure(const struct quantity *q, uint64_t seed)
     lab_time(time, n, engine);
     report_text("### %s", q->title);
     report_text("%s; %s.", q->arguments, q->unit);
-    report_table(NULL, "way|what is traded|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|who should choose it");
+    report_table(NULL, "method|trade-off|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|use it for");
     for (int i = 0; i < n; i++)
         print_row(&q->rivals->row[i], &found[i], &time[i], n_edges);
     report_table_end();
@@ -662,20 +662,28 @@ void section_functions(void)
     rivals_begin();
     report_section("1. Functions");
     report_text(
-        "Each function of the arithmetic in src/base, among cheaper and dearer ways to compute it. The true results "
-        "have\n106 bits. %s random arguments of the size scenes have, then *edges*: every pair of the largest, the\n"
-        "smallest and what is around 0, ½ and 1, or the angles around each eighth of a turn, or both sides of roots' "
-        "boundaries,\nor multiples of 22.5 degrees and their neighbours. *misrounded*: the share that is\nnot the "
-        "nearest value there is (0.5 ulp is the least a largest error can be); *wrong at edges*: "
-        "how many of them\nare not the nearest value, clamped to the range ([the edges](#the-edges) are listed below). "
-        "Rows of the C library are marked ≈ "
-        "throughout: it is not the same\neverywhere. Where libm has no such function, the rows float32 and double "
-        "stand for it; the 106-bit oracle is left\nout of the plots, in which the line joins what nothing beats in "
-        "both. "
-        "For quotients and square roots nothing is cheaper by\na fifth on this processor: the cheap ways are to keep "
-        "an "
-        "inverse, and to compare squares. Divisions by 0, roots of\nnegative numbers and the direction of (0, 0) are "
-        "left out here: src/base/fx.h and trig.h say what they give. libfixmath is Debian's build.",
+        "Each arithmetic function in src/base, compared with cheaper and more expensive ways to compute it. The true "
+        "results\n"
+        "have 106 bits. Each function gets %s random arguments of the size scenes use, then *edges*: every pair of "
+        "the\n"
+        "largest, the smallest and values around 0, ½ and 1; the angles around each eighth of a turn; both sides of "
+        "the\n"
+        "boundaries between roots; or multiples of 22.5 degrees and their neighbours.\n"
+        "\n"
+        "*Misrounded* is the share of results that are not the nearest representable value (the largest error cannot "
+        "be below\n"
+        "0.5 ulp). *Wrong at edges* counts the edges whose result is not the nearest value, clamped to the range\n"
+        "([the edges](#the-edges) are listed below). Rows of the C library are marked ≈ throughout, because libraries "
+        "differ\n"
+        "between systems. Where libm has no such function, the rows float32 and double take its place. The plots omit "
+        "the\n"
+        "106-bit oracle; their line joins the methods that no other method beats in both time and error.\n"
+        "\n"
+        "For quotients and square roots no method is a fifth cheaper on this processor; storing an inverse and "
+        "comparing\n"
+        "squares are the cheap alternatives. Division by 0, roots of negative numbers and the direction of (0, 0) are "
+        "not\n"
+        "tested here: src/base/fx.h and trig.h define their results. libfixmath is Debian's build.",
         report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);

@@ -122,25 +122,27 @@ void lab_conclude(const char *question, const char *engine, const char *because,
 /* ---- the page ---- */
 
 static const char ABOUT[] =
-    "# Accuracy: what each choice costs\n"
+    "# Accuracy: the cost of each choice\n"
     "\n"
-    "`make accuracy` measures this page and writes it with its plots; do not edit it. Each section takes one choice "
-    "of\n"
-    "the engine, sets it beside cheaper and dearer ones, and says who should take which. Rows of the engine run the\n"
+    "`make accuracy` measures and writes this page and its plots; do not edit them. Each section takes one design "
+    "choice,\n"
+    "compares it with cheaper and more expensive alternatives, and says when to use each. The engine's rows run the\n"
     "engine's own code, not a copy.\n"
     "\n"
-    "How to read it\n"
+    "How to read the tables:\n"
     "\n"
-    "* **▶ bold** is what the engine does unless told otherwise: formats are read from its headers, defaults of "
-    "scripts from\n"
-    "  its API table, functions are the engine's own calls.\n"
-    "* *Error* is the distance to the true result, which is computed with more bits: the largest (max) and the root "
-    "mean\n"
-    "  square (rms) over all cases, in the unit named. An error of 0 is exact.\n"
-    "* **≈** marks what depends on the machine. *Time* is the median of 25 rounds in which all rows of a table take\n"
-    "  turns, ± half the distance of the quartiles; *ratio* is to the engine's row. Only compare within a table.\n"
-    "* All other figures are the same on every machine; a test of `make test` computes them again and compares.\n"
-    "* px is a pixel, a frame is 1/60 s; 1 ulp is 1/65536 px, the last bit of a position.\n"
+    "* **▶ bold** marks the engine's default. Formats are read from its headers, script defaults from its API table, "
+    "and\n"
+    "  functions are the engine's own.\n"
+    "* *Error* is the distance to the true result, computed with more bits: the largest (max) and the root mean "
+    "square\n"
+    "  (rms) over all cases, in the given unit. An error of 0 is exact.\n"
+    "* **≈** marks figures that depend on the machine. *Time* is the median of 25 rounds in which the rows of a table "
+    "are\n"
+    "  interleaved, ± half the interquartile range. *Ratio* is relative to the engine's row. Compare only within a "
+    "table.\n"
+    "* All other figures are the same on every machine; `make test` recomputes and compares them.\n"
+    "* px is a pixel; a frame is 1/60 s; 1 ulp is 1/65536 px, the last bit of a position.\n"
     "\n";
 
 int lab_finish(void)
@@ -148,7 +150,9 @@ int lab_finish(void)
     char intro[8192];
 
     snprintf(intro, sizeof intro, "%sMeasured on: %s\n\n", ABOUT, lab.exact ? "≈" : report_machine());
-    report_finish(intro, "## Conclusions\n\n| choice | the engine's default | because | choose instead |\n"
+    report_finish(intro, "## Conclusions\n"
+                         "\n"
+                         "| choice | engine default | reason | alternative |\n"
                          "|---|---|---|---|\n");
     return lab.wrong;
 }

@@ -23,7 +23,9 @@ enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
 int main(int argc, char **argv)
 {
-    struct report_options o = { .usage = "lab [--exact] [--out FOLDER]", .takes_exact = true, .folder = "docs" };
+    struct report_options o = { .usage = "lab [--exact] [--out FOLDER]",
+                                .takes_exact = true,
+                                .folder = "docs/measured" };
 
     if (!report_options(&o, argc, argv, SECTIONS, COUNT))
         return 2;

@@ -19,16 +19,16 @@ struct choice {
 };
 
 static const struct choice CHOICES[] = {
-    { "`hit = { circle = 4 }`", "nothing: exact, on the whole way", "everything", SHAPE_CIRCLE,
+    { "`hit = { circle = 4 }`", "nothing: exact along the whole path", "everything", SHAPE_CIRCLE,
       KIND_GRAZE | KIND_SWEPT },
-    { "`swept = false`", "what crosses between two frames (section 2)",
-      "clouds slower than half a contact (both radii together) a frame, if the price matters", SHAPE_CIRCLE,
+    { "`swept = false`", "crossings between two frames (section 2)",
+      "clouds slower than half a contact (the sum of both radii) per frame, if the cost matters", SHAPE_CIRCLE,
       KIND_GRAZE },
-    { "`graze = false`", "no grazes", "what shall not be grazed", SHAPE_CIRCLE, KIND_SWEPT },
-    { "`hit = { box = { 8, 8 } }`", "nothing where the picture is a box", "long and square things", SHAPE_BOX,
+    { "`graze = false`", "grazing", "bullets that must not be grazed", SHAPE_CIRCLE, KIND_SWEPT },
+    { "`hit = { box = { 8, 8 } }`", "nothing if the sprite is a box", "long and square objects", SHAPE_BOX,
       KIND_GRAZE | KIND_SWEPT },
-    { "`hit = { box = { 8, 8 } }, swept = false`", "both", "nothing we know of", SHAPE_BOX, KIND_GRAZE },
-    { "`hit = \"none\"`", "no hits", "what is only to be looked at", SHAPE_NONE, 0 },
+    { "`hit = { box = { 8, 8 } }, swept = false`", "both", "no known case", SHAPE_BOX, KIND_GRAZE },
+    { "`hit = \"none\"`", "hits", "decoration", SHAPE_NONE, 0 },
 };
 enum { N_CHOICES = sizeof CHOICES / sizeof *CHOICES, ROUND = 0, SQUARE = 3 };
 
@@ -87,11 +87,11 @@ static void print_choices(void)
     for (int i = 0; i < N_CHOICES; i++)
         rivals[i] = (struct lab_rival){ .run = run_hits, .data = close_crowd(&CHOICES[i], CLOSE), .ops = CLOSE };
     lab_time(rivals, N_CHOICES, 0);
-    report_table("Of a kind, in `bullet.def`, `shot.def` and (but for graze) `enemy.def`",
-                 "choice | what is lost | time a bullet close to a player> | ratio> | who should choose it");
+    report_table("Per kind, in `bullet.def`, `shot.def` and (except graze) `enemy.def`",
+                 "choice | loss | time per bullet close to a player> | ratio> | use it for");
     for (int i = 0; i < N_CHOICES; i++) {
         const char *loses = i != SQUARE ? CHOICES[i].loses
-                                        : report_string("%s; %s of its hits are none of a round bullet's",
+                                        : report_string("%s; for a round bullet, %s of its hits are false",
                                                         CHOICES[i].loses, report_percent(corners));
         report_row(is_standard(&CHOICES[i]), CHOICES[i].name, loses, lab_ns(&rivals[i]), lab_ratio(&rivals[i]),
                    CHOICES[i].who, NULL);
@@ -120,13 +120,13 @@ struct flight {
     }
 
 static const struct flight FLIGHTS[] = {
-    { "straight", "place and velocity to 16 fraction bits", "nearly all bullets", { { 0 } }, 0, false, false },
+    { "straight", "position and velocity to 16 fraction bits", "nearly all bullets", { { 0 } }, 0, false, false },
     { "a program: `turn`, `speed`", "the same", "curves",
       LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
       false },
     { "`fine = true`, straight",
-      "place, velocity and direction's way to 32 fraction bits",
-      "what creeps, or stays for minutes",
+      "position, velocity and direction of travel to 32 fraction bits",
+      "bullets that creep or live for minutes",
       { { 0 } },
       0,
       true,
@@ -190,10 +190,8 @@ static void print_flights(void)
         rivals[i] =
             (struct lab_rival){ .run = run_frame, .data = flying_crowd(&FLIGHTS[i], CROWD, 0.001), .ops = CROWD };
     lab_time(rivals, N_FLIGHTS, 0);
-    report_table(
-        "Of a bullet's motion",
-        "choice | what is kept | drift at 0.002 px/frame after 600 frames> | after 36,000> | time a frame> | ratio> | "
-        "who should choose it");
+    report_table("Per bullet motion", "choice | precision | drift at 0.002 px/frame after 600 frames> | after 36,000> "
+                                      "| time per frame> | ratio> | use it for");
     for (int i = 0; i < N_FLIGHTS; i++) {
         bool turns = FLIGHTS[i].n > 0;
         report_row(i == 0, FLIGHTS[i].name, FLIGHTS[i].keeps,
@@ -204,9 +202,9 @@ static void print_flights(void)
     }
     report_table_end();
     lab_conclude("fine motion", "on request",
-                 report_string("%s px of drift instead of %s in 36,000 frames, for a price", report_figure(fine),
+                 report_string("%s px of drift instead of %s in 36,000 frames, at a cost", report_figure(fine),
                                report_figure(plain)),
-                 "`fine = true` for what creeps for minutes",
+                 "`fine = true` for bullets that creep for minutes",
                  fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));
 }
 
@@ -224,8 +222,8 @@ static void print_rooms(void)
                   { "sparks", &sparks_chip, 2048 },
                   { "sprites", &sprites_chip, 256 } };
 
-    report_table("Of the board, in rom.lua: a chip takes so much RAM, and none when its capacity is 0",
-                 "chip | bytes a place> | capacity unless said> | KiB in all>");
+    report_table("Per board, in rom.lua: RAM of each chip (none if its capacity is 0)",
+                 "chip | bytes per slot> | default capacity> | KiB in total>");
     for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
         report_row(false, ROOMS[i].name,
                    report_count(
@@ -237,11 +235,10 @@ static void print_rooms(void)
 
 void section_models(void)
 {
-    report_section("8. What a scene may choose");
-    report_text(
-        "The defaults are the exact models. Each price is that of the engine's own code. A bullet that is not close "
-        "to a player costs no hit test, whatever its kind: the move, which finds who is close, takes all alike "
-        "(section 6).");
+    report_section("8. Choices of a scene");
+    report_text("The defaults are the exact models. Each cost is measured on the engine's own code. A bullet that is "
+                "not close to a player needs no hit test, whatever its kind: the motion pass, which finds the close "
+                "bullets, treats all bullets the same (section 6).");
     print_choices();
     print_flights();
     print_rooms();

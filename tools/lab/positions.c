@@ -252,20 +252,20 @@ static const struct format {
     double (*lane)(int i, int axis);
     const char *who;
 } FORMATS[] = {
-    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 bits of fraction for range", start_q8, frame32, lane_q8,
-      "nobody: slow bullets go astray or stand still" },
+    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 fraction bits for range", start_q8, frame32, lane_q8,
+      "nothing: slow bullets drift off course or stand still" },
     { "Q15.16", 16, HEADINGS, 65536, "±32,768 px", "nothing", engine_start, engine_frame, engine_lane,
-      "every scene: bullets live seconds, not hours" },
+      "every scene: bullets live for seconds, not hours" },
     { "Q11.20", 20, HEADINGS, 4096, "±2,048 px", "range", start_q20, frame32, lane_q20,
       "a game where nothing ever leaves ±2,048 px" },
     { "Q15.16, `fine = true`", 32, 8, 16384, "±32,768 px", "time", fine_start, fine_frame, fine_lane,
-      "slow bullets that stay for minutes" },
-    { "Q31.32", 32, HEADINGS, 4294967296.0, "±2,147,483,648 px", "4 bytes a coordinate", start_q32, frame64, lane_q32,
-      "an engine whose world is larger than ±16,383 px" },
-    { "float32", 0, HEADINGS, 32768, "±16,384 px here", "sameness from place to place", f32_start, f32_frame, f32_lane,
-      "nobody: the same pattern differs from place to place" },
-    { "double", 0, HEADINGS, 32768, "±16,384 px here", "the same, and 4 bytes a coordinate", f64_start, f64_frame,
-      f64_lane, "a design without replays on other machines" },
+      "slow bullets that live for minutes" },
+    { "Q31.32", 32, HEADINGS, 4294967296.0, "±2,147,483,648 px", "4 bytes per coordinate", start_q32, frame64, lane_q32,
+      "an engine with a world larger than ±16,383 px" },
+    { "float32", 0, HEADINGS, 32768, "±16,384 px here", "the same result at every position", f32_start, f32_frame,
+      f32_lane, "nothing: a pattern differs from position to position" },
+    { "double", 0, HEADINGS, 32768, "±16,384 px here", "the same, plus 4 bytes per coordinate", f64_start, f64_frame,
+      f64_lane, "an engine without portable replays" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, Q8 = 0, FINE = 3, FLOAT = 5 };
 
@@ -445,9 +445,9 @@ static const char *drift_cell(const struct drift *d, int speed)
 
 static void print_speeds(void)
 {
-    report_text(
-        "The same by speed: the largest drift in px after 600 / 36,000 / 1,000,000 frames. Fixed point drifts alike "
-        "at every speed, less than one unit of its last bit a frame; float32 gets worse with the distance covered.");
+    report_text("The same by speed: the largest drift in px after 600 / 36,000 / 1,000,000 frames. Fixed point drifts "
+                "the same at every speed, by less than one unit in the last place per frame. The drift of float32 "
+                "grows with the distance covered.");
     report_table(NULL, "format | 0.002 px/frame> | 0.1 px/frame> | 3 px/frame> | 20 px/frame> | 64 px/frame>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(&FORMATS[i]), FORMATS[i].name, drift_cell(&drifts[i], 0), drift_cell(&drifts[i], 2),
@@ -461,8 +461,8 @@ static void plot_drift(void)
         .file = "drift",
         .title = "Drift of a bullet at 3 px/frame, worst of 64 headings",
         .x_name = "frames",
-        .y_name = "distance from the true place, px",
-        .described = "Drift against frames for seven position formats: Q23.8 is worst, then float32, Q15.16, Q11.20, "
+        .y_name = "distance from the true position, px",
+        .described = "Drift over time for seven position formats: Q23.8 is worst, then float32, Q15.16, Q11.20, "
                      "Q31.32, double and fine motion",
     });
     for (int i = 0; i < COUNT; i++) {
@@ -476,8 +476,8 @@ static void plot_drift(void)
 
 static void print_all(const struct lab_rival *rivals, const int *differ, const double *worst)
 {
-    report_table(NULL, "format | range | what is traded | drift after 600 frames, max> | after 36,000, max (rms)> | "
-                       "after 1,000,000, max> | who should choose it");
+    report_table(NULL, "format | range | trade-off | drift after 600 frames, max> | after 36,000, max (rms)> | after "
+                       "1,000,000, max> | use it for");
     for (int i = 0; i < COUNT; i++) {
         const struct format *f = &FORMATS[i];
         const struct drift *d = &drifts[i];
@@ -487,7 +487,7 @@ static void print_all(const struct lab_rival *rivals, const int *differ, const d
                    report_string("%s px", report_figure(d->worst[AT_MILLION])), f->who, NULL);
     }
     report_table_end();
-    report_table(NULL, "format | differ when moved> | by up to> | time a bullet> | ratio>");
+    report_table(NULL, "format | differ when moved> | by up to> | time per bullet> | ratio>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(&FORMATS[i]), FORMATS[i].name,
                    report_string("%s of %s", report_count(differ[i]), report_count(SHIFTS * PATTERN)),
@@ -513,35 +513,31 @@ void section_positions(void)
     engine_free(plain);
     engine_free(fine);
 
-    report_section("3. What a position is kept in");
-    report_text(
-        "A bullet adds its velocity to its position in every frame, so the rounding of the velocity is added as "
-        "often. *Drift* is how far a bullet is from where exact arithmetic puts it: the worst of %d headings and %d "
-        "speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world wraps at its ends, so that fast bullets "
-        "can be followed for a "
-        "million frames, which is 4 hours 38 minutes. Speeds are first rounded to 2⁻¹⁶ px/frame (a script's for "
-        "`fine`: "
-        "to 2⁻³²), which is not counted here: 0.002 is 131.07 of these units, so section 8 finds a little more.",
-        HEADINGS, SPEEDS);
-    report_text(
-        "*Differ when moved*: a pattern of %d bullets flies for %d frames, and again moved by whole pixels (%d ways); "
-        "counted are bullets that are not exactly where the first ones are, moved. The time is a frame of one bullet "
-        "among %s; the engine's runs the whole chip.",
-        PATTERN, PATTERN_FRAMES, SHIFTS, report_count(TIMED));
+    report_section("3. Position format");
+    report_text("A bullet adds its velocity to its position in every frame, so the rounding error of the velocity "
+                "accumulates. *Drift* is the distance between a bullet and the position that exact arithmetic gives: "
+                "the worst of %d headings and %d speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world "
+                "wraps at its edges so that fast bullets can be followed for a million frames (4 hours 38 minutes). "
+                "Speeds are first rounded to 2⁻¹⁶ px/frame (for `fine`, a script's speeds are rounded to 2⁻³²). This "
+                "error is not counted here: 0.002 is 131.07 of these units, so section 8 finds slightly more.",
+                HEADINGS, SPEEDS);
+    report_text("*Differ when moved*: a pattern of %d bullets flies for %d frames, then flies again shifted by whole "
+                "pixels (%d shifts). The column counts the bullets that do not end exactly at the shifted position. "
+                "*Time per bullet* is for one frame with %s bullets; the engine's row runs the whole chip.",
+                PATTERN, PATTERN_FRAMES, SHIFTS, report_count(TIMED));
     print_all(rivals, differ, worst);
     plot_drift();
     print_speeds();
     const struct drift *d = &drifts[me];
-    report_text(
-        "A bullet that crosses the field lives for 10 to 30 seconds: in 1,800 frames Q15.16 drifts %s px, and 16 times "
-        "less range (Q11.20) or twice the memory (Q31.32) would buy nothing that is seen. What matters more is the "
-        "column *differ when moved*: in fixed point a pattern is the same wherever it is fired.",
-        report_figure(3 * d->worst[AT_600]));
+    report_text("A bullet that crosses the field lives for 10 to 30 seconds. In 1,800 frames Q15.16 drifts %s px; a 16 "
+                "times smaller range (Q11.20) or twice the memory (Q31.32) would bring no visible gain. The column "
+                "*differ when moved* matters more: in fixed point a pattern is the same wherever it is fired.",
+                report_figure(3 * d->worst[AT_600]));
     lab_claim(me >= 0, "a row of the table is the engine's format");
     lab_conclude("position format", FORMATS[me].name,
-                 report_string("%s px of drift in 600 frames, %s px in 36,000; equal everywhere on the field",
+                 report_string("%s px of drift in 600 frames, %s px in 36,000; the same everywhere on the field",
                                report_figure(d->worst[AT_600]), report_figure(d->worst[AT_36000])),
-                 "`motion.def{ fine = true }` for slow bullets that stay for minutes",
+                 "`motion.def{ fine = true }` for slow bullets that live for minutes",
                  d->worst[AT_600] < 0.01 && drifts[FINE].worst[AT_MILLION] < 1e-6 && differ[FINE] == 0 &&
                      differ[me] == 0 && drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD < 32768 &&
                      WORLD + MAX_SPEED < 32768 && (lab_exact() || rivals[FINE].ratio > 2));

@@ -119,17 +119,17 @@ RIVAL(mul_1, mul_bits(s->a, s->b))
 RIVAL(mul_lfm, fix16_smul(s->a, s->b))
 
 static const struct rival MUL[] = {
-    ROW(CHEAPER, false, mul_cut, "cut, wraps", "half an ulp, towards −∞; overflow",
-        "nobody: half an ulp is lost on average, always towards −∞, so mirrored patterns do not stay mirrored"),
+    ROW(CHEAPER, false, mul_cut, "truncated, wraps", "half an ulp towards −∞; overflow",
+        "nothing: loses half an ulp on average, always towards −∞, so mirrored patterns drift apart"),
     ROW(CHEAPER, false, mul_up, "half up, wraps", "ties; overflow",
-        "sums of few products that cannot overflow; not odd in ties"),
+        "sums of a few products that cannot overflow; not an odd function at ties"),
     ROW(ENGINE, false, mul_engine, "fx_mul", "nothing", "every scene"),
-    ROW(DEARER, false, mul_float, "float32", "8 bits of 32", "nobody: 24 bits are too few for a position"),
-    ROW(DEARER, false, mul_double, "double, saturates", "ties, the 11 lowest bits of long products",
-        "nobody: as right as half up, at the price of conversions"),
-    ROW(DEARER, false, mul_16, "four products of 16 bits", "time", "processors without a wider product"),
+    ROW(DEARER, false, mul_float, "float32", "8 bits of 32", "nothing: 24 bits are too few for a position"),
+    ROW(DEARER, false, mul_double, "double, saturates", "ties, the lowest 11 bits of long products",
+        "nothing: as accurate as rounding half up, plus the cost of conversions"),
+    ROW(DEARER, false, mul_16, "four 16-bit products", "time", "processors without a wider multiplication"),
     ROW(DEARER, false, mul_1, "bit by bit", "time", "processors without a multiplier"),
-    ROW(LIBRARY, false, mul_lfm, "libfixmath", "ties; time", "nobody: half away from zero, slower"),
+    ROW(LIBRARY, false, mul_lfm, "libfixmath", "ties; time", "nothing: rounds half away from zero, and slower"),
 };
 ROWS(rivals_mul, MUL);
 
@@ -162,19 +162,20 @@ RIVAL(div_1, div_bits(s->a, s->b))
 RIVAL(div_lfm, fix16_sdiv(s->a, s->b))
 
 static const struct rival DIV[] = {
-    ROW(CHEAPER, false, div_kept, "times an inverse kept as a double", "ties; the time to make it",
-        "one divisor for many"),
-    ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: fx_div is this",
-        "every scene; a quotient that is no tie is further from one than a double's error"),
+    ROW(CHEAPER, false, div_kept, "times an inverse stored as a double", "ties; computing the inverse",
+        "one divisor for many dividends"),
+    ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: this is fx_div",
+        "every scene; a quotient that is not a tie is further from one than a double's error"),
     ROW(ENGINE, false, div_engine, "fx_div", "nothing", "every scene"),
-    ROW(DEARER, false, div_float, "float32", "8 bits of 32", "nobody: 24 bits are too few for a position"),
-    ROW(DEARER, false, div_cut, "cut, wraps", "half an ulp, towards 0; overflow",
-        "whole results: tiles, cells, frames"),
-    ROW(DEARER, false, div_recip, "times a Q16.16 reciprocal", "all but 16 bits of the divisor's inverse",
-        "one divisor for many, larger than a pixel"),
+    ROW(DEARER, false, div_float, "float32", "8 bits of 32", "nothing: 24 bits are too few for a position"),
+    ROW(DEARER, false, div_cut, "truncated, wraps", "half an ulp towards 0; overflow",
+        "integer results: tiles, cells, frames"),
+    ROW(DEARER, false, div_recip, "times a Q16.16 reciprocal", "all but 16 bits of the inverse",
+        "one divisor for many dividends, if it is larger than a pixel"),
     ROW(DEARER, false, div_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, div_1, "bit by bit", "time", "processors without a divider"),
-    ROW(LIBRARY, false, div_lfm, "libfixmath", "a last bit now and then; time", "nobody: not always right, slower"),
+    ROW(LIBRARY, false, div_lfm, "libfixmath", "an occasional last bit; time",
+        "nothing: not always correct, and slower"),
 };
 ROWS(rivals_div, DIV);
 
@@ -228,18 +229,17 @@ RIVAL(sqrt_twin, twin_sqrt(s->a))
 RIVAL(sqrt_lfm, fix16_sqrt(s->a))
 
 static const struct rival SQRT[] = {
-    ROW(CHEAPER, false, sqrt_squares, "no root: squares compared", "the root itself",
-        "whoever only asks which is longer"),
-    ROW(CHEAPER, false, sqrt_float, "libm sqrtf", "8 bits of 32", "lengths for show"),
-    ROW(CHEAPER, false, sqrt_cut, "double, cut", "half an ulp", "nobody: rounding costs one comparison"),
-    ROW(ENGINE, false, sqrt_engine, "fx_sqrt", "nothing", "every scene; compare squares where you can"),
-    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the exact test behind it",
-        "the same results, relying on the double alone"),
+    ROW(CHEAPER, false, sqrt_squares, "no root: compare squares", "the root itself", "comparing lengths"),
+    ROW(CHEAPER, false, sqrt_float, "libm sqrtf", "8 bits of 32", "lengths in visual effects"),
+    ROW(CHEAPER, false, sqrt_cut, "double, truncated", "half an ulp", "nothing: rounding costs only one comparison"),
+    ROW(ENGINE, false, sqrt_engine, "fx_sqrt", "nothing", "every scene; compare squares where possible"),
+    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the exact check after it",
+        "the same results, without an exact check"),
     ROW(DEARER, false, sqrt_hack, "float32, 1/√ by its bits", "20 bits of 32",
-        "nobody: a processor's own root is as quick"),
-    ROW(DEARER, false, sqrt_newton, "Newton's method, integers", "time", "integers and a divider"),
+        "nothing: the processor's own square root is as fast"),
+    ROW(DEARER, false, sqrt_newton, "Newton's method, integers", "time", "integer processors with a divider"),
     ROW(DEARER, false, sqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, false, sqrt_lfm, "libfixmath", "time", "nobody: slower than any"),
+    ROW(LIBRARY, false, sqrt_lfm, "libfixmath", "time", "nothing: the slowest method"),
 };
 ROWS(rivals_sqrt, SQRT);
 
@@ -253,14 +253,14 @@ RIVAL(rsqrt_lfm, fix16_div(FX_ONE, fix16_sqrt(s->a)))
 
 static const struct rival RSQRT[] = {
     ROW(CHEAPER, false, rsqrt_bits, "float32 by its bits", "20 bits of 32",
-        "nobody: a processor's own root is as quick"),
-    ROW(CHEAPER, false, rsqrt_float, "float32", "8 bits of 32", "directions for show"),
+        "nothing: the processor's own square root is as fast"),
+    ROW(CHEAPER, false, rsqrt_float, "float32", "8 bits of 32", "directions in visual effects"),
     ROW(ENGINE, false, rsqrt_engine, "fx_rsqrt", "nothing", "every scene"),
-    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the exact test behind it",
-        "the same results, relying on the double alone"),
-    ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "the root's lost bits", "nobody: the root's rounding is divided by"),
+    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the exact check after it",
+        "the same results, without an exact check"),
+    ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "the bits lost in the root", "nothing: it divides by a rounded root"),
     ROW(DEARER, false, rsqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the root's lost bits; time", "nobody"),
+    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the bits lost in the root; time", "nothing"),
 };
 ROWS(rivals_rsqrt, RSQRT);
 
@@ -297,19 +297,19 @@ RIVAL(hypot_libmf, fx_sat(whole_f(hypotf((float)s->a, (float)s->b))))
 RIVAL(hypot_lfm, hypot_lfm_of(s->a, s->b))
 
 static const struct rival HYPOT[] = {
-    ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "7 %", "sorting by distance where 7 % do not matter"),
-    ROW(CHEAPER, false, hypot_float, "float32", "8 bits of 32", "distances for show"),
-    ROW(CHEAPER, false, hypot_double, "double, rounded", "the exact test behind it",
-        "a game without replays: near halves it is a guess"),
-    ROW(ENGINE, false, hypot_engine, "fx_hypot", "nothing", "every scene; compare squares where you can"),
-    ROW(DEARER, false, hypot_squares, "squares in Q15.16", "range: 181 px", "nobody: they overflow beyond 181 px"),
+    ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "7 %", "sorting by distance where 7 % does not matter"),
+    ROW(CHEAPER, false, hypot_float, "float32", "8 bits of 32", "distances in visual effects"),
+    ROW(CHEAPER, false, hypot_double, "double, rounded", "the exact check after it",
+        "a game without replays: results near halves are uncertain"),
+    ROW(ENGINE, false, hypot_engine, "fx_hypot", "nothing", "every scene; compare squares where possible"),
+    ROW(DEARER, false, hypot_squares, "squares in Q15.16", "range: 181 px", "nothing: squares overflow beyond 181 px"),
     ROW(DEARER, false, hypot_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, true, hypot_libm, "libm hypot", "sameness between hosts",
+    ROW(LIBRARY, true, hypot_libm, "libm hypot", "identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 bits; sameness between hosts",
+    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 bits; identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
     ROW(LIBRARY, false, hypot_lfm, "libfixmath: squares and root", "range: 181 px; time",
-        "nobody: they overflow beyond 181 px"),
+        "nothing: squares overflow beyond 181 px"),
 };
 ROWS(rivals_hypot, HYPOT);
 
@@ -393,22 +393,22 @@ RIVAL(sin_lfm, fix16_sin(s->rad))
 RIVAL(sin_lfmp, fix16_sin_parabola(s->rad))
 
 static const struct rival SIN[] = {
-    ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB, 803 ulp", "the look of an 8-bit machine; sparks"),
-    ROW(CHEAPER, false, sin_parabola, "a parabola", "0.06 of 1", "sway for show"),
-    ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "waves whose error need not be even"),
-    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: for them it is exact"),
+    ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB, 803 ulp", "an 8-bit look; sparks"),
+    ROW(CHEAPER, false, sin_parabola, "a parabola", "0.06 of 1", "swaying in visual effects"),
+    ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "waves that tolerate uneven errors"),
+    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: exact for them"),
     ROW(ENGINE, false, sin_engine, "trig_sin", "nothing", "every scene"),
     ROW(DEARER, false, sin_11, "Taylor to x¹¹, double", "0.003 ulp; time", "a host with doubles; short code"),
     ROW(DEARER, false, sin_q30, "trig_sin30, rounded again", "a second rounding",
         "factors: keep the 30 bits and round the product once"),
     ROW(DEARER, false, sin_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
-    ROW(ORACLE, false, sin_106, "106 bits", "time", "oracles"),
-    ROW(LIBRARY, true, sin_libm, "libm sin", "sameness between hosts",
+    ROW(ORACLE, false, sin_106, "106 bits", "time", "test oracles"),
+    ROW(LIBRARY, true, sin_libm, "libm sin", "identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 bits; sameness between hosts",
+    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 bits; identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, sin_lfm, "libfixmath", "508 ulp; time", "nobody: its series ends too early near half a turn"),
-    ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "73 ulp; time", "sway for show"),
+    ROW(LIBRARY, false, sin_lfm, "libfixmath", "508 ulp; time", "nothing: its series is too short near half a turn"),
+    ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "73 ulp; time", "swaying in visual effects"),
 };
 ROWS(rivals_sin, SIN);
 
@@ -422,16 +422,16 @@ RIVAL(cos_libmf, whole_f(cosf((float)s->radians) * 65536))
 RIVAL(cos_lfm, fix16_cos(s->rad))
 
 static const struct rival COS[] = {
-    ROW(CHEAPER, false, cos_256, "256 entries, nearest", "1 KiB, 803 ulp", "as for the sine"),
-    ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "as for the sine"),
-    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: for them it is exact"),
+    ROW(CHEAPER, false, cos_256, "256 entries, nearest", "1 KiB, 803 ulp", "same as for the sine"),
+    ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "same as for the sine"),
+    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: exact for them"),
     ROW(ENGINE, false, cos_engine, "trig_cos", "nothing", "every scene"),
     ROW(DEARER, false, cos_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
-    ROW(LIBRARY, true, cos_libm, "libm cos", "sameness between hosts",
+    ROW(LIBRARY, true, cos_libm, "libm cos", "identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 bits; sameness between hosts",
+    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 bits; identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, cos_lfm, "libfixmath", "506 ulp; time", "nobody: its series ends too early near half a turn"),
+    ROW(LIBRARY, false, cos_lfm, "libfixmath", "506 ulp; time", "nothing: its series is too short near half a turn"),
 };
 ROWS(rivals_cos, COS);
 
@@ -508,19 +508,19 @@ RIVAL(atan2_libmf, (ang)whole_f(atan2f((float)s->b, (float)s->a) * (float)ANGS_A
 RIVAL_AS(atan2_lfm, fix16_atan2(s->b, s->a), (ang)whole(fix16_atan2(s->b, s->a) / 65536.0 * ANGS_A_RADIAN))
 
 static const struct rival ATAN2[] = {
-    ROW(CHEAPER, false, atan2_square, "a parabola", "0.22°", "turning a picture"),
-    ROW(CHEAPER, false, atan2_256, "257 entries, nearest", "1 KiB, 0.11°", "the look of an 8-bit machine"),
+    ROW(CHEAPER, false, atan2_square, "a parabola", "0.22°", "rotating a sprite"),
+    ROW(CHEAPER, false, atan2_256, "257 entries, nearest", "1 KiB, 0.11°", "an 8-bit look"),
     ROW(CHEAPER, false, atan2_1024, "1025 entries, interpolated", "4 KiB, 5 of 32 bits",
-        "16-bit angles: half a unit of theirs, nearly always"),
+        "16-bit angles: nearly always within half a unit"),
     ROW(ENGINE, false, atan2_engine, "trig_atan2", "nothing", "every scene"),
     ROW(DEARER, false, atan2_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, atan2_cordic, "CORDIC, 40 steps", "0.001 units; time", "processors without a divider"),
-    ROW(ORACLE, false, atan2_106, "106 bits", "time", "oracles"),
-    ROW(LIBRARY, true, atan2_libm, "libm atan2", "sameness between hosts",
+    ROW(ORACLE, false, atan2_106, "106 bits", "time", "test oracles"),
+    ROW(LIBRARY, true, atan2_libm, "libm atan2", "identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "9 of 32 bits; sameness between hosts",
+    ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "9 of 32 bits; identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, atan2_lfm, "libfixmath", "0.58°; time", "turning a picture"),
+    ROW(LIBRARY, false, atan2_lfm, "libfixmath", "0.58°; time", "rotating a sprite"),
 };
 ROWS(rivals_atan2, ATAN2);
 
@@ -559,23 +559,23 @@ RIVAL_2(polar_libm, (x = (fx)whole(s->a * cos(s->radians)), y = (fx)whole(s->a *
 RIVAL_2(polar_lfm, (x = fix16_smul(s->a, fix16_cos(s->rad)), y = fix16_smul(s->a, fix16_sin(s->rad))))
 
 static const struct rival POLAR[] = {
-    ROW(CHEAPER, false, polar_256, "256 entries, cut", "1 KiB, 1.4°",
-        "the look of an 8-bit machine: headings are 1.4° off"),
+    ROW(CHEAPER, false, polar_256, "256 entries, truncated", "1 KiB, 1.4°",
+        "an 8-bit look: headings are up to 1.4° off"),
     ROW(ENGINE, false, polar_engine, "trig_polar", "nothing", "every scene; motion.def{ fine=true } for more bits"),
     ROW(DEARER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB, 0.0027°; time",
-        "the look of a 16-bit machine: headings are 0.0027° off"),
-    ROW(DEARER, false, polar_q16, "speed × Q16 sine", "a rounding that grows with the speed; time",
-        "nobody: the sine's rounding is multiplied by the speed"),
+        "a 16-bit look: headings are up to 0.0027° off"),
+    ROW(DEARER, false, polar_q16, "speed × Q16 sine", "a rounding error that grows with speed; time",
+        "nothing: the speed multiplies the sine's rounding error"),
     ROW(DEARER, false, polar_q30, "speed × Q30 sine", "a second rounding; time",
-        "who holds such a sine already: one rounding, off by 0.02 ulp"),
+        "code that already has such a sine: one more rounding, 0.02 ulp off"),
     ROW(DEARER, false, polar_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, polar_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
-    ROW(ORACLE, false, polar_106, "106 bits", "time", "oracles"),
-    ROW(LIBRARY, true, polar_libm, "libm sin and cos", "sameness between hosts",
+    ROW(ORACLE, false, polar_106, "106 bits", "time", "test oracles"),
+    ROW(LIBRARY, true, polar_libm, "libm sin and cos", "identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 bits; sameness between hosts",
+    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 bits; identical results on all hosts",
         "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, polar_lfm, "libfixmath", "7 of 16 bits of the sine; time", "nobody"),
+    ROW(LIBRARY, false, polar_lfm, "libfixmath", "7 of 16 bits of the sine; time", "nothing"),
 };
 ROWS(rivals_polar, POLAR);
 
@@ -640,18 +640,18 @@ RIVAL_2(unit_106, (x = (fx)exact(truth_unit(s->a, s->b)), y = (fx)exact(truth_un
 RIVAL_2(unit_lfm, unit_by_lfm(s->a, s->b, &x, &y))
 
 static const struct rival NORMALISE[] = {
-    ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "6 % of the length", "nobody: lengths differ by 7 %"),
-    ROW(CHEAPER, false, unit_float, "float32", "8 bits of 32", "directions for show"),
-    ROW(CHEAPER, false, unit_double, "double, rounded", "the exact test behind it",
-        "a game without replays: near halves it is a guess"),
+    ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "6 % of the length", "nothing: lengths differ by 7 %"),
+    ROW(CHEAPER, false, unit_float, "float32", "8 bits of 32", "directions in visual effects"),
+    ROW(CHEAPER, false, unit_double, "double, rounded", "the exact check after it",
+        "a game without replays: results near halves are uncertain"),
     ROW(CHEAPER, false, unit_recip, "times 1 / length in Q15.16", "bits of long vectors",
-        "nobody: long vectors lose most bits"),
-    ROW(CHEAPER, false, unit_div, "over fx_hypot", "bits of short vectors", "nobody: short vectors lose most bits"),
+        "nothing: long vectors lose most bits"),
+    ROW(CHEAPER, false, unit_div, "over fx_hypot", "bits of short vectors", "nothing: short vectors lose most bits"),
     ROW(ENGINE, false, unit_engine, "trig_normalise", "nothing", "every scene"),
     ROW(DEARER, false, unit_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
-    ROW(ORACLE, false, unit_106, "106 bits", "time", "oracles"),
+    ROW(ORACLE, false, unit_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, false, unit_lfm, "libfixmath: over the root", "range: 181 px; time",
-        "nobody: squares overflow beyond 181 px"),
+        "nothing: squares overflow beyond 181 px"),
 };
 ROWS(rivals_normalise, NORMALISE);
 
@@ -667,18 +667,19 @@ RIVAL(lerp_106, exact(truth_lerp(s->a, s->b, s->t)))
 RIVAL(lerp_lfm, fix16_lerp16(s->a, s->b, (uint16_t)s->t))
 
 static const struct rival LERP[] = {
-    ROW(CHEAPER, false, lerp_32, "cut, 32-bit difference", "half an ulp, towards −∞; range",
-        "values less than 32768 px apart, if half an ulp does not matter"),
+    ROW(CHEAPER, false, lerp_32, "truncated, 32-bit difference", "half an ulp towards −∞; range",
+        "values less than 32768 px apart, where half an ulp does not matter"),
     ROW(CHEAPER, false, lerp_up, "64 bits, half up, wraps", "ties; overflow",
-        "0 ≤ t ≤ 1 where mirrored ties do not matter"),
-    ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both cut", "an ulp, towards −∞", "nobody: not even monotone"),
+        "0 ≤ t ≤ 1, where mirrored ties do not matter"),
+    ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both truncated", "one ulp towards −∞",
+        "nothing: not even monotonic"),
     ROW(ENGINE, false, lerp_engine, "fx_lerp", "nothing", "every scene"),
     ROW(DEARER, false, lerp_float, "float32", "8 bits of 32", "colours, volumes"),
     ROW(DEARER, false, lerp_double, "double, saturates", "ties",
-        "nobody: as right as half up, at the price of conversions"),
-    ROW(ORACLE, false, lerp_106, "106 bits", "time", "oracles"),
-    ROW(LIBRARY, false, lerp_lfm, "libfixmath (t < 1)", "half an ulp, towards −∞; t = 1; time",
-        "nobody: it cuts, and t = 1 is 0"),
+        "nothing: as accurate as rounding half up, plus the cost of conversions"),
+    ROW(ORACLE, false, lerp_106, "106 bits", "time", "test oracles"),
+    ROW(LIBRARY, false, lerp_lfm, "libfixmath (t < 1)", "half an ulp towards −∞; t = 1; time",
+        "nothing: truncates, and treats t = 1 as 0"),
 };
 ROWS(rivals_lerp, LERP);
 
@@ -704,17 +705,18 @@ RIVAL_AS(degrees_lfm, fix16_deg_to_rad(fix16_from_dbl(s->deg)),
          (ang)whole(fix16_deg_to_rad(fix16_from_dbl(s->deg)) / 65536.0 * ANGS_A_RADIAN))
 
 static const struct rival DEGREES[] = {
-    ROW(CHEAPER, false, degrees_16, "16-bit angle", "16 bits of 32", "the look of a 16-bit machine"),
-    ROW(CHEAPER, false, degrees_float, "float32", "8 bits of 32", "pictures that turn"),
-    ROW(CHEAPER, false, degrees_cut, "double, cut", "half a unit, towards 0", "nobody: 180° must be half a turn"),
+    ROW(CHEAPER, false, degrees_16, "16-bit angle", "16 bits of 32", "a 16-bit look"),
+    ROW(CHEAPER, false, degrees_float, "float32", "8 bits of 32", "rotating sprites"),
+    ROW(CHEAPER, false, degrees_cut, "double, truncated", "half a unit towards 0",
+        "nothing: 180° must be exactly half a turn"),
     ROW(CHEAPER, false, degrees_double, "double, times 2³²/360", "ties; more than 2³¹°",
-        "up to 2³¹°: it differs in ties alone"),
+        "up to 2³¹°: differs only at ties"),
     ROW(ENGINE, false, degrees_engine, "trig_from_degrees", "nothing", "every scene; any finite number of degrees"),
-    ROW(ORACLE, false, degrees_106, "106 bits", "time", "oracles"),
-    ROW(LIBRARY, false, degrees_libm, "through radians, double", "two more roundings; time", "nobody: three roundings"),
-    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 bits of 32; time", "nobody"),
-    ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "20 of 32 bits; time",
-        "nobody: π/180 has 11 bits there"),
+    ROW(ORACLE, false, degrees_106, "106 bits", "time", "test oracles"),
+    ROW(LIBRARY, false, degrees_libm, "through radians, double", "two more roundings; time",
+        "nothing: rounds three times"),
+    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 bits of 32; time", "nothing"),
+    ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "20 of 32 bits; time", "nothing: its π/180 has 11 bits"),
 };
 ROWS(rivals_degrees, DEGREES);
 
@@ -734,10 +736,10 @@ RIVAL_AS(difference_float, (int64_t)remainderf((float)s->other - (float)s->deg, 
 
 static const struct rival DIFFERENCE[] = {
     ROW(ENGINE, false, difference_engine, "trig_difference", "nothing",
-        "every scene; nothing is cheaper than to subtract"),
-    ROW(DEARER, false, difference_16, "16-bit angles", "16 bits of 32", "the look of a 16-bit machine"),
+        "every scene; nothing is cheaper than a subtraction"),
+    ROW(DEARER, false, difference_16, "16-bit angles", "16 bits of 32", "a 16-bit look"),
     ROW(DEARER, false, difference_double, "double degrees, remainder", "time", "scripts"),
-    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 bits of 32; time", "nobody"),
+    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 bits of 32; time", "nothing"),
 };
 ROWS(rivals_difference, DIFFERENCE);
 
@@ -756,9 +758,10 @@ IN_DEGREES(to_degrees_engine, trig_to_degrees(s->dir))
 IN_DEGREES(to_degrees_lfm, degrees_lfm_of(s->rad))
 
 static const struct rival TO_DEGREES[] = {
-    ROW(CHEAPER, false, to_degrees_float, "float32", "8 bits of 32", "pictures that turn"),
-    ROW(ENGINE, false, to_degrees_engine, "trig_to_degrees", "nothing", "every scene; all 2³² come back (section 7)"),
-    ROW(LIBRARY, false, to_degrees_lfm, "libfixmath, from radians", "17 of 32 bits; time", "nobody"),
+    ROW(CHEAPER, false, to_degrees_float, "float32", "8 bits of 32", "rotating sprites"),
+    ROW(ENGINE, false, to_degrees_engine, "trig_to_degrees", "nothing",
+        "every scene; all 2³² values survive a round trip (section 7)"),
+    ROW(LIBRARY, false, to_degrees_lfm, "libfixmath, from radians", "17 of 32 bits; time", "nothing"),
 };
 ROWS(rivals_to_degrees, TO_DEGREES);
 

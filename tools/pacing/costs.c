@@ -65,8 +65,8 @@ static void windows(void)
     static const int pictures[][2] = { { 240, 320 }, { 320, 240 }, { 384, 448 } };
     static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 2560, 1440 } };
 
-    report_table("Milliseconds to compose a window, without what the port takes to show it",
-                 "picture|window|turned>|smooth>|tube>|smooth, tube>|all, turned>");
+    report_table("Milliseconds to compose a window, without the port's time to show it",
+                 "picture|window|rotated>|smooth>|CRT>|smooth, CRT>|all, rotated>");
     for (int p = 0; p < 3; p++)
         for (int s = 0; s < 3; s++) {
             const int w = pictures[p][0], h = pictures[p][1];
@@ -136,15 +136,16 @@ static void looking(const char *folder, const char *recording)
 
 void section_costs(void)
 {
-    report_section("What it costs");
-    report_text(
-        "Measured on: %s. A frame has 16.7 ms.\nA window is composed when more is to be shown than a picture by "
-        "a whole number: smooth, with the look of a tube, with a border, or with panels beside it.",
-        report_machine());
+    report_section("Cost");
+    report_text("Measured on: %s. A frame has 16.7 ms.\n"
+                "The host composes the window when it shows more than an integer-scaled picture: smooth scaling, the "
+                "CRT filter, a\n"
+                "border, or side panels.",
+                report_machine());
     windows();
-    report_text("Looking ahead (`run_ahead = 1`) takes a snapshot, a tick and the way back, each frame:");
+    report_text("Run-ahead (`run_ahead = 1`) takes a snapshot, a tick and a restore in each frame:");
     report_table("Microseconds, medians over a recorded run",
-                 "game|snapshot, bytes>|a tick>|a look ahead>|99 of 100 below>");
+                 "game|snapshot, bytes>|tick>|run-ahead>|99th percentile>");
     looking("roms/glasstide", "roms/glasstide/demos/run.demo");
     report_table_end();
 }

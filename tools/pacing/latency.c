@@ -202,9 +202,8 @@ static void row(const char *folder, double hz, bool vsync, bool ahead, bool late
     next_press();
     play(folder);
     const double mean = port.sum / PRESSES;
-    report_row(false, report_string("%g Hz", hz), vsync ? "yes" : "no", late ? "the next" : "the same",
-               ahead ? "yes" : "no", ms(port.least), ms(mean), ms(port.most), report_string("%.2f", mean * 60 / 1e6),
-               NULL);
+    report_row(false, report_string("%g Hz", hz), vsync ? "yes" : "no", late ? "next" : "same", ahead ? "yes" : "no",
+               ms(port.least), ms(mean), ms(port.most), report_string("%.2f", mean * 60 / 1e6), NULL);
 }
 
 void section_latency(void)
@@ -215,16 +214,18 @@ void section_latency(void)
     if (!temp_folder(folder, sizeof folder, "curtain-pacing"))
         report_fail("no folder for a game to measure with");
     setenv("XDG_DATA_HOME", folder, 1);
-    report_section("From a switch to the picture");
-    report_text(
-        "The whole cabinet, on a port whose clock and screen are simulated: %d presses at any moment, from the "
-        "press to the\nrefresh that begins to show it. A frame takes 3 ms from the poll to the picture handed "
-        "in, the host is up to 1 ms late\nwherever it waits. The switches are read just before the tick; a "
-        "press waits half a frame for that on average. A game\nshows it in *the same* tick, as a ship does that "
-        "moves, or in *the next*, as a task that acts on what it saw a frame\nbefore. `run_ahead = 1` takes "
-        "that frame away. Frames are sixtieths.",
-        PRESSES);
-    report_table(NULL, "screen|vsync|the game shows it in|run_ahead|least>|mean>|most>|mean, frames>");
+    report_section("Input latency");
+    report_text("This runs the whole host on a port with a simulated clock and screen: %d presses at random times, "
+                "measured from the press\n"
+                "to the start of the refresh that shows it. A frame takes 3 ms from polling the inputs to presenting "
+                "the picture, and\n"
+                "the host wakes up to 1 ms late whenever it waits. The host polls the inputs just before the tick, so "
+                "a press waits half\n"
+                "a frame on average. A game shows it in *the same* tick, like a moving ship, or in *the next*, like a "
+                "task that acts on\n"
+                "the previous frame's input. `run_ahead = 1` removes that frame. A frame is 1/60 s.",
+                PRESSES);
+    report_table(NULL, "screen|vsync|shown in tick|run_ahead|min>|mean>|max>|mean, frames>");
     for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)
         for (int n = 0; n < 8; n++)
             if (n != 1 && n != 5) /* looking ahead in a game that answers at once: nothing of a press is earlier */

@@ -12,23 +12,25 @@ static const struct report_part SECTIONS[] = {
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
 static const char ABOUT[] =
-    "# Pacing: frames, screens, and the way from a switch to the picture\n"
+    "# Pacing: frames, screens and input latency\n"
     "\n"
-    "`make pacing` measures this page and writes it; do not edit it. What is simulated is computed again by a test of\n"
-    "`make test`, which compares; times are this machine's.\n"
+    "`make pacing` measures and writes this page; do not edit it. `make test` recomputes and compares the simulated "
+    "figures;\n"
+    "times depend on the machine.\n"
     "\n"
-    "A game has 60 ticks a second, always: no screen makes it faster or slower, so a recording is as long as it was\n"
-    "played and sound needs no other rate. With `vsync = yes` a picture is handed in so that the screen takes it "
-    "whole, "
-    "and\n"
-    "which refresh has how many ticks follows from the two rates alone (`src/cab/host/pace.h`). With `vsync = no`, "
-    "and\n"
-    "where the rate of the screen is not known, a tick is due every sixtieth by the host's clock, and shown at once.\n"
+    "A game always runs at 60 ticks a second, whatever the screen's refresh rate, so a replay takes as long as the "
+    "original\n"
+    "run and sound needs no resampling. With `vsync = yes` the host presents frames in time with the refresh, without\n"
+    "tearing, and the number of ticks per refresh follows from the two rates alone (`src/cab/host/pace.h`). With\n"
+    "`vsync = no`, or when the refresh rate is unknown, a tick is due every 1/60 s of the host's clock and is shown\n"
+    "immediately.\n"
     "\n";
 
 int main(int argc, char **argv)
 {
-    struct report_options o = { .usage = "pacing [--exact] [--out FOLDER]", .takes_exact = true, .folder = "docs" };
+    struct report_options o = { .usage = "pacing [--exact] [--out FOLDER]",
+                                .takes_exact = true,
+                                .folder = "docs/measured" };
 
     if (!report_options(&o, argc, argv, SECTIONS, COUNT))
         return 2;

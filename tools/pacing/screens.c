@@ -31,18 +31,20 @@ static void row(double hz, bool waits, int stalls)
 void section_screens(void)
 {
     report_section("Screens");
-    report_text("Ten minutes of each, simulated: 36,000 ticks are due. A frame takes 2 to 5 ms, and the host is up to "
-                "1 ms late\nwherever it waits. A refresh shows no new tick, one, or two; *asked* is how many of the "
-                "first and the last kind the\ntwo rates ask for, *beyond* how many more there were. *Off* is how far "
-                "the ticks were from the clock at most,\n*to the screen* how long a tick waited for its refresh on "
-                "average.");
-    report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|asked>|beyond>|off, ticks>|to the screen>");
+    report_text("Ten minutes are simulated for each screen: 36,000 ticks are due. A frame takes 2 to 5 ms, and the "
+                "host wakes up to 1 ms\n"
+                "late whenever it waits. A refresh shows no new tick, one, or two. *Required* is the number of "
+                "refreshes with none or two\n"
+                "that the two rates require; *extra* is how many more there were. *Off* is the largest distance of the "
+                "ticks from the\n"
+                "clock. *To the screen* is the average time a tick waits for its refresh.");
+    report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");
     for (int waits = 1; waits >= 0; waits--)
         for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)
             row(rates[i], waits, 0);
     report_table_end();
-    report_text("With one frame of 600 that takes 25 ms:");
-    report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|asked>|beyond>|off, ticks>|to the screen>");
+    report_text("With one frame in 600 taking 25 ms:");
+    report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");
     row(60, true, 600);
     row(144, true, 600);
     report_table_end();

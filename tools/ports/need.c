@@ -233,9 +233,9 @@ int main(int argc, char **argv)
     open_game(&n, argv[1]);
     print_slots(&n);
     close_game(&n);
-    printf(
-        "| KiB of | RAM | of it Lua | slots | the rest | a snapshot, at the end | picture and drawing | sound | stack: "
-        "power-on | a tick | a picture | sound |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    printf("| KiB of | RAM | Lua | slots | other | snapshot at the end | picture and drawing | sound | stack: power-on "
+           "| tick | picture | sound |\n"
+           "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int i = 1; i < argc; i++)
         print_game(argv[i]);
     return 0;

@@ -47,7 +47,7 @@ row() {
 }
 
 {
-    echo '| port | over | its own files | lines | KiB built | demos, hashes | frame 120 | pressed | sound | passed |'
+    echo '| port | API | files | lines | KiB built | demos, hashes | frame 120 | input | sound | passed |'
     echo '|---|---|---|---|---|---|---|---|---|---|'
     declare -A is=()
     tests=()
@@ -67,7 +67,7 @@ cat $into/table
 "$OUT/need" roms/glasstide roms/testcard examples/first roms/torture >$into/need || failed=1
 cat $into/need
 {
-    echo '| | as the program does it, plain | by libcurtain, compressed | ratio |'
+    echo '| | direct, uncompressed | libcurtain, compressed | ratio |'
     echo '|---|---|---|---|'
     "$OUT/curtain-null" pack roms/glasstide -o $into/glasstide.rom && "$OUT/libspeed" $into/glasstide.rom one
 } >$into/speed || failed=1

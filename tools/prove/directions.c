@@ -186,10 +186,9 @@ static void prove_turns(void)
     prove_phase(dense_turns, 1 << 12, 4);
     prove_phase(any_turn, 1 << 17, 40);
     prove_phase(turns_by_mpfr, 20000, 200);
-    prove_line(
-        TURN, "trig_atan2",
-        "hard: the vectors nearest to each of the 2^29 rays between two results, by continued fractions; vectors "
-        "next to rays, dense, random; a sample by MPFR");
+    prove_line(TURN, "trig_atan2",
+               "hard: the vectors nearest to each of the 2^29 rays between two results, found with continued "
+               "fractions; vectors next to rays, dense, random; a sample with MPFR");
 }
 
 /* Is u the nearest to 2^16 |x| / sqrt(n), and how far is that from halfway? */
@@ -323,10 +322,9 @@ static void prove_units(void)
     prove_phase(dense_units, 1 << 12, 4);
     prove_phase(any_unit, 1 << 18, 40);
     prove_phase(units_by_mpfr, 100000, 1000);
-    prove_line(
-        UNIT, "trig_normalise",
-        "hard: the vectors nearest to the 65536 rays where a part is halfway, by continued fractions, and sums of "
-        "two of them; dense, random, extremes; a sample by MPFR");
+    prove_line(UNIT, "trig_normalise",
+               "hard: the vectors nearest to the 65536 rays where a component is halfway, found with continued "
+               "fractions, and sums of two of them; dense, random, extremes; a sample with MPFR");
 }
 
 int main(int argc, char **argv)

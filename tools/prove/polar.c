@@ -172,8 +172,8 @@ static void prove_polar(void)
     prove_phase(fastest, QUARTER / CHUNK, 20);
     prove_phase(by_mpfr, 100000, 1000);
     prove_line(POLAR, "trig_polar",
-               "hard: each speed and each of 2^30 cosines whose product is within 2^-33 of halfway, by continued "
-               "fractions; the axes, random, the greatest speed everywhere; a sample by MPFR");
+               "hard: every speed and each of 2^30 cosines whose product is within 2^-33 of halfway, found with "
+               "continued fractions; the axes, random, the greatest speed at all angles; a sample with MPFR");
 }
 
 /* The part along one axis of the point at a distance, both of them signed by q. */
@@ -224,7 +224,7 @@ static void prove_stride(void)
 {
     oracle_open();
     prove_phase(any_stride, 1 << 16, 40);
-    prove_line(STRIDE, "trig_stride", "random lengths to 2^48; not held to places within 2^-70 of halfway");
+    prove_line(STRIDE, "trig_stride", "random lengths up to 2^48; positions within 2^-70 of halfway are not checked");
 }
 
 #ifndef FX_INTEGER
@@ -268,7 +268,7 @@ static void prove_guess(void)
     oracle_open();
     prove_phase(guesses, QUARTER / CHUNK, 4000);
     prove_line(GUESS, "trig_guess",
-               "every direction; an ulp being 2^-41, of which less than 1/3 is right; against sums of two angles of "
+               "all directions; an ulp is 2^-41 and the error must be below 1/3; compared with sums of two angles of "
                "128-bit tables");
 }
 #endif

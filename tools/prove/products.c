@@ -112,8 +112,8 @@ static void prove_mul(void)
     prove_phase(clamped_mul, 1 << 12, 4);
     prove_phase(mul_by_mpfr, 200000, 2000);
     prove_line(F, "fx_mul",
-               "every pair of lower halves under random upper ones, that is every value of the bits that are rounded; "
-               "random, around the clamp; a sample by MPFR");
+               "every pair of lower halves with random upper halves, that is every value of the rounded bits; random, "
+               "around the clamp; a sample with MPFR");
 }
 
 /* ---- quotients ---- */
@@ -238,10 +238,9 @@ static void prove_div(void)
     prove_phase(small_div, 1 << 15, 8);
     prove_phase(any_div, 1 << 15, 10);
     prove_phase(div_by_mpfr, 200000, 2000);
-    prove_line(
-        F, "fx_div",
-        "all ties there are, b = 2^17 j and a an odd multiple of j; for every divisor the dividends next to a tie, "
-        "from inverses modulo b; small divisors, around the clamp, by 0, random; a sample by MPFR");
+    prove_line(F, "fx_div",
+               "all ties, b = 2^17 j and a an odd multiple of j; for every divisor the dividends next to a tie, from "
+               "inverses modulo b; small divisors, around the clamp, by 0, random; a sample with MPFR");
 }
 
 /* ---- sums and lerp ---- */
@@ -324,8 +323,8 @@ static void prove_lerp(void)
     prove_phase(any_lerp, 1 << 14, 20);
     prove_phase(lerp_by_mpfr, 200000, 2000);
     prove_line(F, "fx_lerp",
-               "every pair of lower halves of b - a and t under random upper ones; random, t = 0 and 1, extremes; a "
-               "sample by MPFR");
+               "every pair of lower halves of b - a and t with random upper halves; random, t = 0 and 1, extremes; a "
+               "sample with MPFR");
 }
 
 /* ---- differences ---- */
@@ -481,7 +480,7 @@ static void prove_doubles(void)
     prove_phase(other_doubles, 1 << 12, 8);
     prove_phase(doubles, (uint64_t)1 << 32 >> 12, 60);
     prove_line(F, "fx_from_double",
-               "every fx back from its double; all 2^32 ties and the doubles next to them; infinities, NaN, random");
+               "round trip of every fx; all 2^32 ties and the doubles next to them; infinities, NaN, random");
     prove_line(G, "fx_to_double", "every fx, exact");
 }
 
@@ -575,10 +574,9 @@ static void prove_degrees(void)
     prove_hard(F, "trig_from_degrees", check_degrees_hard);
     prove_phase(other_degrees, 1 << 12, 20);
     prove_phase(all_degrees, (uint64_t)1 << 32 >> 12, 60);
-    prove_line(
-        F, "trig_from_degrees",
-        "every angle back from its degrees; the ties after every eighth block of 4096, more after whole turns, and "
-        "the doubles next to them; any double");
+    prove_line(F, "trig_from_degrees",
+               "round trip of every angle; the ties after every eighth block of 4096, more after whole turns, and the "
+               "doubles next to them; any double");
     prove_line(G, "trig_turn_from_degrees", "the same");
     prove_line(H, "trig_to_degrees", "every angle, exact");
 }

@@ -207,7 +207,7 @@ void prove_line(int id, const char *name, const char *how)
     if (t->nearest < 0.5)
         printf(", nearest 2^%.2f", log2(t->nearest));
     if (t->by_mpfr)
-        printf(", %" PRIu64 " by MPFR", t->by_mpfr);
+        printf(", %" PRIu64 " with MPFR", t->by_mpfr);
     printf(": %s (%.1f s)\n", how, now() - since);
     for (int i = 0; i < t->wrongs; i++)
         printf("    %s of %" PRId64 ", %" PRId64 " is %" PRId64 ", not %" PRId64 "\n", name, t->first[i].input.a,

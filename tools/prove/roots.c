@@ -70,7 +70,8 @@ static void prove_sqrt(void)
     prove_hard(ROOT, "fx_sqrt", check_sqrt);
     prove_phase(all_sqrt, (uint64_t)1 << 32 >> 12, 300);
     prove_phase(mpfr_sqrt_too, 100000, 2000);
-    prove_line(ROOT, "fx_sqrt", "every input, negatives give 0; checked by (2r-1)^2 < 4n < (2r+1)^2, a sample by MPFR");
+    prove_line(ROOT, "fx_sqrt",
+               "all inputs, negatives give 0; checked with (2r-1)^2 < 4n < (2r+1)^2, a sample with MPFR");
 }
 
 /* 2^24/sqrt(x) from r + 1/2, or r - 1/2: |odd^2 x - 2^50| over x and the sum of the roots, halved. */
@@ -132,7 +133,7 @@ static void prove_rsqrt(void)
     prove_phase(mpfr_rsqrt_too, 100000, 2000);
     prove_line(
         ROOT, "fx_rsqrt",
-        "every input, FX_MAX for 0, 0 for negatives; checked by (2r-1)^2 x < 2^50 < (2r+1)^2 x, a sample by MPFR");
+        "all inputs, FX_MAX for 0, 0 for negatives; checked with (2r-1)^2 x < 2^50 < (2r+1)^2 x, a sample with MPFR");
 }
 
 static void check_root(struct tally *t, uint64_t n, uint64_t want)
@@ -175,7 +176,7 @@ static void prove_root(void)
     prove_hard(ROOT, "fx_root", check_boundary);
     prove_phase(boundaries, LAST_ROOT / CHUNK + 1, 300);
     prove_line(ROOT, "fx_root",
-               "both sides of every boundary r*r + r to 2^63, which with its monotone guess are all n");
+               "both sides of every boundary r*r + r up to 2^63, which cover all n because the estimate is monotonic");
 }
 
 static void check_hypot(struct tally *t, int64_t x, int64_t y)
@@ -340,7 +341,7 @@ static void prove_hypot(void)
     prove_phase(mpfr_hypot_too, 100000, 2000);
     prove_line(ROOT, "fx_hypot",
                "dense, random, around the clamp; hard: x*x + y*y = r*r + r or one more, from (2x)^2 = -1 or 3 modulo a "
-               "prime; a sample by MPFR");
+               "prime; a sample with MPFR");
 }
 
 int main(int argc, char **argv)

@@ -32,9 +32,8 @@ summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
 } | tee "$dir/end"
 ! grep -q FAILED "$dir/end" && [ $failed = 0 ] || exit 1
 {
-    echo "What make prove said last. Each line: inputs tried, how many were misrounded, the largest error" \
-        "of a result, ties,"
-    echo "inputs near a tie and the nearest of them, and how the inputs were chosen."
+    echo "The last output of make prove. Each line has the number of inputs, the number misrounded, the largest error,"
+    echo "the number of ties, the number of inputs near a tie and the nearest of them, and how the inputs were chosen."
     echo
     cat "$dir/said" "$dir/end"
 } | sed 's/ ([0-9.]* s)$//' >docs/measured/proof.txt

@@ -743,11 +743,13 @@ static bool shortcuts(int64_t runs)
     static const int64_t BANDS[] = { 0, 16, 64, 128, 181, 182, 256, 512, 2048, 16384, 46341, 65536, 92681 };
     bool shown = true;
 
-    printf(
-        "\nWrong answers of cheaper circle tests, %%, by the distance of the centres. Squares in Q15.16 that wrap, or\n"
-        "that saturate; squares in 64 bits without the boxes before. Left: any radius up to the end of the band and\n"
-        "twice the distance. Right: within 2 units of contact.\n\n%-14s",
-        "pixels");
+    printf("\nWrong answers of cheaper circle tests in %%, by the distance of the centres: squares in Q15.16 that wrap "
+           "or\n"
+           "saturate, and 64-bit squares without the box test first. Left: any radius up to the end of the band and\n"
+           "twice the distance. Right: within 2 units of contact.\n"
+           "\n"
+           "%-14s",
+           "pixels");
     for (int k = 0; k < 2 * SHORTCUT_COUNT; k++)
         printf("%s %10s", k == SHORTCUT_COUNT ? " |" : "", SHORTCUTS[k % SHORTCUT_COUNT].name);
     for (size_t i = 0; i + 1 < sizeof BANDS / sizeof *BANDS; i++) {

@@ -121,7 +121,7 @@ static void prove_sines(void)
     prove_phase(all, 1 << 18, 40);
     prove_phase(by_mpfr, 100000, 1000);
     for (int i = 0; i < 4; i++)
-        prove_line(i, NAMES[i], "every angle, against sums of two angles of 128-bit tables; a sample by MPFR");
+        prove_line(i, NAMES[i], "all angles, compared with sums of two angles of 128-bit tables; a sample with MPFR");
 }
 
 int main(int argc, char **argv)

@@ -435,7 +435,7 @@ static void draw_front(void)
 
     if (next < 0)
         return;
-    text(RIGHT_POINTS, TOP - 11, "end", 12, "#8f6b1f", false, "the line joins what nothing beats in both");
+    text(RIGHT_POINTS, TOP - 11, "end", 12, "#8f6b1f", false, "line: best trade-offs of time and error");
     fprintf(plot.f, "<path fill=\"none\" stroke=\"#c9a04a\" stroke-width=\"1.2\" d=\"M%.1f,%.1f",
             place(&plot.ax, plot.x[i]), place_y(plot.y[i]));
     for (; next >= 0; i = next, next = next_of_front(plot.y[i])) {

@@ -118,23 +118,24 @@ void section_clicks(void)
 
     sway(&border, &elsewhere);
     report_section("Clicks");
-    report_text(
-        "Every voice has two slots, a note and its tail: a note that another takes away fades within %d samples. A\n"
-        "click is a second difference that is larger where something meets than elsewhere. A loud sine of note 57:",
-        (int)VOICE_FADE);
-    report_table(NULL, "what meets|largest second difference>|prototype>");
-    report_row(1, "vibrato, slides, volume and place: at frames' borders", report_string("%d", border), "104", NULL);
+    report_text("Every voice has two slots, a note and its tail: when another note steals the voice, the old note "
+                "fades within %d\n"
+                "samples. A click is a second difference that is larger at a transition than elsewhere. For a loud "
+                "sine of note 57:",
+                (int)VOICE_FADE);
+    report_table(NULL, "transition|largest second difference>|prototype>");
+    report_row(1, "vibrato, slides, volume and pan: at frame boundaries", report_string("%d", border), "104", NULL);
     report_row(0, "the same, elsewhere", report_string("%d", elsewhere), "123", NULL);
-    report_row(1, "a voice that is taken by another note", report_string("%d", kept), "185", NULL);
+    report_row(1, "a voice stolen by another note", report_string("%d", kept), "185", NULL);
     report_row(0, "the same, without a tail", report_count(cut), "15,671", NULL);
     report_table_end();
-    report_text("A note of FM with an attack of 1 ms, begun at each of the 800 samples of a frame, is at most %d of "
-                "32,767 from\n"
-                "the same note moved (at %d).",
+    report_text("An FM note with an attack of 1 ms, started at each of the 800 samples of a frame, differs by at most "
+                "%d of 32,767\n"
+                "from the same note shifted (at sample %d).",
                 moved, at);
-    ear_figure("frames' borders, largest second difference (elsewhere)", report_string("%d (%d)", border, elsewhere),
+    ear_figure("frame boundaries, largest second difference (elsewhere)", report_string("%d (%d)", border, elsewhere),
                "104 (123)", border <= elsewhere && border <= 104);
-    ear_figure("a voice that is taken, largest second difference", report_string("%d", kept), "185", kept <= 185);
-    ear_figure("a note at any sample of a frame, off from the same note moved", report_string("%d of 32,767", moved),
-               "7 of 32,767", moved <= 7);
+    ear_figure("a stolen voice, largest second difference", report_string("%d", kept), "185", kept <= 185);
+    ear_figure("a note started at any sample of a frame, error against the same note shifted",
+               report_string("%d of 32,767", moved), "7 of 32,767", moved <= 7);
 }

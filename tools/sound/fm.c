@@ -71,9 +71,9 @@ static void operators(void)
                    ear_db(CASES[k].mark), NULL);
     }
     const double four = four_ops(pitch_step(60 * PITCH_ONE));
-    report_row(1, "4, each bends the next", "2, 1, 2", "60", ear_db(four), "75.2", NULL);
+    report_row(1, "4, each modulates the next", "2, 1, 2", "60", ear_db(four), "75.2", NULL);
     report_table_end();
-    report_text("At a depth of one radian it is %s dB below the prototype; deeper it is above.",
+    report_text("At a depth of one radian the SNR is %s dB below the prototype; at greater depths it is above.",
                 ear_db(CASES[0].mark - first));
     ear_figure("FM of 2 operators, SNR", report_string("%s dB at least", ear_db(least)), "70.0 dB at least",
                least >= 70);
@@ -130,9 +130,11 @@ static void feedback(void)
     double most = 0, above = 0;
 
     report_text(
-        "Feedback is `y = sin(p + b y)`, a row of a table for each b, which is a function of the phase; chips take\n"
-        "y from the last two samples, which at higher notes is as if b were less: so the row is that for the pitch.\n"
-        "How far the first eight harmonics are from the chips' at most, in dB, of those above -40 dB:");
+        "Feedback is `y = sin(p + b y)`: a table has a row for each b, a function of the phase. Chips take y from the "
+        "last\n"
+        "two samples, which at higher notes acts like a smaller b, so the engine picks the row by pitch. The table "
+        "shows\n"
+        "the largest deviation of the first eight harmonics from the chips', in dB, for harmonics above -40 dB:");
     report_table(NULL, "b, radians|note 36>|48>|60>|72>|84>|96>");
     for (size_t k = 0; k < sizeof STRENGTHS / sizeof *STRENGTHS; k++) {
         const char *cells[7] = { report_string("%.3f", STRENGTHS[k]) };
@@ -145,11 +147,11 @@ static void feedback(void)
         report_cells(1, cells, 7);
     }
     report_table_end();
-    report_text(
-        "Up to note 84 each b of the chips has a row that is near. Above it that is not so: at note 96 and b of 1 and\n"
-        "more harmonics are up to %.2f dB off, so a high note with strong feedback is not the chips' sound.",
-        above);
-    ear_figure("feedback beside that of chips, up to note 84, b up to 1.5", report_string("%.2f dB off", most),
+    report_text("Up to note 84 every b of the chips has a close row. Above it this fails: at note 96 with b of 1 or "
+                "more, harmonics\n"
+                "are up to %.2f dB off, so a high note with strong feedback does not sound like the chips.",
+                above);
+    ear_figure("feedback compared with chips, up to note 84, b up to 1.5", report_string("%.2f dB off", most),
                "1 dB off", most <= 1);
 }
 
@@ -157,8 +159,9 @@ void section_fm(void)
 {
     report_section("FM");
     report_text(
-        "Two operators or four, of eight algorithms, each with its own envelope, ratio and detune. A sine is a\n"
-        "polynomial in 16-bit lanes, which compilers make into vectors; against the same in doubles:");
+        "FM has two or four operators and eight algorithms; each operator has its own envelope, ratio and detune. A "
+        "sine\n"
+        "is a polynomial in 16-bit lanes, which compilers vectorise. Compared with the same computation in doubles:");
     operators();
     feedback();
 }

@@ -72,11 +72,12 @@ void section_levels(void)
     double most = -999, most_level = -999;
 
     report_section("Envelopes");
-    report_text(
-        "A level is a function of the note's age. It is asked every %d samples, with a straight line between,\n"
-        "and of each sample of a block that has a corner. The largest error of the level at all ages, and of a\n"
-        "sine that begins at sample %d of a frame, in all of %d frames, what its own bits lose included:",
-        (int)SND_BLOCK, (int)AT, (int)FRAMES);
+    report_text("A level is a function of the note's age. It is evaluated every %d samples with linear interpolation "
+                "between, and\n"
+                "at each sample of a block that contains a corner. The table shows the largest error of the level at "
+                "all ages, and\n"
+                "of a sine that starts at sample %d of a frame, over %d frames, including its own quantisation:",
+                (int)SND_BLOCK, (int)AT, (int)FRAMES);
     report_table(NULL, "envelope|level, dB of full scale>|prototype, dB>|heard, dB of its full level>");
     for (int k = 0; k < 4; k++) {
         const double db = worst(CASES[k].settings);
@@ -87,6 +88,5 @@ void section_levels(void)
     }
     report_table_end();
     ear_figure("levels, worst error", report_string("%s dB", ear_db(most_level)), "-84.2 dB", most_level <= -84.2);
-    ear_figure("envelopes as they are heard, worst error", report_string("%s dB", ear_db(most)), "-60.3 dB",
-               most <= -60.3);
+    ear_figure("envelopes as heard, worst error", report_string("%s dB", ear_db(most)), "-60.3 dB", most <= -60.3);
 }

@@ -138,38 +138,45 @@ static const struct report_part SECTIONS[] = {
 enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 
 static const char ABOUT[] =
-    "# Sound: what it is made of, and how good it is\n"
+    "# Sound: synthesis and quality\n"
     "\n"
-    "`make sound` measures this page and writes it with its plots; do not edit it. A test of `make test` measures it\n"
-    "again and compares. [The guide](../guide/25-sound.md) shows what a script does with "
-    "sounds\n"
-    "and music, and [the MML reference](../reference/mml.md) has the language they are written in,\n"
-    "[speed.md](speed.md) what they cost.\n"
+    "`make sound` measures and writes this page and its plots; do not edit them. `make test` measures them again and\n"
+    "compares. See [the guide](../guide/25-sound.md) for sound and music in scripts, [the MML "
+    "reference](../reference/mml.md)\n"
+    "for the language, and [speed.md](speed.md) for the cost.\n"
     "\n"
-    "A frame is 800 stereo samples at 48 kHz, a function of RAM and ROM. A note is a phase, a step, an age and its\n"
-    "instrument; a tick moves them by a frame in closed form, and the frame's samples are made of what stands there.\n"
-    "All of it is integers. Here the engine's own code is measured against doubles.\n"
+    "A frame is 800 stereo samples at 48 kHz, computed from RAM and ROM alone. A note has a phase, a step, an age and "
+    "an\n"
+    "instrument. A tick advances them by a frame in closed form, and the samples are computed from their values. All\n"
+    "arithmetic uses integers. This page compares the engine's own code with doubles.\n"
     "\n"
-    "How to read it\n"
+    "How to read the tables:\n"
     "\n"
-    "* dB compares amplitudes: 20 is ten times, 60 a thousand, 96 the last bit of 16. *SNR* is how far what is wrong\n"
-    "  lies below what is right; *THD* how far overtones lie below a sine, alias how far what is no overtone does.\n"
-    "* A *note* is a MIDI number: 60 is `o4c`, 69 the a of 440 Hz, 24 is 33 Hz, 108 is 4,186 Hz.\n"
-    "* *Prototype* is what an earlier program of the same kind had, which set the mark. Two rows do not\n"
-    "  reach it, and say so: FM of a depth of one radian, and noise.\n"
+    "* dB compares amplitudes: 20 dB is a factor of ten, 60 a thousand, 96 the last of 16 bits. *SNR* is the level of "
+    "the\n"
+    "  errors below the signal. *THD* is the level of the overtones below a sine; *alias* is the level of components "
+    "that\n"
+    "  are not overtones.\n"
+    "* A *note* is a MIDI number: 60 is `o4c`, 69 is the a of 440 Hz, 24 is 33 Hz, 108 is 4,186 Hz.\n"
+    "* *Prototype* is the value of an earlier program of the same kind, which set the target. Two rows miss it: FM "
+    "with a\n"
+    "  depth of one radian, and noise.\n"
     "\n"
-    "[music.md](music.md) has the music of *Glass Tide*: keys, forms, levels, and the program that checks them.\n"
+    "[music.md](music.md) covers the music of *Glass Tide*: keys, forms, levels, and the program that checks them.\n"
     "\n";
 
 int main(int argc, char **argv)
 {
-    struct report_options o = { .usage = "ear [--out FOLDER]", .folder = "docs" };
+    struct report_options o = { .usage = "ear [--out FOLDER]", .folder = "docs/measured" };
 
     if (!report_options(&o, argc, argv, SECTIONS, COUNT))
         return 2;
     snd_tables_make(&ear_tables);
     report_begin(&(struct report){ .program = "ear", .folder = o.folder, .page = "sound", .exact = true });
     report_run(&o, SECTIONS, COUNT);
-    report_finish(ABOUT, "## Figures\n\n| | here | prototype |\n|---|---|---|\n");
+    report_finish(ABOUT, "## Figures\n"
+                         "\n"
+                         "| | engine | prototype |\n"
+                         "|---|---|---|\n");
     return wrong;
 }

@@ -34,7 +34,7 @@ static void limiter(void)
     } CASES[] = { { -9, -114.6 }, { -6, -115.6 }, { -3, -36.4 }, { 0, -25.3 }, { 3, -18.7 }, { 6, -14.1 } };
     double at[6];
 
-    report_table(NULL, "peak, dB of full scale|THD, dB>|comes out, of full scale>|prototype, dB>");
+    report_table(NULL, "peak, dB of full scale|THD, dB>|output, of full scale>|prototype, dB>");
     for (int k = 0; k < 6; k++) {
         double peak;
         at[k] = distortion(CASES[k].db, &peak);
@@ -56,15 +56,15 @@ static void plot_limiter(void)
         in[k] = -9 + k * 0.25;
         thd[k] = distortion(in[k], &peak);
     }
-    report_plot(&(struct report_plot){ .file = "limiter",
-                                       .title = "The limiter: overtones of a sine",
-                                       .x_name = "peak, dB of full scale",
-                                       .y_name = "THD, dB",
-                                       .x_linear = true,
-                                       .y_linear = true,
-                                       .described =
-                                           "Up to -6 dB the limiter adds nothing above -115 dB; from there on "
-                                           "overtones rise to -25 dB at full scale and -14 dB at twice that." });
+    report_plot(
+        &(struct report_plot){ .file = "limiter",
+                               .title = "The limiter: overtones of a sine",
+                               .x_name = "peak, dB of full scale",
+                               .y_name = "THD, dB",
+                               .x_linear = true,
+                               .y_linear = true,
+                               .described = "Up to -6 dB the limiter adds nothing above -115 dB; beyond that overtones "
+                                            "rise to -25 dB at full scale and -14 dB at twice full scale." });
     report_plot_line("THD", true, in, thd, POINTS);
     report_plot_end();
 }
@@ -90,23 +90,24 @@ static void noise(void)
         sum = fabs(sum / (n - LAGS) / power);
         most = sum > most ? sum : most;
     }
-    report_text(
-        "Noise is a mix of the number of its value, so it needs no state. Its mean is %.1f of 32,767, its level (rms)\n"
-        "%.0f; of true noise 18,918. No lag up to %d has a correlation above %.4f; of true noise it is about 0.0037,\n"
-        "which the prototype was below by chance.",
-        mean, sqrt(power), LAGS - 1, most);
-    ear_figure("noise, largest correlation with itself", report_string("%.4f", most), "0.0032; true noise 0.0037",
+    report_text("Noise is a hash of the sample's index, so it needs no state. Its mean is %.1f of 32,767 and its level "
+                "(rms) %.0f;\n"
+                "true noise has 18,918. No lag up to %d has a correlation above %.4f. True noise has about 0.0037; the "
+                "prototype was\n"
+                "below that by chance.",
+                mean, sqrt(power), LAGS - 1, most);
+    ear_figure("noise, largest autocorrelation", report_string("%.4f", most), "0.0032; true noise 0.0037",
                most < 0.004);
 }
 
 void section_mix(void)
 {
     report_section("The mix");
-    report_text(
-        "Sixteen voices of music and eight of sounds. A volume of 127 is a third of full scale. The mix is exact up "
-        "to\n"
-        "half of full scale; above it a curve without memory takes it to full scale at twice that, so loud moments\n"
-        "are round and never cut. A sine of 1 kHz:");
+    report_text("There are sixteen voices for music and eight for sounds. A volume of 127 is a third of full scale. "
+                "The mix is\n"
+                "exact up to half of full scale. Above it a memoryless curve reaches full scale at an input of twice "
+                "full scale, so\n"
+                "loud passages saturate softly and never clip. For a sine of 1 kHz:");
     limiter();
     plot_limiter();
     noise();

@@ -72,16 +72,18 @@ void section_pitch(void)
 
     report_section("Pitch and time");
     report_text(
-        "A step is 64 bits of phase, a product of four factors of 2^(1/12) and its fractions. Over the notes 12 to\n"
-        "120 in steps of 1/256 of a semitone it is at most %.1e cents off (at note %d), the ratio of a recording\n"
-        "from four octaves down to two up at most %.1e. %s frames of random slides, 800 steps each, end where a\n"
-        "sum of all samples does: %d differ.",
+        "A step is a 64-bit phase increment, the product of four factors of 2^(1/12) and its fractions. Over notes 12 "
+        "to\n"
+        "120 in steps of 1/256 of a semitone it is at most %.1e cents off (at note %d). The ratio of a sample, from "
+        "four\n"
+        "octaves down to two up, is at most %.1e cents off. %s frames of random slides, 800 steps each, are compared\n"
+        "with a sum over all audio samples: %d differ.",
         cents, at, ratio, report_count(FRAMES), apart);
-    report_text(
-        "A tick of music is 600,000 units, a sample as many as the tempo has hundredths of a quarter note a minute:\n"
-        "nothing is rounded, nothing drifts, and a note begins at any of the 800 samples of a frame.");
+    report_text("A music tick is 600,000 units. Each audio sample advances by the tempo in hundredths of a quarter "
+                "note per minute,\n"
+                "so nothing is rounded and nothing drifts. A note can start at any of the 800 samples of a frame.");
     ear_figure("tuning, notes 12 to 120", report_string("%.1e cents", cents), "1.8e-04 cents", cents <= 0.000176);
-    ear_figure("tuning of recordings", report_string("%.1e cents", ratio), "1.8e-04 cents", ratio <= 0.000176);
-    ear_figure("frames of slides that differ from the sum of their samples",
+    ear_figure("tuning of samples", report_string("%.1e cents", ratio), "1.8e-04 cents", ratio <= 0.000176);
+    ear_figure("frames of slides that differ from a sum over their samples",
                report_string("%d of %s", apart, report_count(FRAMES)), "0 of 100,000", apart == 0);
 }

@@ -63,7 +63,7 @@ static void between(void)
     bool reached = true;
     const char *here[6];
 
-    report_table(NULL, "tone, Hz|SNR, dB>|its gain, dB>|prototype, dB>");
+    report_table(NULL, "tone, Hz|SNR, dB>|gain, dB>|prototype, dB>");
     for (int k = 0; k < 6; k++) {
         double gain;
         const double db = snr(TONES[k].hertz, 1.0595, &gain);
@@ -73,7 +73,7 @@ static void between(void)
                    ear_db(TONES[k].mark), NULL);
     }
     report_table_end();
-    ear_figure("a recording a semitone up, SNR of 1 / 3 / 6 / 10 kHz",
+    ear_figure("a sample a semitone up, SNR at 1 / 3 / 6 / 10 kHz",
                report_string("%s / %s / %s / %s dB", here[1], here[2], here[3], here[4]),
                "80.0 / 74.2 / 69.1 / 66.8 dB", reached);
 }
@@ -114,9 +114,8 @@ static void plot_between(void)
                                        .y_name = "SNR, dB",
                                        .x_linear = true,
                                        .y_linear = true,
-                                       .described =
-                                           "The engine's filter stays above 66 dB up to 10 kHz; straight lines "
-                                           "fall from 76 dB at 500 Hz to 22 dB there." });
+                                       .described = "The engine's filter stays above 66 dB up to 10 kHz; linear "
+                                                    "interpolation falls from 76 dB at 500 Hz to 22 dB at 10 kHz." });
     report_plot_line("8 taps", true, hertz, ours, POINTS);
     report_plot_line("lines", false, hertz, lines, POINTS);
     report_plot_end();
@@ -157,12 +156,13 @@ static void faster(void)
     static const double RATIOS[] = { 1.5, 2, 2.5, 3, 4 };
     double worst = -999;
 
-    report_text(
-        "A recording that is read faster loses what would fold back first: a filter of %d taps for each sixth of an\n"
-        "octave. Tones that would be heard below 20 kHz as what they are not, and what is left of one that is\n"
-        "heard at 10 and at 15 kHz:",
-        (int)LOW_TAPS);
-    report_table(NULL, "times faster|folds back, dB>|without, dB>|10 kHz, dB>|15 kHz, dB>");
+    report_text("A sample that is played faster first passes a low-pass filter of %d taps, one for each sixth of an "
+                "octave. The\n"
+                "table shows the level of tones that alias below 20 kHz, with and without the filter, and the gain of "
+                "tones heard\n"
+                "at 10 and 15 kHz:",
+                (int)LOW_TAPS);
+    report_table(NULL, "speed|aliases, dB>|without filter, dB>|10 kHz, dB>|15 kHz, dB>");
     for (size_t k = 0; k < sizeof RATIOS / sizeof *RATIOS; k++) {
         const double db = folded(RATIOS[k], true);
         worst = db > worst ? db : worst;
@@ -170,17 +170,17 @@ static void faster(void)
                    report_string("%.2f", lost(RATIOS[k], 10000)), report_string("%.2f", lost(RATIOS[k], 15000)), NULL);
     }
     report_table_end();
-    ear_figure("a recording up to two octaves up, what folds back", report_string("%s dB", ear_db(worst)),
-               "0 dB: it had nothing against it", worst < -60);
+    ear_figure("a sample up to two octaves up, aliases", report_string("%s dB", ear_db(worst)), "0 dB: no filter",
+               worst < -60);
 }
 
 void section_recordings(void)
 {
-    report_section("Recordings at other pitches");
-    report_text(
-        "Between samples the engine computes a sinc of 8 taps under Kaiser's window, at %d places. A sine that is\n"
-        "played a semitone higher (1.0595 times):",
-        (int)SINC_PHASES);
+    report_section("Samples at other pitches");
+    report_text("The engine interpolates with an 8-tap sinc under a Kaiser window, at %d positions. For a sine played "
+                "a semitone\n"
+                "higher (1.0595 times as fast):",
+                (int)SINC_PHASES);
     between();
     plot_between();
     faster();

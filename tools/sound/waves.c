@@ -81,11 +81,11 @@ static void plot(const struct foul *saw, const struct foul *wave, const struct f
     report_plot(&(struct report_plot){ .file = "alias",
                                        .title = "The loudest alias below 20 kHz",
                                        .x_name = "note",
-                                       .y_name = "dB under the fundamental",
+                                       .y_name = "dB relative to the fundamental",
                                        .x_linear = true,
                                        .y_linear = true,
-                                       .described = "Aliases of a saw made without care rise from -53 to -17 dB with "
-                                                    "the note; those of the engine's waves stay below -84 dB." });
+                                       .described = "Aliases of a naive saw rise from -53 to -17 dB with the note; "
+                                                    "those of the engine's waves stay below -84 dB." });
     report_plot_line("saw", true, notes, saw->db, NOTES);
     report_plot_line("wave", false, notes, wave->db, NOTES);
     report_plot_line("naive saw", false, notes, naive->db, NOTES);
@@ -98,10 +98,10 @@ void section_waves(void)
 
     report_section("Waves");
     report_text(
-        "A wave is read from a table that has the harmonics up to 28 kHz and no more: %d versions, half an octave\n"
-        "apart, of 4,096 values, with a straight line between two of them. A pulse is the difference of two saws.\n"
-        "In a frame in which a note asks for another version, one becomes the other. A piece's own waves have up\n"
-        "to 10 versions. All notes from %d to %d:",
+        "A wave is read from a band-limited table with harmonics up to 28 kHz. There are %d versions, half an octave\n"
+        "apart, of 4,096 values each, with linear interpolation. A pulse is the difference of two saws. When a note\n"
+        "needs another version, a frame crossfades from one to the other. Custom waves of a piece have up to 10\n"
+        "versions. Over all notes from %d to %d:",
         (int)WAVE_MIPS, LOW, HIGH);
     report_table(NULL, "wave|worst alias, dB>|at note>|below 10 kHz, dB>|prototype, dB>");
     for (int k = 0; k < COUNT; k++) {
