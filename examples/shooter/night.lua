@@ -23,9 +23,13 @@ end
 bg.def("river", function() night(1.6, 0x0c1028) end)
 bg.def("feast", function() night(3.2, 0x1c2148) end) -- the boss's spell: faster, in a mist
 
+-- The title and the practice of a phase have no stage to show a background: they get the river. Stages show their own,
+-- and nothing here touches it, not even in the middle of a fade.
 task.go(function()
   while true do
-    if not bg.layer(1).map then bg.show("river", { over = 0 }) end -- boot.run has emptied the field
+    local none = not game.stage and not boss.now() and not bg.plane().map
+    for i = 1, 4 do none = none and not bg.layer(i).map end
+    if none then bg.show("river", { over = 0 }) end -- boot.run has emptied the field
     wait(1)
   end
 end)

@@ -30,6 +30,7 @@ local function wheel(e) -- a temple lantern: a wheel of rice
 end
 
 stage.def("river", function()
+  bg.show("river", { over = 0 })
   stage.at(90)
   stage.wave { kind = "lantern", n = 5, every = 26, path = left, dx = 14, run = glow }
   stage.at(300)
