@@ -136,7 +136,7 @@ static bool open_window(const struct plat_want *want)
     SDL_SetWindowMinimumSize(port.window, want->w, want->h);
     port.renderer = SDL_CreateRenderer(port.window, -1, can_wait(want) ? SDL_RENDERER_PRESENTVSYNC : 0);
     if (!port.renderer)
-        return failed("cannot draw in a window");
+        return failed("cannot create a renderer");
     return true;
 }
 
@@ -247,7 +247,7 @@ static void speaker_comes(void)
         return;
     open_speaker(false);
     if (port.speaker)
-        plat_log("curtain: sound again");
+        plat_log("curtain: sound device is back");
 }
 
 /* The one that played is gone; there may be another. */
@@ -255,7 +255,7 @@ static void speaker_goes(SDL_AudioDeviceID device)
 {
     if (!port.speaker || device != port.speaker)
         return;
-    plat_log("curtain: the speaker is gone");
+    plat_log("curtain: sound device lost");
     close_speaker();
     speaker_comes();
 }
@@ -297,7 +297,7 @@ bool plat_open(const struct plat_want *want)
     if (!open && SDL_Init(SDL_INIT_VIDEO) != 0)
         return failed("cannot open a window");
     if (!open && nobody_sees()) {
-        plat_log("curtain: cannot open a window: there is no display");
+        plat_log("curtain: cannot open a window: no display");
         plat_close();
         return false;
     }

@@ -892,10 +892,10 @@ static void crashes(int sig)
     if (crash_open()) {
         crash.fn(crash.context, what, crash_out);
         close(crash.file);
-        write_text(STDERR_FILENO, "); a report is in ");
+        write_text(STDERR_FILENO, "); report: ");
         write_text(STDERR_FILENO, crash.path);
     } else {
-        write_text(STDERR_FILENO, "); a report cannot be written to ");
+        write_text(STDERR_FILENO, "); cannot write a report to ");
         write_text(STDERR_FILENO, crash.path);
     }
     write_text(STDERR_FILENO, "\n");

@@ -1,6 +1,6 @@
 #!/bin/sh
 # manpage.sh - writes curtain(1) from the tables behind `curtain help`: commands, options and what they go with, keys,
-# settings, exit codes. Only the text around them stands here.
+# settings, exit codes. Only the text around them is here.
 #
 #     tools/manpage.sh "CURTAIN" >curtain.1      CURTAIN: the program, after what runs it if it is another machine's
 set -eu
@@ -66,16 +66,15 @@ $curtain help | commands | roff |
 cat <<'END'
 .SH DESCRIPTION
 .B curtain
-runs bullet\-hell games, which are folders of Lua scripts and PNG pictures or
+runs bullet\-hell games: folders of Lua scripts and PNG pictures, or
 .I .rom
-files made of these.
-The same game and the same buttons give the same run on every machine,
+files packed from such folders.
+The same game with the same buttons gives the same run on every machine,
 so a run can be recorded as a
 .IR demo ,
 replayed, verified, and rendered without a window.
-The word
 .B play
-may be left out; without any word the built\-in game is played.
+is the default command; without arguments, curtain plays the built\-in game.
 .PP
 .B curtain\-null
 is the same program without a window.
@@ -84,7 +83,7 @@ END
 $curtain help | commands | entries
 cat <<'END'
 .SH OPTIONS
-Behind each stand the commands that it goes with, in brackets.
+The commands that accept an option are in brackets.
 END
 $curtain help | options | while IFS= read -r line; do
     option=$(printf '%s\n' "$line" | cut -f 1)
@@ -94,15 +93,16 @@ $curtain help | options | while IFS= read -r line; do
 done | entries
 cat <<'END'
 .SH KEYS
-Of a player, as
+Keys of a player, such as
 .BR p1.fire ,
 and of the program.
-A name is followed by the switches it has without settings:
-keys by their place on a keyboard of the United States, and, as
+Each name is followed by its default keys and buttons:
+keys are named by their position on a US keyboard,
+and controller buttons, such as
 .BR pad.south ,
-switches of a controller by their place on it.
-The first controller that is used plays for player 1;
-START on another one takes the place of player 2.
+by their position on the controller.
+The first controller used is player 1's;
+press START on another one to join as player 2.
 END
 part 'Keys' | columns | entries
 cat <<'END'
@@ -111,8 +111,8 @@ Lines
 .IB "name " = " value"
 of the file
 .IR curtain.conf ;
-a key's name takes a list of switches.
-A name is followed by its value without settings, and by others it takes.
+the value of a key is a list of keys and buttons.
+Each name is followed by its default and its allowed values.
 END
 part 'Settings' | columns | entries
 cat <<'END'
@@ -125,49 +125,49 @@ Without
 the folder is
 .IR $HOME/.local/share/curtain .
 .B curtain help config
-says which file it is, and what may stand in it.
+prints the path of the file and all settings.
 .TP
 .I $XDG_DATA_HOME/curtain/GAME.nv
 A game's score tables and saves.
 .TP
 .I $XDG_DATA_HOME/curtain/GAME.practice
-What was tried and captured in practice.
+Attempts and captures in practice.
 .TP
 .I $XDG_DATA_HOME/curtain/replays/GAME/DATE.demo
-The last runs of a game, and those saved under a name; beside each a
+The most recent runs of a game and those saved with a name, each with a
 .I .card
-with what a list shows of it.
+that holds its entry in the list of replays.
 .TP
 .I $XDG_DATA_HOME/curtain/resume/GAME.demo
-The run that is on, or was left.
+The current or unfinished run.
 .TP
 .I $XDG_DATA_HOME/curtain/roms/GAME\-HASH.rom
-Older ROMs of a game, for as long as replays need them.
+Older versions of a game that replays still need.
 .TP
 .I $XDG_DATA_HOME/curtain/reports/GAME-DATE-N.txt
-What a fault of a script, or a crash, has left:
-a text with the run up to there in it, which
+The report of a script error or a crash.
+It contains the run up to there, and
 .BR verify " and"
 .B play \-\-demo
-take as a demo.
-Twenty are kept.
+accept it as a demo.
+The last twenty are stored.
 .TP
 .I $XDG_PICTURES_DIR/Curtain/GAME-N.png
-Pictures taken with F12; and
-.IR .gif ,
-films of the last seconds, with F6.
+Screenshots, taken with F12, and as
+.I .gif
+clips of the last seconds, taken with F6.
 Without
 .BR XDG_PICTURES_DIR ,
-the folder is what
+the folder is the one that
 .I user-dirs.dirs
-of the desktop names, or
+of the desktop sets, or
 .IR $HOME/Pictures .
 .SH EXIT STATUS
 END
 $curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E 's/^ *([0-9]) ([^.]*)\.?$/\1\t\t\2/' | entries
 cat <<'END'
 .SH EXAMPLES
-A game to begin with, in a folder of its own:
+Create a game in a new folder:
 .PP
 .nf
 .RS
@@ -175,7 +175,7 @@ curtain new mine
 .RE
 .fi
 .PP
-Play a game's folder and record it, then see whether the recording holds:
+Play a game and record it, then verify the recording:
 .PP
 .nf
 .RS
@@ -184,7 +184,7 @@ curtain verify mygame my.demo
 .RE
 .fi
 .PP
-Pictures of four moments of a stage on one sheet, without a window:
+Render four frames of a stage onto one sheet, without a window:
 .PP
 .nf
 .RS
@@ -192,7 +192,7 @@ curtain render mygame \-\-stage one \-\-frames 60:240:60 \-\-sheet one.png
 .RE
 .fi
 .PP
-An editor that knows the API, with the Lua language server, in a game's folder:
+Write API definitions for the Lua language server into the folder of a game:
 .PP
 .nf
 .RS
@@ -200,7 +200,7 @@ curtain help lua \-\-annotations >.curtain.lua
 .RE
 .fi
 .PP
-A film of a recording, and one of ten seconds of a stage:
+Make a clip of a recording, and one of ten seconds of a stage:
 .PP
 .nf
 .RS
@@ -209,7 +209,7 @@ curtain capture mygame \-\-stage one \-\-frames 0:600 \-o one.gif
 .RE
 .fi
 .PP
-All sprites on a picture, and colours from a palette site into a bank:
+Draw all sprites on one picture; copy the colours of a palette file into a bank:
 .PP
 .nf
 .RS
@@ -218,7 +218,7 @@ curtain palette warm.hex \-\-bank 3 \-o mygame/art/palette.png
 .RE
 .fi
 .PP
-What its frames cost, and its dearest lines:
+Print the cost of its frames and its most expensive lines:
 .PP
 .nf
 .RS
@@ -226,7 +226,7 @@ curtain bench mygame
 .RE
 .fi
 .PP
-A run without a hit, or why there is none:
+Search for a run without a hit:
 .PP
 .nf
 .RS

@@ -537,17 +537,17 @@ packer (`curtain sound GAME NAME --notes`) and compares them:
 |---|---|
 {rules}
 
-A looping piece lasts at least {long:g} seconds before it loops, and its loop starts with a section. A piece that ends lasts
-{short[0]:g} to {short[1]:g} seconds. No two pieces share key, tempo and chords.
+A looping piece lasts at least {long:g} seconds before it loops, and its loop starts with a section. A piece that ends
+lasts {short[0]:g} to {short[1]:g} seconds. No two pieces share key, tempo and chords.
 
 {notes}
 
 ## Levels
 
 Loudness follows ITU-R BS.1770, as printed by `curtain sound`; pieces differ by at most {spread:g} LU. The peak is at
-most {peak:g} dB, at most {round:g} % of the samples are in the limiter's curve, and the mean is at most {dc:g} of full scale.
-To check the loop point, the piece is rendered without drums: its second difference within 10 ms of that point is
-compared with the largest in the four seconds around it.
+most {peak:g} dB, at most {round:g} % of the samples are in the limiter's curve, and the mean is at most {dc:g} of
+full scale. To check the loop point, the piece is rendered without drums: its second difference within 10 ms of that
+point is compared with the largest in the four seconds around it.
 
 {levels}
 
@@ -620,10 +620,10 @@ def page(curtain, game):
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
 Rendering the sound of a frame takes 0.68 million instructions on the title screen, 1.35 million in a stage while the
-ship fires, and 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 % of
-a frame. callgrind counts them as the difference of `curtain render roms/glasstide --press fire --invincible --stage one`
-with and without `--wav`, frames 600 to 1200; with `--stage queen/flower` for the queen, and with only the ROM for the
-title. Sound is not part of the game state: a run has the same hashes with and without it."""
+ship fires, and 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 %
+of a frame. callgrind counts them as the difference of `curtain render roms/glasstide --press fire --invincible
+--stage one` with and without `--wav`, frames 600 to 1200; with `--stage queen/flower` for the queen, and with only
+the ROM for the title. Sound is not part of the game state: a run has the same hashes with and without it."""
 
 # ---- the command ----
 

@@ -42,7 +42,7 @@ def length(one):
     return (one["frames"] - one["begin"]) / 60
 
 
-VERDICTS = {"lasted": "survived so far", "cannot": "cannot be survived", "not found": "no way found"}
+VERDICTS = {"lasted": "survived so far", "cannot": "proved unavoidable", "not found": "no way found"}
 
 
 def row(one):
@@ -102,10 +102,10 @@ def holding(folder, game):
 def survive_page(folder):
     yield """# Clearable sections
 
-`make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase of *Glass Tide*
-at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the columns and
-their limits. Each run found is a demo that passes `curtain verify`; those of phases are in `tests/demos/phases`.
-[game.md](game.md) has the curves.
+`make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase of *Glass
+Tide* at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the
+columns and their limits. Each run found is a demo that passes `curtain verify`; those of phases are in
+`tests/demos/phases`. [game.md](game.md) has the curves.
 
 `gap px` is the width of the widest ship that still gets through, tested up to 36 px; `last` is the average number of
 seconds that sixteen simple bots last; `reaction` is in frames.
@@ -269,10 +269,10 @@ read is easier for them than for you. Hits per minute of the dodging bots are in
         yield "| %s |%s" % (s, "".join(" %.1f (%.1f) |" % (rate(told[s][d]), rate(told[s][d], ["dodge"]))
                                        for d in difficulties))
     yield """
-The figure must rise in each section from one difficulty to the next, within a stage from section to section, and within
-a boss from phase to phase. The averages must rise from a stage's first boss to its last and from stage to stage. A stage
-may start easier than the previous one ended. The caravan and the boss rush are separate and must rise only with the
-difficulty.
+The figure must rise in each section from one difficulty to the next, within a stage from section to section, and
+within a boss from phase to phase. The averages must rise from a stage's first boss to its last and from stage to
+stage. A stage may start easier than the previous one ended. The caravan and the boss rush are separate and must rise
+only with the difficulty.
 
 **Exceptions:**
 """

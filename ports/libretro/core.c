@@ -92,7 +92,7 @@ static void offer_choices(void)
             if (strcmp(text, s.value) && !add_word(n - 1, text))
                 break;
     }
-    add_choice(&n, "keep_run", "Keep the run as a demo on exit", "no|yes");
+    add_choice(&n, "keep_run", "Save the run as a demo on exit", "no|yes");
     core.variable[n] = (struct retro_variable){ NULL, NULL };
     core.environment(RETRO_SET_VARIABLES, core.variable);
 }
@@ -166,7 +166,7 @@ static bool power(void)
     core.memory = size ? malloc(size) : NULL;
     core.c = core.memory ? curtain_open(&how, core.memory, size, err, sizeof err) : NULL;
     if (!core.c) {
-        show(size && !core.memory ? "there is too little memory" : err);
+        show(size && !core.memory ? "not enough memory" : err);
         close_game();
     }
     return core.c != NULL;
@@ -314,7 +314,7 @@ static bool make_plain(char *err, size_t err_size)
     void *plain = size > 0 ? malloc(size) : NULL;
 
     if (size > 0 && !plain)
-        snprintf(err, err_size, "there is too little memory");
+        snprintf(err, err_size, "not enough memory");
     const bool good = plain && curtain_plain(core.rom, core.rom_size, plain, size, err, err_size) > 0;
     free(good ? core.rom : plain);
     core.rom = good ? plain : core.rom;
@@ -325,7 +325,7 @@ static bool make_plain(char *err, size_t err_size)
 /* The game inside, or the content. */
 static bool take_rom(const struct retro_game *game)
 {
-    char err[TEXT] = "there is no game, or too little memory for it";
+    char err[TEXT] = "no game, or not enough memory for it";
 
     if (inside_is()) {
         inside_read(&core.rom, &core.rom_size, err, sizeof err);
@@ -369,7 +369,7 @@ bool retro_load_game(const struct retro_game *game)
     core.pixels = calloc((size_t)curtain_width(core.c) * (size_t)curtain_height(core.c), sizeof *core.pixels);
     core.loads = 0;
     if (!core.saved || !core.pixels) {
-        show("there is too little memory");
+        show("not enough memory");
         give_back();
         return false;
     }
@@ -390,7 +390,7 @@ bool retro_load_game_special(unsigned type, const struct retro_game *games, size
 static void keep_run(void)
 {
     const char *keep = chosen("keep_run"), *folder = NULL;
-    char err[TEXT] = "the run could not be written";
+    char err[TEXT] = "cannot write the demo";
     size_t size;
 
     if (!keep || strcmp(keep, "yes") != 0)
@@ -474,7 +474,7 @@ void retro_run(void)
         return;
     }
     if (core.environment(RETRO_GET_VARIABLE_UPDATE, &changed) && changed && curtain_frames(core.c) > 0)
-        say(RETRO_INFO, "what was chosen is there after a reset");
+        say(RETRO_INFO, "options take effect after a reset");
     for (unsigned i = 0; i < CURTAIN_PADS; i++)
         pads[i] = read_pad(i);
     const bool was = curtain_fault(core.c)[0] != 0;

@@ -30,10 +30,10 @@ bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
     *rom = NULL;
     *size = (size_t)m.size;
     if (!dladdr(&here, &info) || !info.dli_fname)
-        return refuse(err, err_size, "this core, which has its game", "its file cannot be found on this system");
+        return refuse(err, err_size, "embedded game", "cannot find the core's file on this system");
     FILE *f = fopen(info.dli_fname, "rb");
     if (!f)
-        return refuse(err, err_size, info.dli_fname, "the core's file cannot be read");
+        return refuse(err, err_size, info.dli_fname, "cannot read the core's file");
     *rom = malloc(*size);
     const bool good = *rom && fseek(f, (long)m.at, SEEK_SET) == 0 && fread(*rom, 1, *size, f) == *size;
     fclose(f);
@@ -43,5 +43,5 @@ bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
     free(*rom);
     *rom = NULL;
     return refuse(err, err_size, info.dli_fname,
-                  room ? "the core is cut short: its game is not all there" : "there is too little memory");
+                  room ? "the core's file is truncated: the game is incomplete" : "not enough memory");
 }

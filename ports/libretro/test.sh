@@ -102,7 +102,7 @@ size=$(stat -c %s cores/tide_libretro.so)
 head -c $((size - 1000)) cores/tide_libretro.so >cores/cut_libretro.so
 settings cut
 alone cut cut_libretro.so --max-frames=10
-check 'one that is cut short says so' grep -q 'the core is cut short: its game is not all there' cut/log
+check 'one that is cut short says so' grep -q 'the core.s file is truncated: the game is incomplete' cut/log
 
 # ---- a pad, and going back in time ----
 

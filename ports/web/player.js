@@ -60,7 +60,7 @@ function recall(key) {
   try { return localStorage.getItem('curtain.' + key) } catch { return null }
 }
 function keep(key, value) {
-  try { localStorage.setItem('curtain.' + key, value) } catch { say('This browser keeps nothing of this page.') }
+  try { localStorage.setItem('curtain.' + key, value) } catch { say('This browser stores no settings for this page.') }
 }
 let toast
 function say(sentence) {
@@ -78,7 +78,7 @@ async function loadCore() {
   const module = await WebAssembly.compile(await inside('core')), wasi = {}
   for (const { module: from, name } of WebAssembly.Module.imports(module))
     if (from === 'wasi_snapshot_preview1') wasi[name] = () => 8 // there are no files, and no clock
-  wasi.proc_exit = () => { throw new Error('the core has left') }
+  wasi.proc_exit = () => { throw new Error('the core has exited') }
   const lua = { // tools/cross/wasi/lua_try.h
     host_throw() { throw thrown },
     host_try(f, L, ud) {
@@ -132,7 +132,7 @@ function takeRom(bytes) { // plain, in the core's memory
 function power(bytes, demo) {
   const before = game, words = asked(), how = { seed: seedOf(words) }
   const rom = bytes ? takeRom(bytes) : before && before.rom
-  if (!rom) throw new Error('there is no game')
+  if (!rom) throw new Error('no game')
   for (const name of WORDS) how[name] = words.get(name)
   const again = (id) => {
     const saved = recall('nvram.' + id)
@@ -161,21 +161,21 @@ function power(bytes, demo) {
 
 // Covers a game that has just been powered up; behind the words is what a run of nobody's comes to, its title mostly.
 function offer() {
-  const what = game.plays ? 'A recording' : 'Play', to = game.plays ? 'watch it' : 'begin'
+  const what = game.plays ? 'Recording' : 'Play', to = game.plays ? 'watch' : 'start'
   if (!game.plays) {
     openCore(game.rom, new Uint8Array(), null, { seed: 1 })
     for (let f = 0; f < 240; f++) core.web_frame(f === 30 || f === 31 ? START : 0, 0)
     show()
     game.again(game.id)
   }
-  const then = game.plays ? '' : '\nthen drag anywhere: the ship follows'
-  cover(what, touching ? `tap to ${to}${then}` : `click, or press a key, to ${to}`)
+  const then = game.plays ? '' : '\nthen drag anywhere to move'
+  cover(what, touching ? `tap to ${to}${then}` : `click or press a key to ${to}`)
 }
 
 function broken(e) { // the core itself; a fault of the game is an event
   game.over = true
   core.__stack_pointer.value = stackTop
-  cover('It has stopped', String(e && e.message || e))
+  cover('The game stopped', String(e && e.message || e))
 }
 
 // The demo that a game asks for while nobody plays has a board of its own, and the game's stands still. What ends it is
@@ -209,15 +209,15 @@ function tick(one, two) {
   }
   if (events & FAULT) {
     game.over = true
-    cover('A mistake in the game', text(core.web_fault()).split('\n')[0])
+    cover('Script error', text(core.web_fault()).split('\n')[0])
   }
   if (events & ENDED && game.plays) {
     game.over = true
-    cover('The recording ends', touching ? 'tap to play' : 'click, or press a key, to play')
+    cover('End of recording', touching ? 'tap to play' : 'click or press a key to play')
   }
   if (events & QUIT) {
     game.over = true
-    cover('Goodbye', touching ? 'tap to begin anew' : 'click, or press a key, to begin anew')
+    cover('Goodbye', touching ? 'tap to restart' : 'click or press a key to restart')
   }
   if (events & ASK) panel(true)
   return events
@@ -279,22 +279,22 @@ function cover(what, how) {
   at('what').textContent = what
   at('how').textContent = how
   at('cover').hidden = false
-  at('pause').textContent = game && core.web_frames() > 0 ? 'Go on' : 'Play'
+  at('pause').textContent = game && core.web_frames() > 0 ? 'Resume' : 'Play'
   if (audio) audio.context.suspend()
 }
 function pause() {
-  if (running) cover('Paused', touching ? 'tap to go on' : 'click, or press a key, to go on')
+  if (running) cover('Paused', touching ? 'tap to resume' : 'click or press a key to resume')
 }
 function go() {
   if (!game) return at('file').click()
-  if (game.over) anew()
+  if (game.over) restart()
   wake()
   at('cover').hidden = true
   at('pause').textContent = 'Pause'
   held.forEach((set) => set.clear())
   running = true
 }
-function anew() {
+function restart() {
   try {
     power(null, null)
   } catch (e) {
@@ -321,7 +321,7 @@ async function wake() { // by a gesture, for browsers allow it then alone
     setVolume()
     context.resume()
   } catch {
-    say('This browser plays no sound here.')
+    say('This browser cannot play sound here.')
   }
 }
 function hear(lr) {
@@ -345,7 +345,7 @@ function louder(by) {
   volume = Math.round(10 * Math.max(0, Math.min(1, volume + by))) / 10
   keep('volume', volume)
   setVolume()
-  say(`Volume ${Math.round(100 * volume)} %`)
+  say(`Volume ${Math.round(100 * volume)}%`)
 }
 
 // ---- switches: keys, controllers, buttons on the screen ----
@@ -392,7 +392,7 @@ function onKey(e) {
   if (e.ctrlKey || e.metaKey || (e.altKey && e.code !== 'Enter')) return
   if (e.repeat) return e.preventDefault()
   const does = { KeyP: pause, Pause: pause, KeyM: toggleSound, Minus: () => louder(-0.1), Equal: () => louder(0.1),
-    F1: () => panel(true), Escape: () => panel(true), KeyR: () => { anew(); go() }, F11: full }
+    F1: () => panel(true), Escape: () => panel(true), KeyR: () => { restart(); go() }, F11: full }
   const player = KEYS.findIndex((map) => map[e.code])
   if (e.altKey) full()
   else if (!running && !(e.code in does && e.code !== 'KeyP') && !/^F\d|Tab/.test(e.code)) go()
@@ -501,7 +501,7 @@ function fit() {
   screen_.style.width = game.w * scale + 'px'
   screen_.style.height = game.h * scale + 'px'
   screen_.classList.toggle('smooth', smooth)
-  at('smooth').textContent = smooth ? 'Whole pixels' : 'Smooth'
+  at('smooth').textContent = smooth ? 'Scaling: Smooth' : 'Scaling: Integer'
   show()
 }
 function full() {
@@ -511,7 +511,7 @@ function full() {
 function panel(open) {
   if (open) pause()
   at('panel').hidden = !open
-  at('keep').disabled = at('link').disabled = at('anew').disabled = !game
+  at('keep').disabled = at('link').disabled = at('restart').disabled = !game
 }
 
 // ---- recordings, files ----
@@ -536,7 +536,7 @@ async function copyLink() {
   const packed = await through(recording(), new CompressionStream('gzip'))
   const link = location.href.split('#')[0] + '#demo=' +
     base64(packed).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '')
-  if (link.length > LINK) return say('This run is too long for a link; its recording can be saved.')
+  if (link.length > LINK) return say('This run is too long for a link. Save the recording instead.')
   await navigator.clipboard.writeText(link)
   say('Copied.')
 }
@@ -579,7 +579,7 @@ function listen() {
   click('full', full)
   click('keep', download)
   click('link', copyLink)
-  click('anew', () => { anew(); panel(false); go() })
+  click('restart', () => { restart(); panel(false); go() })
   click('smooth', () => { chosen = smooth ? 'no' : 'yes'; keep('smooth', chosen); fit() })
   click('open', () => at('file').click())
   click('close', () => { panel(false); if (game) go() })
@@ -624,9 +624,9 @@ window.curtain = {
         power(rom, null)
         await fromLink()
         if (!game.plays) offer()
-      } else cover('No game yet', 'drop a .rom here, or click to choose one')
+      } else cover('No game yet', 'drop a .rom here or click to choose one')
     } catch (e) {
-      cover('It cannot run here', e.message)
+      cover('The game cannot run here', e.message)
     }
     requestAnimationFrame(refresh)
   })(),

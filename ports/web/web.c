@@ -56,7 +56,7 @@ void *EXPORT(web_rom)(void *packed, size_t size)
     void *plain = web.size ? malloc(web.size) : NULL;
 
     if (web.size && !plain)
-        snprintf(web.said, SAID, "there is too little memory for this game");
+        snprintf(web.said, SAID, "not enough memory for this game");
     if (plain && !curtain_plain(packed, size, plain, web.size, web.said, SAID)) {
         free(plain);
         plain = NULL;
@@ -83,7 +83,7 @@ static int open_board(const struct curtain_config *how)
         return 0;
     web.memory = malloc(size);
     if (!web.memory)
-        snprintf(web.said, SAID, "there is too little memory for this game");
+        snprintf(web.said, SAID, "not enough memory for this game");
     else
         web.c = curtain_open(how, web.memory, size, web.said, SAID);
     if (!web.c)
@@ -110,7 +110,7 @@ int EXPORT(web_attract)(void)
     web_attract_end();
     how.demo = curtain_attract_demo(web.c, &how.demo_size);
     if (!how.demo) {
-        snprintf(web.said, SAID, "there is no demo \"%s\"", curtain_attract(web.c));
+        snprintf(web.said, SAID, "no demo named \"%s\"", curtain_attract(web.c));
         return 0;
     }
     web.stands = web.c;
@@ -279,7 +279,7 @@ void *EXPORT(web_save)(void)
     if (web.size > 0)
         return state;
     if (!state)
-        snprintf(web.said, SAID, "there is too little memory for a state");
+        snprintf(web.said, SAID, "not enough memory for a state");
     free(state);
     return NULL;
 }

@@ -31,7 +31,7 @@ struct api_value {
 };
 
 /* Said when board.nvram is full; a number of KiB. */
-#define NO_NVRAM "no room: all %d KiB of nvram are taken (board.nvram in rom.lua)"
+#define NO_NVRAM "nvram full (%d KiB); raise `board.nvram` in rom.lua"
 
 enum { NVRAM_STEP = 32 /* bytes of nvram that are walked or moved at the price of a VM instruction */ };
 

@@ -188,19 +188,19 @@ const char *api_plain(int i, const char **help);
 bool api_ends(enum handle_kind kind);
 
 /* The message for a reserved name: one that is kept for a later feature. */
-#define NOT_YET "is not there yet; the name is kept for it"
+#define NOT_YET "is reserved for a later version"
 
 /* Is the name reserved? how '.': as a field of the table `of` ("board"; "": the globals); '{': as an argument of the
  * function `of` ("bullet.fire"); ':': as a property or a verb of the thing `of` ("bullet"). */
 bool api_reserved(const char *of, char how, const char *name);
 
-/* Some tables of the API stand for a chip that a game has only if rom.lua gives it room. A game that does not has
- * neither the table nor the verbs of its things. Of such a game, the line of rom.lua that the table, thing or group of
- * that name ("item", "items") needs; NULL: the name is on, or is none of these. */
+/* Some tables of the API belong to a chip that a game has only if rom.lua gives it a capacity. Other games have neither
+ * the table nor the methods of its things. Returns the part of API_OFF for the table, thing or group of that name
+ * ("item", "items") if it is disabled, otherwise NULL. */
 const char *api_off(const struct manifest *m, const char *name);
 
-/* Said of one: the line. */
-#define API_OFF "this game has no room for it; rom.lua asks for it: %s"
+/* The message for a disabled name; %s is from api_off. */
+#define API_OFF "%s in rom.lua"
 
 /* The i-th row of the list of reserved names, words with a blank between; NULL: there are no more. For tests. */
 const char *api_reserved_row(int i, const char **of, char *how);

@@ -177,7 +177,7 @@ static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, ch
         return false;
     uint64_t sum = board_room(cart);
     if (sum > MAX_RAM) {
-        snprintf(err, err_size, "the capacities in rom.lua ask for %llu MiB of RAM; a board has at most %llu",
+        snprintf(err, err_size, "the capacities in rom.lua need %llu MiB of RAM (at most %llu); lower them",
                  (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
         return false;
     }
@@ -289,13 +289,12 @@ static bool boot(struct board *b)
 static bool practice_fits(const struct practice *p, char *err, size_t err_size)
 {
     if (p->lives < 0 || p->lives > PRACTICE_LIVES)
-        snprintf(err, err_size, "a practice start with %d lives: expected 1 to %d, or 0", (int)p->lives,
-                 PRACTICE_LIVES);
+        snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_LIVES, (int)p->lives);
     else if (p->registers < 0 || p->registers > PRACTICE_REGISTERS)
-        snprintf(err, err_size, "a practice start with %d registers: expected 0 to %d", (int)p->registers,
-                 PRACTICE_REGISTERS);
+        snprintf(err, err_size, "practice start: registers: expected at most %d, got %d", PRACTICE_REGISTERS,
+                 (int)p->registers);
     else if (!p->section[0] && (p->lives || p->invincible || p->registers))
-        snprintf(err, err_size, "lives, registers or invincibility without a practice start");
+        snprintf(err, err_size, "lives, registers and invincibility require a practice start");
     else
         return true;
     return false;
@@ -305,7 +304,7 @@ static bool lang_fits(const char *lang, char *err, size_t err_size)
 {
     for (; *lang; lang++) {
         if (*lang < 32 || *lang > 126) {
-            snprintf(err, err_size, "a language: expected printable ASCII, got the byte %d", (unsigned char)*lang);
+            snprintf(err, err_size, "language: expected printable ASCII, got byte %d", (unsigned char)*lang);
             return false;
         }
     }
@@ -318,7 +317,7 @@ static bool open_lang(struct board *b, char *err, size_t err_size)
         return false;
     if (cart_lang(&b->cart, b->start.lang, &b->words))
         return true;
-    snprintf(err, err_size, "language \"%s\": the game has no lang/%s.txt", b->start.lang, b->start.lang);
+    snprintf(err, err_size, "language \"%s\": no lang/%s.txt in the game", b->start.lang, b->start.lang);
     return false;
 }
 
@@ -326,14 +325,14 @@ static bool open_lang(struct board *b, char *err, size_t err_size)
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
     if (start->difficulty >= m->n_difficulties) {
-        snprintf(err, err_size, "difficulty %d: the game has %d", start->difficulty, m->n_difficulties);
+        snprintf(err, err_size, "difficulty %d: the game has only %d", start->difficulty, m->n_difficulties);
         return false;
     }
     for (int i = 0; i < m->n_dips; i++) {
         const struct dip *d = &m->dips[i];
         int32_t lo = d->number ? d->lo : 0, hi = d->number ? d->hi : d->values - 1;
         if (start->dip[i] < lo || start->dip[i] > hi) {
-            snprintf(err, err_size, "DIP %s: %d is not from %d to %d", d->name, start->dip[i], lo, hi);
+            snprintf(err, err_size, "DIP switch %s: expected %d to %d, got %d", d->name, lo, hi, start->dip[i]);
             return false;
         }
     }
@@ -380,7 +379,7 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     memset(b->output, 0, sizeof *b->output);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);
     if (!boot(b)) {
-        snprintf(err, err_size, "board.lua_kib = %d is too little to start Lua", b->cart.m.lua_kib);
+        snprintf(err, err_size, "board.lua_kib = %d is too small to start Lua; raise it in rom.lua", b->cart.m.lua_kib);
         return NULL;
     }
     b->output->out.log = b->output->log;
@@ -484,10 +483,11 @@ static void count_steps(struct board *b)
     const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
 
     if (!board_work(b, A_STEP * ran))
-        board_too_much(b,
-                       "motion programs: %llu steps in one frame are too many, of %u bullets, %u shots and %u lasers; "
-                       "let their loops take time, or give fewer of them programs",
-                       (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
+        board_too_much(
+            b,
+            "motions: too many steps in one frame (%llu, of %u bullets, %u shots and %u lasers); add waits to "
+            "their loops or give fewer of them motions",
+            (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
 }
 
 /* Moves, then hits, then what programs fire. For vm_call: a full event list is a fault. */
@@ -855,7 +855,7 @@ struct motion_world board_world(const struct board *b, bool shots)
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
-        vm_fault(b->vm.running, FAULT_SCRIPT, "more than %d events in one frame", (int)b->events.cap);
+        vm_fault(b->vm.running, FAULT_SCRIPT, "too many events in one frame (at most %d)", (int)b->events.cap);
 }
 
 uint64_t board_chance(void *board, uint64_t below)

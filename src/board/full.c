@@ -9,31 +9,29 @@
 
 struct wording {
     const struct chip *chip;
-    const char *of;      /* what there is too much of */
-    const char *set_by;  /* the capacity's name in rom.lua */
-    const char *instead; /* what happens */
+    const char *pool;
+    const char *effect; /* of the full pool */
+    const char *set_by; /* the capacity's name in rom.lua's board */
 };
 
-static const char gone[] = "what finds no room is not made";
-
 static const struct wording wordings[] = {
-    { &bullets_chip, "bullets", "bullets", gone },
-    { &shots_chip, "shots", "shots", gone },
-    { &enemies_chip, "enemies", "enemies", gone },
-    { &sprites_chip, "sprites", "sprites", gone },
-    { &lines_chip, "lines of text", "lines", gone },
-    { &sparks_chip, "sparks", "sparks", gone },
-    { &items_chip, "items", "items", gone },
-    { &options_chip, "options", "options", gone },
-    { &tasks_chip, "tasks", "tasks", "what finds no room is not started" },
-    { &motions_chip, "motions", "motions", "what is given a program that finds no room flies straight" },
-    { &lasers_chip, "lasers", "lasers", gone },
-    { &laser_points_chip, "curve points", "curve_points", gone },
-    { &ml_roots_chip, "BulletML documents", "bulletml", "what finds no room is not started" },
-    { &ml_runners_chip, "BulletML's runners", "bulletml", "bullets that find no room fly straight" },
-    { &ml_frames_chip, "BulletML's repeats and calls", "bulletml", "what finds no room ends there" },
-    { &ml_params_chip, "BulletML's parameters", "bulletml", "what finds no room ends there" },
-    { &steps_chip, "motion steps", "motions", "what is given a program that finds no room flies straight" },
+    { &bullets_chip, "bullet", "new bullets are dropped", "bullets" },
+    { &shots_chip, "shot", "new shots are dropped", "shots" },
+    { &enemies_chip, "enemy", "new enemies are dropped", "enemies" },
+    { &sprites_chip, "sprite", "new sprites are dropped", "sprites" },
+    { &lines_chip, "text line", "new lines are dropped", "lines" },
+    { &sparks_chip, "spark", "new sparks are dropped", "sparks" },
+    { &items_chip, "item", "new items are discarded", "items" },
+    { &options_chip, "option", "new options are dropped", "options" },
+    { &tasks_chip, "task", "new tasks do not start", "tasks" },
+    { &motions_chip, "motion", "bullets with a new motion fly straight", "motions" },
+    { &lasers_chip, "laser", "new lasers are dropped", "lasers" },
+    { &laser_points_chip, "curve point", "new curves are dropped", "curve_points" },
+    { &ml_roots_chip, "BulletML document", "new documents do not start", "bulletml" },
+    { &ml_runners_chip, "BulletML runner", "new bullets fly straight", "bulletml" },
+    { &ml_frames_chip, "BulletML call", "further repeats and calls end their actions", "bulletml" },
+    { &ml_params_chip, "BulletML parameter", "further calls end their actions", "bulletml" },
+    { &steps_chip, "motion step", "bullets with a new motion fly straight", "motions" },
 };
 
 static const struct wording *wording_of(const struct board *b, const struct slots *s)
@@ -97,8 +95,8 @@ void board_full(struct board *b, const struct slots *s)
         vm_where(b->vm.running, place, sizeof place);
     f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
     f->part = w->chip->name;
-    snprintf(f->line, sizeof f->line, "%sthe pool of %s is full (%u; %s in rom.lua): %s", place, w->of, s->cap * each,
-             w->set_by, w->instead);
+    snprintf(f->line, sizeof f->line, "%s%s pool full (%u): %s; raise `board.%s` in rom.lua", place, w->pool,
+             s->cap * each, w->effect, w->set_by);
     add_line(o, f->line);
 }
 

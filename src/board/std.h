@@ -18,7 +18,7 @@
 enum { STD_MODULES = 19 };
 
 /* Said of a module's global in a game whose scripts do not name it: in a line typed into the console. */
-#define STD_NOT_HERE "not in this ROM: the library's modules are packed when a script names them"
+#define STD_NOT_HERE "not packed in this ROM; a library module is packed if a script names it"
 
 /* Module i, in the order in which they are loaded: "pattern". The first is the prelude, which all others need. */
 const char *std_module(int i);

@@ -81,7 +81,7 @@ static void check_depth(struct board *b, int64_t owner)
         if (!slots_has(&b->tasks.s, handle_slot(h), handle_gen(h)))
             return;
         if (++depth > MAX_OWNER_DEPTH)
-            vm_fault(b->vm.running, FAULT_SCRIPT, "tasks and scopes own each other more than %d deep", MAX_OWNER_DEPTH);
+            vm_fault(b->vm.running, FAULT_SCRIPT, "tasks and scopes nested more than %d deep", MAX_OWNER_DEPTH);
     }
 }
 

@@ -184,15 +184,15 @@ static bool waits(const struct board *b)
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
     if (b->output->long_text) {
-        snprintf(f->message, sizeof f->message, "%sa text of %zu bytes: a text has %d at most", b->output->shortage,
+        snprintf(f->message, sizeof f->message, "%sstring too long: %zu bytes (at most %d)", b->output->shortage,
                  b->output->long_text, (int)MAX_TEXT);
         return;
     }
     const bool at_once = waits(b) && heap_work(b->vm.heap) - b->vm.swept > b->vm.heap_size / 2;
-    snprintf(f->message, sizeof f->message, "%sout of Lua memory (board.lua_kib = %d in rom.lua)%s",
+    snprintf(f->message, sizeof f->message, "%sout of Lua memory (%d KiB); raise `board.lua_kib` in rom.lua%s",
              b->output->shortage, b->cart.m.lua_kib,
-             b->output->deep ? ", deep in calls: an endless recursion?"
-             : at_once       ? ", most of it taken in one frame: an endless loop? Is a wait missing?"
+             b->output->deep ? " (calls nested deeply: infinite recursion?)"
+             : at_once       ? " (most of it allocated in one frame: infinite loop, missing wait?)"
                              : "");
 }
 
@@ -228,23 +228,23 @@ static void hint(lua_State *L, const char *message, char *out, size_t size)
     else if (strstr(message, "to call") && api_help_calls(name, calls, sizeof calls))
         snprintf(out, size, " (did you mean %s?)", calls);
     else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
-        snprintf(out, size, " (a thing that has despawned gives nil for %s; check its alive first)", name);
+        snprintf(out, size, " (%s is nil once the thing has despawned; check alive first)", name);
 }
 
 /* The likely reason, where calls nest too deeply or a frame does not end. */
 static const char *cause(const struct board *b, enum board_fault_kind kind)
 {
     if (kind == FAULT_STACK)
-        return " (calls nested too deeply: an endless recursion?)";
+        return " (calls nested too deeply: infinite recursion?)";
     if (kind != FAULT_LOOP || b->vm.limit != WORK_LIMIT)
         return "";
-    return waits(b) ? " (is a wait missing?)" : " (only a task can wait: task.go starts one)";
+    return waits(b) ? " (missing wait?)" : " (only a task can wait; start one with task.go)";
 }
 
 /* Any other error value. */
 static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
 {
-    char place[VM_PLACE] = "", other[48], why[160] = "";
+    char place[VM_PLACE] = "", other[80], why[160] = "";
     bool raised = lualib_raised(from, -1);
 
     if (raised)
@@ -254,7 +254,8 @@ static void report_error(struct board *b, lua_State *from, int status, struct bo
     if (type == LUA_TSTRING || type == LUA_TNUMBER)
         message = lua_tostring(from, -1);
     else
-        snprintf(other, sizeof other, "error: the value raised is a %s, not text", lua_typename(from, type));
+        snprintf(other, sizeof other, "error: expected a string as the error value, got a %s",
+                 lua_typename(from, type));
     missing_place(from, message, place, sizeof place);
     if (!raised && b->vm.kind == FAULT_NONE)
         hint(from, message, why, sizeof why);
@@ -375,7 +376,8 @@ void vm_load(lua_State *L, const char *name)
 
     if (!cart_script(cart, name, &text, &size)) {
         if (script_name(name, meant) && cart_script(cart, meant, &text, &size))
-            vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game; write require \"%s\"", name, meant);
+            vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game (did you mean require \"%s\"?)", name,
+                     meant);
         vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
     }
     if (!script_scan(text, size, &line, &what)) {
@@ -403,7 +405,7 @@ static int l_require(lua_State *L)
         return 1;
     }
     if (!b->vm.loading)
-        return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" is not loaded yet, and scripts load only at the start", name);
+        return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" is not loaded; scripts can only be loaded at startup", name);
     lua_pushlightuserdata(L, b);
     lua_setfield(L, 2, name);
     vm_load(L, name);
@@ -472,8 +474,8 @@ static int no_new_global(lua_State *L)
 
     if (meant[0])
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, meant);
-    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\": there are no new globals (write \"local %s\")", name,
-                    name);
+    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (scripts cannot create globals; write \"local %s\")",
+                    name, name);
 }
 
 static void seal_globals(lua_State *L)
@@ -495,7 +497,7 @@ void vm_read_piece(lua_State *L, const char *name)
 
     snprintf(path, sizeof path, "@std/%s", name);
     if (!cart_script(&vm_board(L)->cart, path, &text, &size))
-        vm_fault(L, FAULT_SCRIPT, "sys.read: \"%s\" is no piece of a module of this ROM", name);
+        vm_fault(L, FAULT_SCRIPT, "sys.read: no library file \"%s\" in this ROM", name);
     vm_charge(L, size);
     vm_load(L, path);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &sys_key);
@@ -524,7 +526,7 @@ static void load_std(lua_State *L, int i, int sys)
     lua_pushglobaltable(L);
     if (!strcmp(name, "prelude")) {
         if (!lua_istable(L, -2))
-            vm_fault(L, FAULT_SCRIPT, "%s.lua: expected a table of functions to be returned", path);
+            vm_fault(L, FAULT_SCRIPT, "%s.lua: expected the script to return a table of functions", path);
         lua_pushnil(L);
         while (lua_next(L, -3)) {
             lua_pushvalue(L, -2);
@@ -591,9 +593,10 @@ int vm_boot(lua_State *L)
     lua_gc(L, LUA_GCCOLLECT); /* a run begins with what loading left and no more */
     rest(&b->vm);
     if (board_lists(b) && !b->vm.practice_read)
-        vm_fault(L, FAULT_SCRIPT, "practice: nothing can be chosen: %s.lua does not call boot.run", b->cart.m.entry);
+        vm_fault(L, FAULT_SCRIPT, "practice: no sections to choose from; %s.lua does not call boot.run",
+                 b->cart.m.entry);
     if (b->start.practice.section[0] && !b->vm.practice_read)
-        vm_fault(L, FAULT_SCRIPT, "--stage: the game cannot start at \"%s\": %s.lua does not call boot.run",
+        vm_fault(L, FAULT_SCRIPT, "--stage: cannot start at \"%s\"; %s.lua does not call boot.run",
                  b->start.practice.section, b->cart.m.entry);
     return 0;
 }

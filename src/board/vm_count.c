@@ -217,31 +217,30 @@ void vm_look(lua_State *L, lua_Debug *ar)
 
 /* ---- the limit ---- */
 
-/* " (one beside a text of 65536 bytes counts as 17)", or "" where all counted as one. */
+/* " (each counts as 17 with a string of 65536 bytes in scope)", or "" if each counted as one. */
 static void say_weight(const struct vm_weight *w, char *text, size_t size)
 {
-    static const char *const beside[] = { [WEIGHT_TEXT] = "a text of %zu bytes",
-                                          [WEIGHT_ZEROS] = "a text with %zu zero bytes",
-                                          [WEIGHT_NUMERAL] = "a number written in %zu bytes",
-                                          [WEIGHT_NUMBER] = "a number beyond 2^%zu",
-                                          [WEIGHT_CHAIN] = "a chain of %zu metatables",
-                                          [WEIGHT_ARGUMENTS] = "%zu arguments" };
+    static const char *const scope[] = {
+        [WEIGHT_TEXT] = "a string of %zu bytes",      [WEIGHT_ZEROS] = "a string with %zu zero bytes",
+        [WEIGHT_NUMERAL] = "a numeral of %zu bytes",  [WEIGHT_NUMBER] = "a number beyond 2^%zu",
+        [WEIGHT_CHAIN] = "a chain of %zu metatables", [WEIGHT_ARGUMENTS] = "%zu arguments"
+    };
     char what[48];
 
     text[0] = 0;
     if (!w->more)
         return;
-    snprintf(what, sizeof what, beside[w->why], w->n);
-    snprintf(text, size, " (one beside %s counts as %zu)", what, w->more + 1);
+    snprintf(what, sizeof what, scope[w->why], w->n);
+    snprintf(text, size, " (each counts as %zu with %s in scope)", w->more + 1, what);
 }
 
 static int over_limit(lua_State *L, struct vm *vm)
 {
-    char weight[96];
+    char weight[112];
 
     look_after(vm, L, 1); /* the __close handlers on the way out get no turn of their own */
     say_weight(&vm->heaviest, weight, sizeof weight);
-    return vm_fault(L, FAULT_LOOP, "endless loop: more than %d instructions in one %s%s", (int)vm->limit,
+    return vm_fault(L, FAULT_LOOP, "infinite loop: more than %d instructions in one %s%s", (int)vm->limit,
                     vm->limit == WORK_LIMIT ? "frame" : "line", weight);
 }
 

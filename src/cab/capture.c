@@ -91,28 +91,26 @@ static enum result check_format(struct capture *c)
     const struct args *a = c->a;
 
     if (!a->out)
-        return report_line(RESULT_REFUSED, "capture needs -o (curtain help capture)");
+        return report_line(RESULT_REFUSED, "capture needs -o (see curtain help capture)");
     c->to_stdout = strcmp(a->out, "-") == 0;
     c->format = find_format(a);
     if (c->format == FORMATS && a->format)
         return refuse_format(a->format);
     if (c->format == FORMATS && c->to_stdout)
-        return report_line(RESULT_REFUSED, "-o - needs --format, for there is no name to tell it by");
+        return report_line(RESULT_REFUSED, "-o - needs --format: standard output has no file extension");
     if (c->format == FORMATS)
         return report_line(RESULT_REFUSED,
-                           "-o: \"%s\" ends in none of .gif .apng .png .y4m .wav .mp4 .webm (or say "
-                           "--format)",
+                           "-o: \"%s\" does not end in .gif .apng .png .y4m .wav .mp4 or .webm (or use --format)",
                            a->out);
     if (through_ffmpeg(c) && c->to_stdout)
-        return report_line(RESULT_REFUSED, "-o - does not go with %s, which is written to a file",
+        return report_line(RESULT_REFUSED, "-o - cannot be combined with %s, which is written to a file",
                            formats[c->format].name);
     if (c->format == WAV && (a->scale || a->faster))
-        return report_line(RESULT_REFUSED, "%s does not go with wav, which is sound alone",
+        return report_line(RESULT_REFUSED, "%s cannot be combined with wav, which has no picture",
                            a->scale ? "--scale" : "--speed");
     if (through_ffmpeg(c) && !process_is_there("ffmpeg"))
         return report_line(RESULT_HOST,
-                           "%s is made by ffmpeg, which is not there; install it, or write a .gif, .png or "
-                           ".y4m",
+                           "%s needs ffmpeg, which is not installed; install it, or write a .gif, .png or .y4m",
                            formats[c->format].name);
     return RESULT_DONE;
 }
@@ -120,7 +118,8 @@ static enum result check_format(struct capture *c)
 static enum result check_frames(const struct args *a)
 {
     if (a->n_spans > 1 || (a->n_spans == 1 && a->spans[0].step != 1))
-        return report_line(RESULT_REFUSED, "--frames: a film is of one piece, like 60:600 (--speed makes it faster)");
+        return report_line(RESULT_REFUSED,
+                           "--frames: capture takes one range, as in 60:600 (use --speed to change the speed)");
     return RESULT_DONE;
 }
 
@@ -259,7 +258,7 @@ static enum result write_out(const struct capture *c, const uint8_t *bytes, size
 
 static enum result no_memory(const struct capture *c)
 {
-    return report_line(RESULT_HOST, "%s: out of memory, or larger than a gigabyte", c->a->out);
+    return report_line(RESULT_HOST, "%s: out of memory, or larger than 1 GiB", c->a->out);
 }
 
 /* Of two results the worse one that was told first. */
@@ -373,13 +372,13 @@ static enum result feed(struct capture *c, const char *sound, const char *part)
     char line[5 * FILES_PATH], err[FILES_ERR];
 
     if (!ffmpeg_line(c, sound, part, line, sizeof line))
-        return report_line(RESULT_REFUSED, "-o: the path is too long");
+        return report_line(RESULT_REFUSED, "-o: path too long");
     if (!files_save(part, "", 0, err, sizeof err)) /* with a sentence of ours, before all the work */
         return report_line(RESULT_HOST, "%s", err);
     fflush(stdout);
     c->stream = process_open(line);
     if (!c->stream)
-        return report_line(RESULT_HOST, "ffmpeg cannot be run (%s)", strerror(errno));
+        return report_line(RESULT_HOST, "cannot run ffmpeg (%s)", strerror(errno));
     y4m_head(c->stream, c->w, c->h);
     enum result result = go_through(c, false);
     const bool good = process_close(c->stream);
@@ -387,7 +386,7 @@ static enum result feed(struct capture *c, const char *sound, const char *part)
     if (good)
         return first_of(result, put_film(c, part));
     remove(part);
-    return report_line(RESULT_HOST, "%s: ffmpeg could not make it", c->a->out);
+    return report_line(RESULT_HOST, "%s: ffmpeg failed", c->a->out);
 }
 
 /* With sound, unless its speed is another. */
@@ -398,7 +397,7 @@ static enum result shoot_film(struct capture *c)
 
     if (!output_path_temporary(c->a->out, ".part", part, sizeof part) ||
         !output_path_temporary(c->a->out, ".part.wav", sound, sizeof sound))
-        return report_line(RESULT_REFUSED, "-o: the path is too long");
+        return report_line(RESULT_REFUSED, "-o: path too long");
     if (!heard)
         return feed(c, NULL, part);
     if (!tape_open(&c->tape))
@@ -430,7 +429,7 @@ static enum result shoot(struct capture *c)
     enum result result = pictures_open(c);
     if (result == RESULT_DONE && c->format != WAV &&
         (c->w > PNG_MAX_SIDE || c->h > PNG_MAX_SIDE || c->w > PNG_MAX_PIXELS / c->h))
-        return report_line(RESULT_REFUSED, "--scale: a film of %d x %d pixels is too large", c->w, c->h);
+        return report_line(RESULT_REFUSED, "--scale: frames of %d x %d pixels are too large", c->w, c->h);
     return result == RESULT_DONE ? ways[c->format](c) : result;
 }
 

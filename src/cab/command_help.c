@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../board/api_table.h"
 #include "../board/board.h"
+#include "../board/trial/trial.h"
 #include "../../platform/platform.h"
 #include "editor/annotations.h"
 #include "editor/lua_example.h"
@@ -47,17 +48,59 @@ static void print_prose(void (*write)(struct prose *))
     free(text.bytes);
 }
 
+/* Words that authors look for, and the API's names for them. The help of a single name follows. */
+static const char *const synonyms[][2] = {
+    { "homing", "home" },
+    { "seek", "home" },
+    { "split", "emit" },
+    { "figure", "pattern.polygon pattern.star pattern.rose" },
+    { "triangle", "pattern.polygon" },
+    { "square", "pattern.polygon" },
+    { "pentagon", "pattern.polygon" },
+    { "hexagon", "pattern.polygon" },
+};
+
+/* Prints "homing: see home"; returns the name to explain: word itself if it has no synonym, or several. */
+static const char *print_synonym(const char *word)
+{
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++) {
+        const char *names = synonyms[i][1];
+        if (strcmp(word, synonyms[i][0]) == 0) {
+            printf("%s: see %s\n", word, names);
+            return strchr(names, ' ') ? word : names;
+        }
+    }
+    return word;
+}
+
+/* "test", "test.run", "run:step": only test scripts can call these. */
+static bool is_of_tests(const char *name)
+{
+    struct trial_entry e;
+
+    for (int i = 0; trial_entry(i, &e); i++)
+        if (strcmp(e.name, name) == 0)
+            return true;
+    return strcmp(name, "test") == 0;
+}
+
 static enum result help_lua(const char *name)
 {
+    if (name && is_of_tests(name)) {
+        printf("%s: of test scripts: docs/guide/27-testing.md; curtain help test lists their names\n", name);
+        return report_stdout(RESULT_DONE);
+    }
+    if (name)
+        name = print_synonym(name);
     if (api_help(name, say)) {
         if (name)
             lua_example_print(name);
         return report_stdout(RESULT_DONE);
     }
     if (api_help_near(name))
-        return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (did you mean %s?)", name,
+        return report_line(RESULT_REFUSED, "help lua: no entry for \"%s\" (did you mean %s?)", name,
                            api_help_near(name));
-    return report_line(RESULT_REFUSED, "help lua: there is no \"%s\" (curtain help lua lists all names)", name);
+    return report_line(RESULT_REFUSED, "help lua: no entry for \"%s\" (curtain help lua lists all names)", name);
 }
 
 /* Of the help of play the options. */
@@ -90,18 +133,18 @@ static enum result help_unknown(const char *topic)
 
     if (meant)
         return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (did you mean %s?)", topic, meant);
-    return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (curtain help lists them)", topic);
+    return report_line(RESULT_REFUSED, "help: unknown command \"%s\" (see curtain help)", topic);
 }
 
 static void help_controls(void)
 {
     say("");
-    say("Keys, and the names to change them by:");
+    say("Keys, and the names to bind them by:");
     keys_help(own_sealed() ? KEYS_INSIDE : 0, say);
     say("");
-    say("Controllers: the first that is used plays for player 1, START on another one takes the place of player 2.");
-    say("pad. is the player's own, pad1. to pad4. a certain one; south is the lowest of four buttons, east the right");
-    say("one, whatever is printed there.");
+    say("Controllers: the first one used is player 1's; press START on another one to join as player 2.");
+    say("pad. means the player's own controller, pad1. to pad4. a particular one. south is the lower of the four face");
+    say("buttons and east the right one, whatever their labels.");
     say("");
     say("Settings:");
     config_help(say);
@@ -136,7 +179,7 @@ enum result command_help(const struct args *a)
     if (topic && command < 0 && !config)
         return help_unknown(topic);
     if (a->n_words > 1)
-        return report_line(RESULT_REFUSED, "help: \"%s\" is one argument too many", a->words[1]);
+        return report_line(RESULT_REFUSED, "help: unexpected argument \"%s\"", a->words[1]);
     if (!config)
         return help_command(command);
     config_guide(say);

@@ -34,7 +34,7 @@ static enum result no_such_word(const char *word, bool after_play)
         return report_line(RESULT_REFUSED, "%s", files_absent(word, "file or folder", err, sizeof err));
     if (meant)
         return report_line(RESULT_REFUSED, "%s: no such command, file or folder (did you mean %s?)", word, meant);
-    return report_line(RESULT_REFUSED, "%s: no such command, file or folder (curtain help lists the commands)", word);
+    return report_line(RESULT_REFUSED, "%s: no such command, file or folder (see curtain help)", word);
 }
 
 /* Is it a folder that has, or is to have, a game in it? */

@@ -98,11 +98,11 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
     if ((r->a->sheet || r->a->wav) && !r->a->out)
         return RESULT_DONE;
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)
-        return report_line(RESULT_REFUSED, "-o: the path is too long");
+        return report_line(RESULT_REFUSED, "-o: path too long");
     if (game_files_have(&s->game, path))
-        return report_line(RESULT_REFUSED, "-o: %s is a file of the game: name another folder", path);
+        return report_line(RESULT_REFUSED, "-o: %s is a file of the game; choose another folder", path);
     if (r->a->sheet && plat_same(path, r->a->sheet))
-        return report_line(RESULT_REFUSED, "--sheet: %s is a frame's file: name another one", path);
+        return report_line(RESULT_REFUSED, "--sheet: %s is also the file of a frame; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
     return save(path, png, size);
 }
@@ -149,7 +149,7 @@ enum result headless_render(const struct args *a)
         return report_line(RESULT_HOST, "out of memory");
     if (!a->n_spans) {
         free(r);
-        return report_line(RESULT_REFUSED, "render needs --frames (curtain help render)");
+        return report_line(RESULT_REFUSED, "render needs --frames (see curtain help render)");
     }
     enum result result = unseen_open(r, a);
     if (result == RESULT_DONE)
@@ -198,7 +198,7 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
     meant = args_near(word, names, board_parts(b));
     if (meant)
         return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (did you mean \"%s\"?)", word, meant);
-    return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (hash --parts names them all)", word);
+    return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (hash --parts lists all parts)", word);
 }
 
 /* Adds the part of that name, or all, to *set; false: there is none. */
@@ -262,7 +262,7 @@ enum result headless_hash(const struct args *a)
     bool one = a->n_spans == 1 && a->spans[0].first == a->spans[0].last;
 
     if (a->n_spans && !one && !a->n_traces)
-        return report_line(RESULT_REFUSED, "--frames: hash takes one number, how many frames to run");
+        return report_line(RESULT_REFUSED, "--frames: hash takes one number, the frames to run");
     if ((r = malloc(sizeof *r)) == NULL)
         return report_line(RESULT_HOST, "out of memory");
     enum result result = unseen_open(r, a);

@@ -103,11 +103,12 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         if (!(w->parts >> i & 1))
             continue;
         if (w->missing >> i & 1)
-            report_print("  %s: this build has no such part\n", v->demo.part[i]);
+            report_print("  %s: unknown part in this build\n", v->demo.part[i]);
         else if (row)
-            report_print("  %s: recorded %016llx, here %016llx\n", v->demo.part[i], (unsigned long long)row[i], here);
+            report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part[i], (unsigned long long)row[i],
+                         here);
         else if (demo_print(&v->demo, w->frame, i, &print))
-            report_print("  %s: recorded print %04x, here %04x\n", v->demo.part[i], (unsigned)print,
+            report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part[i], (unsigned)print,
                          (unsigned)(here & 0xffff));
     }
 }
@@ -152,12 +153,12 @@ static void say_place(const struct demo *d, uint32_t frame)
         last = !last || in[k]->frame > last->frame ? in[k] : last;
     }
     if (last)
-        report_print(", %.1f s after it began", (frame - last->frame) / 60.0);
+        report_print(", %.1f s after its start", (frame - last->frame) / 60.0);
     else
         report_print("  %.1f s after power-on", frame / 60.0);
     death = in[MARKER_DEATH];
     if (death)
-        report_print("; player %s died %.1f s before", death->marker.name, (frame - death->frame) / 60.0);
+        report_print("; player %s died %.1f s earlier", death->marker.name, (frame - death->frame) / 60.0);
     putchar('\n');
 }
 
@@ -334,7 +335,7 @@ static void tell_points(const struct verify *v, const struct rerun *o, struct ta
     points_text(is, now, sizeof now);
     bool told = points_of(&v->demo, was);
     if (told ? memcmp(was, is, sizeof was) == 0 : o->held && o->alike >= last) {
-        tell(t, "; score %s as before", now);
+        tell(t, "; score %s unchanged", now);
         return;
     }
     t->same = false;
@@ -342,9 +343,9 @@ static void tell_points(const struct verify *v, const struct rerun *o, struct ta
     if (told)
         tell(t, "; score %s -> %s", before, now);
     else if (o->held)
-        tell(t, "; score not told -> %s (known up to frame %u: %s)", now, (unsigned)o->alike, before);
+        tell(t, "; recorded score unknown -> %s (known up to frame %u: %s)", now, (unsigned)o->alike, before);
     else
-        tell(t, "; score not told -> %s", now);
+        tell(t, "; recorded score unknown -> %s", now);
 }
 
 enum { MARKERS_TOLD = 4 }; /* on the line; --verbose prints all */
@@ -354,12 +355,12 @@ static void tell_markers(const struct verify *v, const struct marker_changes *c,
     char text[96];
 
     if (v->demo.format < 3) {
-        tell(t, "; moments not told");
+        tell(t, "; recorded moments unknown");
         t->same = false;
         return;
     }
     t->same &= c->n == 0;
-    tell(t, c->n ? "; moments: " : "; moments as before");
+    tell(t, c->n ? "; moments: " : "; moments unchanged");
     for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
         markers_text(&c->list[i], text, sizeof text);
         tell(t, "%s%s", i ? ", " : "", text);
@@ -373,9 +374,9 @@ static void tell_end(const struct verify *v, const struct rerun *o, struct tale 
     if (o->end.kind == VERDICT_NO_FAULT) {
         t->same = false;
         if (o->first.kind != VERDICT_NO_FAULT) /* else it stands in front */
-            tell(t, "; the fault it was recorded with does not happen");
+            tell(t, "; the recorded fault does not occur");
     }
-    tell(t, "; length %u as before", (unsigned)v->demo.frames);
+    tell(t, "; length %u unchanged", (unsigned)v->demo.frames);
 }
 
 /* The file has been written. */
@@ -409,9 +410,9 @@ static enum result say_again(const struct verify *v, const char *path, const str
 static const char *no_rerun(const struct verify *v, const struct rerun *o)
 {
     if (!v->doubt[0])
-        return "it is of this very build";
+        return "it was recorded with this build";
     if (v->demo.flags & DEMO_TOUCHED)
-        return "the board was touched from outside, which a demo does not hold";
+        return "the board was changed from outside, which a demo does not record";
     return o->end.kind == VERDICT_FAULT ? "the rest of it would be lost" : NULL;
 }
 
@@ -453,8 +454,7 @@ static enum result verify_loaded(struct verify *v, const char *path)
     if (!demo_fits(&v->demo, &v->game.cart, err, sizeof err))
         return refuse(v, RESULT_REFUSED, "%s: %s", path, err);
     if (!v->demo.complete)
-        return refuse(v, RESULT_REFUSED, "%s: cut short: it has %u frames and no end mark", path,
-                      (unsigned)v->demo.frames);
+        return refuse(v, RESULT_REFUSED, "%s: truncated: %u frames and no end mark", path, (unsigned)v->demo.frames);
     v->doubt[0] = 0;
     if (demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt))
         snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
@@ -515,7 +515,7 @@ static enum result verify_stdin(struct verify *v)
             files_drop_mark(name, &n);
         first = false;
         v->path = name;
-        enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: the name is too long", name);
+        enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: name too long", name);
         worst = result > worst ? result : worst;
     }
     return worst;
@@ -542,7 +542,7 @@ static enum result verify_all(struct verify *v, const struct args *a)
     v->replay.ticked = tell_progress;
     v->replay.context = v;
     if (a->null && !listed)
-        return report_line(RESULT_REFUSED, "--null goes with names from standard input: verify ROM -");
+        return report_line(RESULT_REFUSED, "--null is for names on standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))
         return report_error(err);
     progress_begin();
@@ -558,7 +558,7 @@ static enum result bisect(const struct args *a)
     char err[2200];
 
     if (a->n_words != 2)
-        return report_line(RESULT_REFUSED, "verify --bisect: expected two files that hash printed");
+        return report_line(RESULT_REFUSED, "verify --bisect: expected two files printed by hash");
     if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
         return report_line(RESULT_REFUSED, "verify --bisect: only one of the two can be standard input");
     enum result result = bisect_paths(a->words[0], a->words[1], err, sizeof err);

@@ -69,7 +69,7 @@ static size_t plain_size(const struct curtain_config *config, size_t *room, char
 {
     *room = 0;
     if (!config->rom) {
-        err_set(err, err_size, "there is no ROM");
+        err_set(err, err_size, "rom: expected a ROM, got NULL");
         return 0;
     }
     if (!compressed_is(config->rom, config->rom_size))
@@ -85,7 +85,7 @@ size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, c
     if (size == 0 || !out)
         return size;
     if (room < size) {
-        err_set(err, err_size, "%zu bytes for the plain ROM, expected %zu", room, size);
+        err_set(err, err_size, "buffer for the plain ROM: expected %zu bytes, got %zu", size, room);
         return 0;
     }
     if (packed == 0)
@@ -101,10 +101,10 @@ static bool look_at(struct curtain *c, const struct curtain_config *config, cons
                     size_t *board, size_t *all, char *err, size_t err_size)
 {
     if (config->snapshots > LIB_MOST_SNAPSHOTS)
-        return err_set(err, err_size, "snapshots: %lu, expected at most %d", (unsigned long)config->snapshots,
-                       LIB_MOST_SNAPSHOTS);
+        return err_set(err, err_size, "snapshots: expected at most %d, got %lu", LIB_MOST_SNAPSHOTS,
+                       (unsigned long)config->snapshots);
     if (config->state_room > SIZE_MAX / 4)
-        return err_set(err, err_size, "state_room: more than there can be");
+        return err_set(err, err_size, "state_room: too large");
     if (!rom_open(&c->rom, rom, size, err, err_size) || !cart_open(&c->cart, &c->rom, err, err_size) ||
         !board_size(&c->rom, board, err, err_size))
         return false;
@@ -112,7 +112,7 @@ static bool look_at(struct curtain *c, const struct curtain_config *config, cons
     struct pieces p = { NULL, 0 };
     const uint64_t slots = (uint64_t)*board * ((uint64_t)snapshots_of(config) + 2);
     if (slots > SIZE_MAX / 2)
-        return err_set(err, err_size, "snapshots: more than there is memory for");
+        return err_set(err, err_size, "snapshots: too many for the address space");
     piece(&p, sizeof *c);
     piece(&p, room);
     lay_out(&as_if, &p, config, *board);
@@ -128,7 +128,7 @@ size_t curtain_memory(const struct curtain_config *config, char *err, size_t err
 
     memset(&c, 0, sizeof c);
     if (room > 0 && !plain)
-        err_set(err, err_size, "there is no memory for the %zu bytes of the plain ROM", room);
+        err_set(err, err_size, "out of memory (%zu bytes for the plain ROM)", room);
     else if (size > 0 && (!plain || compressed_read(config->rom, config->rom_size, plain, err, err_size)) &&
              !look_at(&c, config, plain ? plain : config->rom, size, room, &board, &all, err, err_size))
         all = 0;
@@ -151,7 +151,7 @@ static struct curtain *too_little(const struct curtain_config *config, const voi
     const size_t need = curtain_memory(config, err, err_size);
 
     if (need > 0)
-        err_set(err, err_size, "%zu bytes of memory, expected %zu", memory ? size : 0, need);
+        err_set(err, err_size, "memory: expected %zu bytes, got %zu", need, memory ? size : 0);
     return NULL;
 }
 

@@ -11,7 +11,7 @@ bool files_save(const char *path, const void *data, size_t size, char *err, size
     (void)path;
     (void)data;
     (void)size;
-    return err_set(err, err_size, "there are no files");
+    return err_set(err, err_size, "no file system");
 }
 
 bool files_append(const char *path, const void *data, size_t size, char *err, size_t err_size)

@@ -14,7 +14,7 @@ static bool play_recorded(struct curtain *c, struct demo_writer *w, char *err, s
     while (good && pads_run_next(&pads))
         for (uint32_t i = 0; good && i < pads.frames; i++) {
             if (board_last(c->board)->fault)
-                return err_set(err, err_size, "played again, the run ends earlier: %s",
+                return err_set(err, err_size, "replaying the run stopped early: %s",
                                board_last(c->board)->fault->message);
             board_tick(c->board, pads.pads);
             good = demo_frame(w, c->board, pads.pads);
@@ -29,7 +29,7 @@ void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size)
 
     if (c->log.full) {
         free(w);
-        err_set(err, err_size, "the run has changed its pads more often than there is room for");
+        err_set(err, err_size, "too many changes of input to record; raise state_room");
         return NULL;
     }
     board_save(c->board, c->before);

@@ -23,9 +23,9 @@ static bool take(char *out, size_t size, const char *text, const char *what, cha
     if (!text)
         return true;
     if (!plain(text))
-        return err_set(err, err_size, "%s: expected plain letters", what);
+        return err_set(err, err_size, "%s: expected printable ASCII", what);
     if (strlen(text) >= size)
-        return err_set(err, err_size, "%s: longer than %zu characters", what, size - 1);
+        return err_set(err, err_size, "%s: expected at most %zu characters, got %zu", what, size - 1, strlen(text));
     memcpy(out, text, strlen(text) + 1);
     return true;
 }
@@ -40,7 +40,7 @@ static bool difficulty_of(struct board_start *start, const struct manifest *m, c
             start->difficulty = i;
             return true;
         }
-    return err_set(err, err_size, "difficulty: the game has no \"%.32s\"", name);
+    return err_set(err, err_size, "unknown difficulty \"%.32s\"", name);
 }
 
 /* A whole number that takes all of the text. */
@@ -65,7 +65,7 @@ static bool value_of(const struct dip *dip, const char *text, int32_t *out, char
             return true;
         }
     if (!dip->number || *text == 0 || !number_of(text, &n) || n < dip->lo || n > dip->hi)
-        return err_set(err, err_size, "switches: %s cannot be \"%.32s\"", dip->name, text);
+        return err_set(err, err_size, "switches: %s: invalid value \"%.32s\"", dip->name, text);
     *out = n;
     return true;
 }
@@ -81,7 +81,7 @@ static bool set_switch(struct board_start *start, const struct manifest *m, char
     for (int i = 0; i < m->n_dips; i++)
         if (strcmp(m->dips[i].name, word) == 0)
             return value_of(&m->dips[i], equals + 1, &start->dip[i], err, err_size);
-    return err_set(err, err_size, "switches: the game has no \"%s\"", word);
+    return err_set(err, err_size, "switches: unknown switch \"%s\"", word);
 }
 
 /* "coins=one pace=3" */
@@ -109,7 +109,7 @@ static bool nvram_of(struct lib_start *out, const void *nvram, size_t size, char
     if (!nvram)
         return true;
     if (size > NVRAM_MOST)
-        return err_set(err, err_size, "nvram: %zu bytes, expected at most %d", size, NVRAM_MOST);
+        return err_set(err, err_size, "nvram: expected at most %d bytes, got %zu", NVRAM_MOST, size);
     size = size < out->room ? size : out->room; /* what the game has no room for it never had */
     memcpy(out->nvram, nvram, size);
     out->start.nvram = out->nvram;

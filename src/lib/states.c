@@ -142,7 +142,7 @@ static bool go(struct curtain *c, struct pads_run pads, const struct from *from,
         for (uint32_t i = 0; i < pads.frames; i++) {
             if (c->log.frames >= from->frame) {
                 if (board_last(c->board)->fault)
-                    return err_set(err, err_size, "the state goes on after an error of the game");
+                    return err_set(err, err_size, "the state continues after the game has failed");
                 lib_keep_key(c);
                 board_tick(c->board, pads.pads);
             }
@@ -163,12 +163,12 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     uint8_t *out = state;
 
     if (c->log.full) {
-        err_set(err, err_size, "the run has changed its pads more often than a state of %zu bytes holds",
+        err_set(err, err_size, "too many changes of input for a state of %zu bytes; raise state_room",
                 curtain_state_size(c));
         return 0;
     }
     if (size < HEAD + lib_start_room(&c->begin) + c->log.used + PADS_LOG_RUN) {
-        err_set(err, err_size, "%zu bytes for a state, expected %zu", size, curtain_state_size(c));
+        err_set(err, err_size, "buffer for the state: expected %zu bytes, got %zu", curtain_state_size(c), size);
         return 0;
     }
     const size_t start = lib_start_write(&c->begin, out + HEAD), pads = pads_log_write(&c->log, out + HEAD + start);
@@ -193,32 +193,31 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
                        size_t err_size)
 {
     if (size < HEAD || memcmp(in, magic, sizeof magic) != 0)
-        return err_set(err, err_size, "not a state of Curtain's");
+        return err_set(err, err_size, "not a Curtain state");
     if (hash_crc32(in, 52) != bytes_get32(in + 52))
-        return err_set(err, err_size, "a damaged state");
+        return err_set(err, err_size, "damaged state: the checksum does not match");
     if (bytes_get32(in + 8) != FORMAT || bytes_get32(in + 36) != 0)
-        return err_set(err, err_size, "a state of another format (%u), expected %d", (unsigned)bytes_get32(in + 8),
-                       FORMAT);
+        return err_set(err, err_size, "state format: expected %d, got %u", FORMAT, (unsigned)bytes_get32(in + 8));
     if (bytes_get32(in + 12) != CORE_VERSION)
-        return err_set(err, err_size, "a state of core version %u, and this is %d", (unsigned)bytes_get32(in + 12),
-                       CORE_VERSION);
+        return err_set(err, err_size, "core version of the state: expected %d, got %u", CORE_VERSION,
+                       (unsigned)bytes_get32(in + 12));
     if (bytes_get64(in + 16) != c->game_hash)
-        return err_set(err, err_size, "a state of another game, or of another build of this one");
+        return err_set(err, err_size, "the state belongs to another game or another build of this game");
     const size_t start = bytes_get32(in + 28), length = bytes_get32(in + 32);
     if (start > size - HEAD || length > size - HEAD - start)
-        return err_set(err, err_size, "a state that is cut short");
+        return err_set(err, err_size, "the state is truncated");
     if (hash_crc32(in + HEAD, start + length) != bytes_get32(in + 48))
-        return err_set(err, err_size, "a damaged state");
+        return err_set(err, err_size, "damaged state: the checksum does not match");
     if (!lib_start_read(&c->spare, in + HEAD, start))
-        return err_set(err, err_size, "a state whose start is none");
+        return err_set(err, err_size, "invalid state: bad start data");
     *pads = (struct pads_run){ .at = in + HEAD + start, .end = in + HEAD + start + length };
     struct pads_run all = *pads;
     uint64_t frames = 0;
     while (pads_run_next(&all))
         frames += all.frames;
     if (all.at != all.end || frames != bytes_get32(in + 24) || frames > PADS_LOG_FRAMES)
-        return err_set(err, err_size, "a state whose pads are none");
-    return length <= c->log.room ? true : err_set(err, err_size, "a state of a longer run than there is room for");
+        return err_set(err, err_size, "invalid state: bad input data");
+    return length <= c->log.room ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
 }
 
 /* Of nvram, and how often it was written. What was saved on the way to a state is told like what a frame saves. */
@@ -259,8 +258,9 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
     const struct from from = search(c, pads, c->spare.hash, board_last(c->board)->fault ? NULL : &c->log);
     swap_starts(c);
     swap_logs(c);
-    if (go(c, pads, &from, err, err_size) && (board_hash(c->board) == bytes_get64(in + 40) ||
-                                              err_set(err, err_size, "a state whose run ends in another hash"))) {
+    if (go(c, pads, &from, err, err_size) &&
+        (board_hash(c->board) == bytes_get64(in + 40) ||
+         err_set(err, err_size, "replaying the state ended in a different hash"))) {
         c->saved = hash_of_saves(c, &c->writes) != saves || c->saved;
         return true;
     }

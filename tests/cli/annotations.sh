@@ -16,9 +16,9 @@ sed 's/@return bullet/@return/' "$file" >"$scratch/bad.lua"
 refuse "planted, for this script: a type is missing" '"#" is no type' \
     python3 tests/cli/annotations.py "$scratch/bad.lua" docs/reference/api.md
 full() { "$curtain" help lua --annotations >/dev/full; }
-refuse "a disk that is full" "standard output cannot be written" full
-refuse "without lua" "--annotations: expected curtain help lua --annotations" "$curtain" help --annotations
-refuse "with a name" "--annotations: expected curtain help lua --annotations" \
+refuse "a disk that is full" "cannot write standard output" full
+refuse "without lua" "--annotations works only with curtain help lua --annotations" "$curtain" help --annotations
+refuse "with a name" "--annotations works only with curtain help lua --annotations" \
     "$curtain" help lua bullet.fire --annotations
-refuse "of another command" "--annotations does not go with list (it goes with help)" "$curtain" list x --annotations
+refuse "of another command" "--annotations does not work with list (only with help)" "$curtain" list x --annotations
 finish

@@ -33,7 +33,7 @@ check "its colours too" cmp moth/art/moth.hex "$repo/examples/moth/art/moth.hex"
 same "so are its sprites and shapes" "$("$curtain" list "$repo/examples/moth")" "$("$curtain" list moth)"
 check "and nothing is to be said" "$curtain" check moth
 cp moth/art/moth.ase moth/art/draft.aseprite
-refuse "one that is not in use" "art/draft.aseprite: rom.lua does not name it" "$curtain" check moth
+refuse "one that is not in use" "art/draft.aseprite: not listed in rom.lua" "$curtain" check moth
 
 # ---- .ase: one sentence for each malformed one ----
 
@@ -50,47 +50,47 @@ spoilt() { # HOW SENTENCE
 while IFS='|' read -r how sentence; do spoilt "$how" "$sentence"; done <<'HOWS'
 text|not an Aseprite file
 empty|not an Aseprite file
-header|an Aseprite file that is cut short
-bits|an Aseprite file of 24 bits a pixel, which the format does not have
-frames|an Aseprite file of 0 frames, expected 1 to 4096
-more_frames|an Aseprite file that is cut short
-size|an Aseprite file of 5000x4 pixels, expected 1x1 to 4096x4096
-frame_magic|a damaged Aseprite file: frame 1 has no header
-cut|an Aseprite file that is cut short
-chunk_small|a damaged Aseprite file: chunk 1 of frame 1 has a wrong size
-chunk_large|a damaged Aseprite file: chunk 1 of frame 1 has a wrong size
-chunk_short|a damaged Aseprite file: chunk 1 of frame 1 is too short
-layer_kind|a damaged Aseprite file: layer 1 is of no known kind
-layer_level|a damaged Aseprite file: layer 1 is of no known kind
-cel_layer|a damaged Aseprite file: frame 1 has a picture in layer 8 of 1
-cel_kind|frame 1, layer "ink": a picture of no known kind
-cel_size|frame 1, layer "ink": a picture of 0x2 pixels is too small
-cel_huge|frame 1, layer "ink": a picture of 65535x65535 pixels is too large
-cel_zlib|frame 1, layer "ink": its pixels are damaged
-cel_less|frame 1, layer "ink": its pixels are damaged
-cel_raw|frame 1, layer "ink": its pixels are damaged
-cel_twice|a damaged Aseprite file: frame 1 has two pictures in layer "ink"
-link|frame 1, layer "ink": its picture is linked to frame 1, which has none
-link_none|frame 2, layer "ink": its picture is linked to frame 6, which has none
+header|truncated Aseprite file
+bits|Aseprite file with 24 bits per pixel, expected 8, 16 or 32
+frames|Aseprite file with 0 frames, expected 1 to 4096
+more_frames|truncated Aseprite file
+size|Aseprite file of 5000x4 pixels, expected 1x1 to 4096x4096
+frame_magic|damaged Aseprite file: frame 1 has no header
+cut|truncated Aseprite file
+chunk_small|damaged Aseprite file: chunk 1 of frame 1 has a wrong size
+chunk_large|damaged Aseprite file: chunk 1 of frame 1 has a wrong size
+chunk_short|damaged Aseprite file: chunk 1 of frame 1 is too short
+layer_kind|damaged Aseprite file: unknown kind of layer 1
+layer_level|damaged Aseprite file: unknown kind of layer 1
+cel_layer|damaged Aseprite file: frame 1 has a cel in layer 8 of 1
+cel_kind|frame 1, layer "ink": unknown kind of cel
+cel_size|frame 1, layer "ink": a cel of 0x2 pixels is too small
+cel_huge|frame 1, layer "ink": a cel of 65535x65535 pixels is too large
+cel_zlib|frame 1, layer "ink": damaged pixels
+cel_less|frame 1, layer "ink": damaged pixels
+cel_raw|frame 1, layer "ink": damaged pixels
+cel_twice|damaged Aseprite file: frame 1 has two cels in layer "ink"
+link|frame 1, layer "ink": its cel is linked to frame 1, which has none
+link_none|frame 2, layer "ink": its cel is linked to frame 6, which has none
 index|sprite "a": frame 1: layer "ink": index 9, but the palette has 3 colours
-palette|an Aseprite file with a palette of 0 colours, expected 1 to 65536
-palette_large|an Aseprite file with a palette of 65537 colours, expected 1 to 65536
+palette|Aseprite file with a palette of 0 colours, expected 1 to 65536
+palette_large|Aseprite file with a palette of 65537 colours, expected 1 to 65536
 tilemap|layer "glow" is a tilemap: convert it to a normal layer
-group|group "all" has an opacity or a blend mode of its own: give them to its layers
-group_blend|group "all" has an opacity or a blend mode of its own: give them to its layers
-soft_light|layer "glow": blend mode "soft light" cannot be packed: merge the layer with the one below
-hue|layer "glow": blend mode "hue" cannot be packed: merge the layer with the one below
-blend|layer "glow": blend mode "unknown" cannot be packed: merge the layer with the one below
-tag|tag "fly" has frames 1 to 5, but there are 1
-tag_back|tag "fly" has frames 4 to 1, but there are 1
-blended|sprite "a": match = "index" is for plain layers, and of this one some are blended or see-through
-long|sprite "a": its frames' times are such that it becomes 363 pictures, expected at most 256
+group|group "all" has its own opacity or blend mode: set them on its layers
+group_blend|group "all" has its own opacity or blend mode: set them on its layers
+soft_light|layer "glow": blend mode "soft light" is not supported: merge the layer with the one below
+hue|layer "glow": blend mode "hue" is not supported: merge the layer with the one below
+blend|layer "glow": blend mode "unknown" is not supported: merge the layer with the one below
+tag|tag "fly" has frames 1 to 5, but the file has 1
+tag_back|tag "fly" has frames 4 to 1, but the file has 1
+blended|sprite "a": match = "index" needs opaque layers in normal mode
+long|sprite "a": its frame durations make 363 pictures, expected at most 256
 five|sprite "a": more than 4 slices named "hit"
-two_boxes|sprite "a": slice "box two" is one shape too many: expected one box, one capsule, or circles
-mixed|sprite "a": slice "capsule" is one shape too many: expected one box, one capsule, or circles
-box_off|sprite "a": slice "box": its middle is 1,1 px from the origin, and a box lies about it
-capsule_off|sprite "a": slice "capsule": its middle is 0,-1.5 px from the origin, and a capsule lies about it
-far|sprite "a": slice "hit" lies far outside of the picture
+two_boxes|sprite "a": slice "box two": too many shapes: expected one box, one capsule, or circles
+mixed|sprite "a": slice "capsule": too many shapes: expected one box, one capsule, or circles
+box_off|sprite "a": slice "box": its centre is 1,1 px from the origin; a box must be centred on it
+capsule_off|sprite "a": slice "capsule": its centre is 0,-1.5 px from the origin; a capsule must be centred on it
+far|sprite "a": slice "hit" is far outside the picture
 HOWS
 python3 "$repo/tests/cli/art_spoil.py" hidden_tilemap spoilt/art/a.ase
 check "what is not shown may be anything" "$curtain" pack spoilt -o spoilt.rom
@@ -224,14 +224,14 @@ says_of() { # NAME SENTENCE SCRIPT
     echo "$3" >hits/main.lua
     refuse "$1" "$2" "$curtain" hash hits --frames 1
 }
-says_of "a sprite without one" 'bullet.def: hit.sprite: no hit shape was drawn with "gone"' \
+says_of "a sprite without one" 'bullet.def: hit.sprite: sprite "gone" has no hit shape' \
     'bullet.def("a", { sprite = "orb", hit = { sprite = "gone" } })'
-says_of "no sprite" 'sprite "orbb" is not in rom.lua (did you mean "orb"?)' \
+says_of "no sprite" 'unknown sprite "orbb" (did you mean "orb"?)' \
     'bullet.def("a", { sprite = "orb", hit = { sprite = "orbb" } })'
 says_of "no name" 'hit.sprite: expected' 'bullet.def("a", { sprite = "orb", hit = { sprite = 3 } })'
-says_of "a ship's box" 'a player has one circle about its place, and what was drawn with "foe" is not' \
+says_of "a ship's box" 'one circle at the player'"'"'s position, got another hit shape from "foe"' \
     'player.def("a", { sprite = "orb", hit = { sprite = "foe" } })'
-says_of "a bullet's upright capsule" 'the capsule of "post" stands upright' \
+says_of "a bullet's upright capsule" 'the capsule of "post" is vertical' \
     'bullet.def("a", { sprite = "orb", hit = { sprite = "post" } })'
 
 # ---- rom.lua and .ase ----
@@ -240,11 +240,11 @@ says_rom() { # NAME SENTENCE SPRITE
     sed "s/gone = { sheet = \"gone\", tag = \"late\" }/gone = { $3 }/" written/rom.lua >hits/rom.lua
     refuse "$1" "$2" "$curtain" pack hits -o hits.rom
 }
-says_rom "a tag that is not there" 'sprite "gone": there is no tag "fly"; there is "early", "late"' \
+says_rom "a tag that is not there" 'sprite "gone": no tag "fly"; it has "early", "late"' \
     'sheet = "gone", tag = "fly"'
-says_rom "frames" 'rom.lua: sprites.gone.frames: the frames of an .ase are those of its tag' \
+says_rom "frames" 'rom.lua: sprites.gone.frames: frames of an .ase come from its tag' \
     'sheet = "gone", frames = 2'
-says_rom "outside" 'sprite "gone": 4x8 at 6,0 is not inside the canvas of 8x8 pixels' 'sheet = "gone", x = 6, w = 4'
+says_rom "outside" 'sprite "gone": 4x8 at 6,0 is outside the canvas of 8x8 pixels' 'sheet = "gone", x = 6, w = 4'
 sed 's/art\/gone.ase/art\/gone.png/' written/rom.lua >hits/rom.lua
 refuse "a tag of a PNG" 'rom.lua: sprites.gone.tag: only an .ase or .aseprite has tags' "$curtain" pack hits -o hits.rom
 
@@ -269,9 +269,9 @@ PY
 }
 python3 "$repo/tests/cli/png_make.py" retint/art/palette.png 16 16 102030 1 3 ff0000 15 3 00ff00
 indexed retint/art/all.png 4 4 16 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
-refuse "colours that are not there: the choices" "art/all.png: pixel 1,0: colour #545454 is not in bank 3 (--nearest \
-takes the nearest; match = \"index\" in rom.lua goes by the places" "$curtain" pack retint -o r.rom
-fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in all (its indices are: match = "index"'
+refuse "colours that are not there: the choices" "art/all.png: pixel 1,0: colour #545454 is not in bank 3 (use \
+--nearest for the nearest colour, or match = \"index\" in rom.lua to use the indices" "$curtain" pack retint -o r.rom
+fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (its indices are; use match = "index"'
 refuse "check says which one fits" "$fits" "$curtain" check retint
 shades() { "$curtain" unpack retint out && python3 -c 'd = open("out/lumps/gfx/dot", "rb").read()[24:]
 print(*[d[y * 8 + x] for y in range(4) for x in range(4)])'; rm -rf out; }
@@ -284,11 +284,11 @@ check "and check is content" sh -c '! "$1" check retint | grep -q all.png' - "$c
 indexed retint/art/all.png 4 4 64 0 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
 same "by index, of the game's whole palette" "0 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63" "$(shades)"
 indexed retint/art/all.png 4 4 64 0 49 50 51 52 53 36 55 56 57 58 59 60 61 62 63
-refuse "of another bank" 'art/all.png: pixel 2,1: index 36 is in bank 2, expected one of bank 3 (48 to 63) or 0 to 15' \
+refuse "of another bank" 'art/all.png: pixel 2,1: index 36 is in bank 2, expected bank 3 (48 to 63) or 0 to 15' \
     "$curtain" pack retint -o r.rom
 refuse "check says so" 'art/all.png: pixel 2,1: index 36 is in bank 2, expected bank 3' "$curtain" check retint
 python3 "$repo/tests/cli/png_make.py" retint/art/all.png 4 4 ff0000
-refuse "a picture of colours" 'art/all.png: match = "index" is for indexed pictures, and this one has colours' \
+refuse "a picture of colours" 'art/all.png: match = "index" needs an indexed picture; this one is RGB or greyscale' \
     "$curtain" pack retint -o r.rom
 sed -i 's/match = "index"/match = "place"/' retint/rom.lua
 refuse "a word that is none" 'rom.lua: sheets.all.match: expected "colour" or "index", got "place"' \
@@ -319,7 +319,7 @@ drawn_in ', palette = "night"'
 same "its own has it" 53 "$(shade)"
 check "and check says nothing of it" sh -c '! "$1" check two | grep -q all.png' - "$curtain"
 drawn_in ', palette = "dusk"'
-refuse "a palette that is none" 'rom.lua: sheets.all.palette: "dusk" is not one of the palettes' \
+refuse "a palette that is none" 'rom.lua: sheets.all.palette: "dusk" is not in palettes' \
     "$curtain" pack two -o r.rom
 
 # ---- pixels that vanish ----
@@ -340,7 +340,7 @@ cat >faint/rom.lua <<'LUA'
 return { id = "f", sheets = { all = { file = "art/all.png" } }, sprites = { dot = { sheet = "all", w = 4, h = 1 } } }
 LUA
 faint faint/art/all.png 255 0 64 127 9 9
-told='art/all.png: pixel 2,0: painted with 25 % opacity, and what has less than half vanishes; 2 such pixels in all'
+told='art/all.png: pixel 2,0: 25 % opaque; pixels below 50 % become transparent; 2 such pixels in total'
 refuse "check counts them" "$told" "$curtain" check faint
 same "pack says so, and packs" "curtain: $told 0" "$("$curtain" pack faint -o f.rom 2>&1) $?"
 faint faint/art/all.png 255 0 128 200
@@ -366,16 +366,16 @@ for colour in "5fe3ff 20" "ff6a7a 100" "7dff8a 40" "ffd24a 100" "f2f2ee 500"; do
     same "it has pixels of #${colour% *}" True "$(colour_at "$repo" $colour)"
 done
 sed -i 's/bullet.def/bullet.fire/' hits/main.lua
-refuse "scripts that do not load" "without hit shapes, for the scripts do not load: main.lua:1: bullet.fire: " \
+refuse "scripts that do not load" "hitboxes are missing: the scripts do not load: main.lua:1: bullet.fire: " \
     "$curtain" art hits --atlas atlas.png
 same "... and the atlas all the same" False "$(colour_at "$repo" 7dff8a 0)"
 check "the shapes that were drawn are in it" grep -q '^wing: .*; drawn hit: 2 circles$' <("$curtain" art hits 2>.said)
 echo 'return {}' >faint/rom.lua
-refuse "no sprites" "--atlas: the game has no sprites" "$curtain" art faint --atlas atlas.png
+refuse "no sprites" "--atlas: this game has no sprites" "$curtain" art faint --atlas atlas.png
 refuse "no game" "nowhere: no such file or folder" "$curtain" art nowhere
 refuse "no room to write" "atlas.png/full.png: cannot be written" "$curtain" art written --atlas atlas.png/full.png
-refuse "an option of another command" "--bank does not go with art (it goes with palette)" "$curtain" art hits --bank 2
-refuse "--atlas elsewhere" "--atlas does not go with list (it goes with art)" "$curtain" list written --atlas a.png
+refuse "an option of another command" "--bank does not work with art (only with palette)" "$curtain" art hits --bank 2
+refuse "--atlas elsewhere" "--atlas does not work with list (only with art)" "$curtain" list written --atlas a.png
 
 # ---- curtain palette ----
 
@@ -402,7 +402,7 @@ same "... go on in the next" "100015 100019 000000" "$(sed -n '1p;5p;6p' five.he
 cp p.png retint/art/palette.png
 check "a game takes it" "$curtain" pack retint -o r.rom
 says_palette() { refuse "$1" "$2" "$curtain" palette "${@:3}"; }
-says_palette "too many" "twenty.hex: 20 colours from bank 15 on need bank 16, and 15 is the last" \
+says_palette "too many" "twenty.hex: 20 colours starting at bank 15 need bank 16; the last bank is 15" \
     twenty.hex --bank 15 -o p.png
 says_palette "no bank" "palette: expected --bank N, 0 to 15" three.hex -o p.png
 says_palette "no file" "palette: expected -o FILE.png" three.hex --bank 1
@@ -418,9 +418,9 @@ says_palette "a large number" 'bad.gpl:2: expected red, green and blue from 0 to
 printf 'ff0044\n' >bad.gpl
 says_palette "no .gpl" 'bad.gpl:1: expected the line "GIMP Palette"' bad.gpl --bank 1 -o p.png
 : >bad.hex
-says_palette "an empty list" 'bad.hex: there is no colour in it' bad.hex --bank 1 -o p.png
+says_palette "an empty list" 'bad.hex: no colours' bad.hex --bank 1 -o p.png
 yes 010203 | head -n 241 >bad.hex
-says_palette "more than there can be" 'bad.hex:241: more than 240 colours, 15 of each bank' bad.hex --bank 0 -o p.png
+says_palette "more than there can be" 'bad.hex:241: more than 240 colours, 15 in each bank' bad.hex --bank 0 -o p.png
 cp faint/art/all.png small.png
 says_palette "a palette that is none" 'small.png: 4x1 pixels, expected 16x16' three.hex --bank 1 -o small.png
 check "and it is as it was" cmp small.png faint/art/all.png

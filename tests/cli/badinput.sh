@@ -42,7 +42,7 @@ idle | game g
 
 bad 'no such ROM' 'none.rom: no such file or folder' hash none.rom
 bad 'no such ROM to play' 'none.rom: no such file or folder' play none.rom
-bad 'no such ROM, no command' 'none.rom: no such command, file or folder (curtain help lists the commands)' none.rom
+bad 'no such ROM, no command' 'none.rom: no such command, file or folder (see curtain help)' none.rom
 mkdir empty
 bad 'folder without rom.lua' 'empty: rom.lua: no such file' hash empty
 : >zero.rom
@@ -80,7 +80,7 @@ for command in hash play check pack 'list' 'verify g' 'hash g --demo'; do
     bad "$command of a link to itself" 'loop: cannot be read (Too many levels of symbolic links)' $command loop
 done
 for words in hash 'pack g -o' 'hash g --frames 1 --record' 'unpack g' check 'hash g --dip' play; do
-    bad "an endless argument: $words" "an argument is longer than 900 characters: \"$(printf '%032d' 0)...\"" $words \
+    bad "an endless argument: $words" "argument longer than 900 characters: \"$(printf '%032d' 0)...\"" $words \
         "$(printf '%05000d' 0)"
 done
 mkfifo fifo
@@ -93,10 +93,10 @@ ln -s g.rom link.rom
 "$curtain" pack g -o link.rom 2>err
 same 'pack to a link: it stays one' '0 symbolic link' "$? $(stat -c %F link.rom)"
 mkdir -p taken && mkfifo taken/main.lua
-bad 'unpack where a pipe is' 'taken/main.lua: is already there' unpack g.rom taken
+bad 'unpack where a pipe is' 'taken/main.lua: already exists' unpack g.rom taken
 mkdir -p taken2 && : >taken2/lumps
 bad 'unpack where a file is, and a folder would be' \
-    'taken2/lumps: is a file, where a folder for lumps/gfx/dart would be' unpack g.rom taken2
+    'taken2/lumps: is a file, but lumps/gfx/dart needs a folder there' unpack g.rom taken2
 
 # A game that names nothing of the standard library is a small ROM.
 game small <<<''
@@ -145,30 +145,31 @@ with 'far over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 92
 with 'negative' "rom.lua: board.bullets: $whole 0 to 4194304, got -1" 's/bullets = 256/bullets = -1/'
 with 'not a whole number' "rom.lua: board.bullets: $whole 0 to 4194304, got 2.5" 's/bullets = 256/bullets = 2.5/'
 with 'not a number' "rom.lua: board.bullets: $whole 0 to 4194304, got \"many\"" 's/bullets = 256/bullets = "many"/'
-with 'misspelled' 'rom.lua: board.bulets: unknown name (did you mean "bullets"?)' 's/bullets = 256/bulets = 256/'
+with 'misspelled' 'rom.lua: board.bulets: unknown key (did you mean "bullets"?)' 's/bullets = 256/bulets = 256/'
 with 'a screen too large' "rom.lua: screen.w: $whole 64 to 1024, got 2048" 's/w = 64/w = 2048/'
 with 'a screen of odd width' 'rom.lua: screen.w: expected a multiple of 8, got 65' 's/w = 64/w = 65/'
 with 'rom.lua is not Lua' "rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'" \
     's/id = "probe"/id "probe"/;s/id "probe"/id = = "probe"/;s/= = "probe"/{} probe/'
 with 'rom.lua gives no table' 'rom.lua: expected `return { ... }`, got 5' 's/.*//;1s/.*/return 5/'
 with 'sprite outside its sheet' \
-    'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 are not inside the sheet'"'s 16x16 pixels" \
+    'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit the sheet of 16x16 pixels' \
     's/w = 8, h = 8 }/w = 99, h = 8 }/'
-with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not one of the sheets' \
+with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not in sheets' \
     's/sheet = "all"/sheet = "al"/g'
-with 'picture that is not there' 'rom.lua:4: there is no art/none.png' 's/art\/all.png/art\/none.png/'
+with 'picture that is not there' 'rom.lua:4: art/none.png does not exist' 's/art\/all.png/art\/none.png/'
 with 'picture outside the folder' \
     'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' \
     's/art\/all.png/..\/all.png/'
-with 'entry that is not there' 'rom.lua: entry: there is no start.lua' 's/id = "probe"/id = "probe", entry = "start"/'
+with 'entry that is not there' 'rom.lua: entry: start.lua does not exist' \
+    's/id = "probe"/id = "probe", entry = "start"/'
 # All maxima together are below the limit of 1 GiB; in $OUT/curtain-short the limit is 64 MiB.
 idle | game bad
 sed -i 's/bullets = 256/bullets = 200000/;s/lua_kib = 1024/lua_kib = 51200/' bad/rom.lua
 for command in 'hash bad --frames 1' 'pack bad'; do
     line=$("$OUT/curtain-short" $command 2>&1)
     same "more RAM than a board may have: $command" \
-        '2 curtain: bad: the capacities in rom.lua ask for N MiB of RAM; a board has at most 64' \
-        "$? $(sed -E 's/ask for (6[5-9]|[7-9][0-9]|1[0-9][0-9]) MiB/ask for N MiB/' <<<"$line")"
+        '2 curtain: bad: the capacities in rom.lua need N MiB of RAM (at most 64); lower them' \
+        "$? $(sed -E 's/need (6[5-9]|[7-9][0-9]|1[0-9][0-9]) MiB/need N MiB/' <<<"$line")"
 done
 says 'the same game has room in a whole board' 0 '' hash bad --frames 1
 sed -i 's/bullets = [0-9]*/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/
@@ -177,7 +178,7 @@ sed -i 's/bullets = [0-9]*/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/
 says 'all maxima at once have room' 0 '' list bad
 line=$("$OUT/curtain-short" list bad 2>&1)
 same 'all maxima at once: the sum' \
-    '2 curtain: bad: the capacities in rom.lua ask for 949 MiB of RAM; a board has at most 64' "$? $line"
+    '2 curtain: bad: the capacities in rom.lua need 949 MiB of RAM (at most 64); lower them' "$? $line"
 rm -rf bad
 
 # ---- art and scripts ----
@@ -192,28 +193,29 @@ art() { # NAME LINE COMMAND...: run in the game's folder
     rm -rf bad
 }
 dotted() { python3 "$repo/tests/cli/png_make.py" art/all.png 16 16 ffffff 3 2 123456; }
-by_index='match = "index" in rom.lua goes by the places in the palette of an indexed picture'
+by_index='match = "index" in rom.lua to use the indices of an indexed picture'
 art 'colour that is not in its bank' \
-    "art/all.png: pixel 3,2: colour #123456 is not in bank 0 (--nearest takes the nearest; $by_index)" dotted
+    "art/all.png: pixel 3,2: colour #123456 is not in bank 0 (use --nearest for the nearest colour, or $by_index)" \
+        dotted
 idle | game near
 (cd near && dotted)
 says 'and --nearest takes it' 0 '' hash near --nearest --frames 1
-art 'missing art file' 'rom.lua:4: there is no art/all.png' rm art/all.png
+art 'missing art file' 'rom.lua:4: art/all.png does not exist' rm art/all.png
 art 'art that is not a PNG' 'art/all.png: not a PNG' cp rom.lua art/all.png
-art 'PNG cut short' 'art/all.png: a PNG that is cut short' truncate -s 60 art/all.png
+art 'PNG cut short' 'art/all.png: truncated PNG' truncate -s 60 art/all.png
 art 'syntax error' "main.lua:2: unexpected symbol near '='" bash -c 'printf "local a\nlocal b = = 1\n" >main.lua'
 art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash \
     -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
 lacking="stages/one.lua:2: expected \`end\` to close \`do\` at line 1, got the end of the file"
 art 'syntax error further down' "$lacking" bash \
     -c 'mkdir stages; echo "do" >stages/one.lua'
-art 'compiled Lua' 'main.lua:1: compiled Lua, expected text' bash -c 'printf "\33Lua" >main.lua'
+art 'compiled Lua' 'main.lua:1: expected Lua source, got compiled Lua' bash -c 'printf "\33Lua" >main.lua'
 art 'the operator ^' \
-    'main.lua:1: the operator ^ is not available (results differ between machines); use x*x or math.sqrt' \
+    'main.lua:1: operator ^ is not available (results differ between machines); use x*x or math.sqrt' \
     bash -c 'echo "print(2 ^ 3)" >main.lua'
 art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua \
     'my file.lua'
-bad 'a file is packed' 'g.rom: is a file; pack takes a game'"'s folder" pack g.rom
+bad 'a file is packed' 'g.rom: is a file; pack takes the folder of a game' pack g.rom
 
 # ---- scripts that fail ----
 
@@ -224,22 +226,22 @@ enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function() error("boo") end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
 LUA
-fault 'memory' 'main.lua:1: out of Lua memory (board.lua_kib = 1024 in rom.lua)' \
+fault 'memory' 'main.lua:1: out of Lua memory (1024 KiB); raise `board.lua_kib` in rom.lua' \
     <<<'local t = {} while true do t[#t + 1] = {} end'
 mkdir -p bad/pl
 echo 'return 7' >bad/pl/list.lua
-fault 'require with dots' 'main.lua:1: require: no script "pl.list.lua" in the game; write require "pl/list"' \
+fault 'require with dots' 'main.lua:1: require: no script "pl.list.lua" in the game (did you mean require "pl/list"?)' \
     <<<'require "pl.list"'
 fault 'require of nothing' 'main.lua:1: require: no script "stages/none.lua" in the game' <<<'require "stages/none"'
 fault 'wrong argument' 'main.lua:1: bullet.fire: unknown argument "sped" (did you mean "speed"?)' \
     <<<'bullet.fire { kind = "x", sped = 1, x = 1, y = 1 }'
 fault 'a name that is gone' \
-    "main.lua:1: attempt to call a nil value (field 'random') (math.random is not available: rng.int, rng.number, \
+    "main.lua:1: attempt to call a nil value (field 'random') (math.random is not available: use rng.int, rng.number, \
 rng.pick or rng.chance)" <<<'print(math.random())'
 fault 'a library that is gone' \
-    'main.lua:1: undeclared global "os" (not available: board.frame() tells the time, save.set keeps things)' \
+    'main.lua:1: undeclared global "os" (not available: use board.frame() for time and save.set for saved data)' \
     <<<'print(os.time())'
-fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (did you mean "dot"?)' \
+fault 'unknown sprite' 'main.lua:1: bullet.def: unknown sprite "dto" (did you mean "dot"?)' \
     <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
 
 # ---- demos ----
@@ -247,18 +249,19 @@ fault 'unknown sprite' 'main.lua:1: bullet.def: sprite "dto" is not in rom.lua (
 "$curtain" hash g --frames 200 --record a.demo >/dev/null 2>&1 || not_ok 'a demo is recorded'
 cp -r g else
 sed -i 's/"probe"/"else"/' else/rom.lua
-bad 'demo of another game' 'a.demo: a demo of another game ("probe", this is "else")' hash else --demo a.demo
-bad 'demo of another game to play' 'a.demo: a demo of another game ("probe", this is "else")' play else --demo a.demo
-bad 'demo of another game to verify' 'a.demo: a demo of another game ("probe", this is "else")' verify else a.demo
+bad 'demo of another game' 'a.demo: demo of another game ("probe", this is "else")' hash else --demo a.demo
+bad 'demo of another game to play' 'a.demo: demo of another game ("probe", this is "else")' play else --demo a.demo
+bad 'demo of another game to verify' 'a.demo: demo of another game ("probe", this is "else")' verify else a.demo
 cp -r g later
 echo '-- later' >>later/main.lua
-says 'demo of another build plays' 0 'curtain: a.demo: recorded on another build; it may not play as it was' hash \
+says 'demo of another build plays' 0 'curtain: a.demo: recorded with another game version; playback may diverge' hash \
     later --demo a.demo
 says 'demo of another build holds' 0 '' verify later a.demo
-same 'and the report says so' 'a.demo: holds, 200 frames (recorded on another build)' "$(cat out)"
+same 'and the report says so' 'a.demo: holds, 200 frames (recorded with another game version)' "$(cat out)"
 echo 'board.note(1)' >>later/main.lua
 says 'demo of a build that differs' 1 '' verify later a.demo
-same 'and the report names frame and parts' 'a.demo: frame 0: script, board differ (recorded on another build)' \
+same 'and the report names frame and parts' \
+    'a.demo: frame 0: script, board differ (recorded with another game version)' \
     "$(cat out)"
 bad 'no such demo' 'none.demo: no such file' hash g --demo none.demo
 bad 'not a demo' 'g/rom.lua: not a demo' hash g --demo g/rom.lua
@@ -270,55 +273,55 @@ for n in $(where "$size"); do
     line=$("$curtain" verify g cut.demo 2>&1)
     code=$?
     case "$code $line" in
-    '2 curtain: cut.demo: not a demo' | '2 curtain: cut.demo: cut short in its header') refused=1 ;;
-    '2 curtain: cut.demo: cut short: it has '*' frames and no end mark') played=1 ;;
+    '2 curtain: cut.demo: not a demo' | '2 curtain: cut.demo: truncated header') refused=1 ;;
+    '2 curtain: cut.demo: truncated: '*' frames and no end mark') played=1 ;;
     *) wrong+="at $n: $code $line"$'\n' ;;
     esac
 done
 same "demo cut short, of its $size bytes" '1 1 ' "$refused $played $wrong"
 head -c $((size - 90)) a.demo >cut.demo
 says 'a demo cut short plays as far as it goes' 0 \
-    'curtain: cut.demo: cut short (no end mark); playing the 180 frames it has' hash g --demo cut.demo
+    'curtain: cut.demo: truncated (no end mark); playing the first 180 frames' hash g --demo cut.demo
 cp a.demo spoilt.demo
 printf '\377' | dd of=spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
-bad 'damaged demo' 'spoilt.demo: the record at byte 8 is damaged (CRC)' verify g spoilt.demo
+bad 'damaged demo' 'spoilt.demo: damaged record at byte 8 (CRC)' verify g spoilt.demo
 says 'good and bad demos in one go' 2 'curtain: none.demo: no such file' verify g a.demo none.demo
 same 'and the good one is checked' 'a.demo: holds, 200 frames' "$(cat out)"
 
 # ---- words ----
 
-frames='--frames: expected frames from 0 to 8388608 like 600 or 1,60,600 or 0:600:60, got'
+frames='--frames: expected frames from 0 to 8388608, as in 600 or 1,60,600 or 0:600:60, got'
 seed='--seed: expected a whole number from 0 to 18446744073709551615, got'
 bad 'unknown option, near one' 'unknown option --frame (did you mean --frames?)' hash g --frame 3
-bad 'unknown option' 'unknown option --frobnicate (curtain help lists them)' hash g --frobnicate
+bad 'unknown option' 'unknown option --frobnicate (see curtain help)' hash g --frobnicate
 bad 'unknown command, near one' 'unknown command "hsah" (did you mean hash?)' hsah g
-bad 'unknown command' 'frobnicate: no such command, file or folder (curtain help lists the commands)' frobnicate
-bad 'no ROM' 'list: expected ROM (curtain help list)' list
-bad 'too many words' 'hash: "h" is one argument too many (curtain help hash)' hash g h
+bad 'unknown command' 'frobnicate: no such command, file or folder (see curtain help)' frobnicate
+bad 'no ROM' 'list: expected ROM (see curtain help list)' list
+bad 'too many words' 'hash: unexpected argument "h" (see curtain help hash)' hash g h
 bad 'option without its value' '--frames: expected LIST, got nothing' hash g --frames
 bad 'frames in letters' "$frames \"x\"" hash g --frames x
 bad 'frames below 0' "$frames \"-3\"" hash g --frames -3
 bad 'too many frames' "$frames \"99999999999999999999\"" hash g --frames 99999999999999999999
 bad 'frames backwards' '--frames: 5:1 ends before it starts' render g --frames 5:1
 bad 'frames without a step' "$frames \"1:5:0\"" render g --frames 1:5:0
-bad 'a list for hash' '--frames: hash takes one number, how many frames to run' hash g --frames 1,2
-bad 'render without frames' 'render needs --frames (curtain help render)' render g
+bad 'a list for hash' '--frames: hash takes one number, the frames to run' hash g --frames 1,2
+bad 'render without frames' 'render needs --frames (see curtain help render)' render g
 bad 'seed with a letter' "$seed \"1x\"" hash g --seed 1x
 bad 'seed below 0' "$seed \"-1\"" hash g --seed -1
 bad 'seed of 65 bits' "$seed \"18446744073709551616\"" hash g --seed 18446744073709551616
 bad 'every 0' '--every: expected a whole number from 1 to 8388608, got "0"' hash g --every 0
 bad 'scale' '--scale: expected a whole number from 1 to 16, got "99"' play g --scale 99
-bad 'an option of another command' '--scale does not go with hash (it goes with play, capture)' hash g --scale 2
+bad 'an option of another command' '--scale does not work with hash (only with play, capture)' hash g --scale 2
 bad 'an option twice' '--frames is given twice' hash g --frames 1 --frames 2
 bad 'a switch with a value' '--verbose takes no value, got "1"' hash g --traceback=1
 bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g \
     --trace input,bulets
-bad 'a part that is none' '--trace: unknown part "" (hash --parts names them all)' hash g --trace input,
-bad 'names that end in NUL, and no names' '--null goes with names from standard input: verify ROM -' verify g a.demo -0
-bad 'bisect of one' 'verify: expected ROM DEMO... (curtain help verify)' verify --bisect a.demo
-bad 'bisect of three' 'verify --bisect: expected two files that hash printed' verify --bisect a.demo a.demo a.demo
+bad 'a part that is none' '--trace: unknown part "" (hash --parts lists all parts)' hash g --trace input,
+bad 'names that end in NUL, and no names' '--null is for names on standard input: verify ROM -' verify g a.demo -0
+bad 'bisect of one' 'verify: expected ROM DEMO... (see curtain help verify)' verify --bisect a.demo
+bad 'bisect of three' 'verify --bisect: expected two files printed by hash' verify --bisect a.demo a.demo a.demo
 bad 'bisect of standard input twice' 'verify --bisect: only one of the two can be standard input' verify --bisect - -
-bad 'what a demo holds' '--seed does not go with --demo, which holds its own' hash g --seed 1 --demo a.demo
+bad 'what a demo holds' '--seed cannot be combined with --demo: the demo sets it' hash g --seed 1 --demo a.demo
 bad 'unknown DIP switch' '--dip: unknown DIP switch "coin" (did you mean "coins"?)' hash g --dip coin=one
 bad 'unknown DIP value' '--dip: coins: unknown value "oen" (did you mean "one"?)' hash g --dip coins=oen
 bad 'DIP value far off' '--dip: coins: unknown value "two" (expected free or one)' hash g --dip coins=two
@@ -332,16 +335,16 @@ bad 'unknown difficulty, near one' '--difficulty: unknown difficulty "hrd" (did 
 bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected easy, normal or hard)' hash g \
     --difficulty insane
 bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
-bad 'help of no Lua name' 'help lua: there is no "xyzzy" (curtain help lua lists all names)' help lua xyzzy
+bad 'help of no Lua name' 'help lua: no entry for "xyzzy" (curtain help lua lists all names)' help lua xyzzy
 bad 'help of a Lua name, near one' \
-    'help lua: there is no "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
+    'help lua: no entry for "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
 where() { "$curtain" help lua "$1" | grep -qF "$2"; }
 check 'help of a step' where home 'in each step of motion.def:'
 check 'help of a property' where frozen 'property of an enemy: '
 check 'help of what a script may set' where hud.banks 'plain bright faint alarm'
 check 'help of the hud' where hud 'hud.centre(row, text,'
 check 'help of a last word of these' where look 'talk.look '
-bad 'help of a value, near one' 'help lua: there is no "hud.bnaks" (did you mean hud.banks?)' help lua hud.bnaks
+bad 'help of a value, near one' 'help lua: no entry for "hud.bnaks" (did you mean hud.banks?)' help lua hud.bnaks
 check 'help of a last word' where ring 'pattern.ring{...}'
 
 # ---- stages ----
@@ -366,12 +369,12 @@ says 'unknown boss' 2 'main.lua:6: boot.run: boss "quene" is not declared (did y
     --stage quene/bloom --frames 20
 says 'unknown phase' 2 'main.lua:6: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s \
     --stage queen/bloon --frames 20
-says 'a game without stages' 2 '--stage: the game cannot start at "one": main.lua does not call boot.run' hash g \
+says 'a game without stages' 2 '--stage: cannot start at "one"; main.lua does not call boot.run' hash g \
     --stage one
 says 'a mark far off' 2 'main.lua:6: stage one: mark "middle" is not declared (there is guard)' hash s \
     --stage one:middle --frames 20
 says 'a stage that waits for ever on the way to its mark' 2 \
-    'main.lua:5: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?' hash \
+    'main.lua:5: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)' hash \
     s --stage ever:on --frames 20
 # by_difficulty: by names, by a list, both; the nearest easier one, else the easiest.
 game d <<'LUA'
@@ -398,9 +401,9 @@ says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register
     --invincible --frames 20
 bad 'no lives' '--lives: expected a whole number from 1 to 99, got "0"' hash s --stage one --lives 0
 bad 'too many lives' '--lives: expected a whole number from 1 to 99, got "100"' hash s --stage one --lives 100
-bad 'lives without a piece' '--lives needs --stage: it is for a practice start' hash s --lives 3
-bad 'registers without a piece' '--register needs --stage: it is for a practice start' hash s --register power=3
-bad 'invincible without a piece' '--invincible needs --stage: it is for a practice start' hash s --invincible
+bad 'lives without a piece' '--lives needs --stage: it applies to practice starts' hash s --lives 3
+bad 'registers without a piece' '--register needs --stage: it applies to practice starts' hash s --register power=3
+bad 'invincible without a piece' '--invincible needs --stage: it applies to practice starts' hash s --invincible
 bad 'a register without a value' '--register: expected NAME=VALUE, got "power"' hash s --stage one --register power
 reg='--register: power: expected a whole number from -2147483647 to 2147483647'
 bad 'a register in letters' "$reg, got \"x\"" hash s \
@@ -413,9 +416,9 @@ bad 'a register after a blank' "$reg, got \" 4\"" hash s \
     --stage one --register 'power= 4'
 bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
 bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2
-bad 'a register of a long name' '--register: a name longer than 31 characters' hash s --stage one \
+bad 'a register of a long name' '--register: name longer than 31 characters' hash s --stage one \
     --register "$(printf '%032d' 0)=1"
-bad 'more registers than there can be' '--register: more than 16' hash s --stage one \
+bad 'more registers than there can be' '--register: given more than 16 times' hash s --stage one \
     $(for i in $(seq 17); do echo --register "r$i=1"; done)
 says 'a register the ship has not, near one' 2 \
     'main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)' \
@@ -423,8 +426,8 @@ says 'a register the ship has not, near one' 2 \
 says 'a register the ship has not' 2 \
     'main.lua:6: --register: ship "p" has no register "speed" (there is bombs, power)' hash s --stage one \
     --register speed=1
-bad 'practice and a demo' '--lives does not go with --demo, which holds its own' hash g --lives 1 --demo a.demo
-bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters' hash g --stage $'o\tne'
+bad 'practice and a demo' '--lives cannot be combined with --demo: the demo sets it' hash g --lives 1 --demo a.demo
+bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in ASCII' hash g --stage $'o\tne'
 bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
 
 # ---- what others wrote ----
@@ -469,10 +472,10 @@ host 'ROM below a file' 'file/a.rom: cannot be written (Not a directory)' pack g
 host 'ROM is a folder' 'empty: cannot be written (Is a directory)' pack g -o empty
 host 'demo below a file' 'file/a.demo: cannot be written (Not a directory)' hash g --frames 2 --record file/a.demo
 host 'unpack into a file' 'file/lumps/gfx/dart: cannot be written (Not a directory)' unpack g file
-bad 'unpack over files' 'g/main.lua: is already there' unpack g.rom g
+bad 'unpack over files' 'g/main.lua: already exists' unpack g.rom g
 for command in 'list g' 'hash g --frames 1' 'help' 'version' 'verify g a.demo'; do
     line=$("$curtain" $command 2>&1 >/dev/full)
-    same "standard output is full: $command" '3 curtain: standard output cannot be written' "$? $line"
+    same "standard output is full: $command" '3 curtain: cannot write standard output' "$? $line"
 done
 
 if disk locked size=64k; then
@@ -511,7 +514,7 @@ if disk full size=256k; then
     host 'disk full while recording' "full/long.demo: $full" hash g --frames 3000 --record full/long.demo
     line=$("$curtain" verify g full/long.demo 2>&1)
     check "what was recorded stays readable ($line)" grep -Eq \
-        '^curtain: full/long.demo: cut short: it has [1-9][0-9]+ frames and no end mark$' <<<"$line"
+        '^curtain: full/long.demo: truncated: [1-9][0-9]+ frames and no end mark$' <<<"$line"
     "$curtain" hash g --demo full/long.demo --frames 60 >one 2>/dev/null
     "$curtain" hash g --frames 60 >two
     same 'and plays' "$(cat two)" "$(cat one)"

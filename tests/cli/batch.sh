@@ -39,10 +39,10 @@ for i in 0 1 2 3 4; do want[good$i.demo]="holds, ${frames[$i]} frames"; done
 bad() { want[$1]=$2; }
 size=$(stat -c %s good3.demo)
 head -c 7 good3.demo >bad1.demo && bad bad1.demo 'not a demo'
-head -c 20 good3.demo >bad2.demo && bad bad2.demo 'cut short in its header'
-head -c "$(record good3.demo 3)" good3.demo >bad3.demo && bad bad3.demo 'cut short: it has 60 frames and no end mark'
-head -c $((size - 1)) good3.demo >bad4.demo && bad bad4.demo 'cut short: it has 200 frames and no end mark'
-{ cat good3.demo && printf 'x'; } >bad5.demo && bad bad5.demo 'has 1 bytes after its end'
+head -c 20 good3.demo >bad2.demo && bad bad2.demo 'truncated header'
+head -c "$(record good3.demo 3)" good3.demo >bad3.demo && bad bad3.demo 'truncated: 60 frames and no end mark'
+head -c $((size - 1)) good3.demo >bad4.demo && bad bad4.demo 'truncated: 200 frames and no end mark'
+{ cat good3.demo && printf 'x'; } >bad5.demo && bad bad5.demo '1 extra bytes after its end'
 : >bad6.demo && bad bad6.demo 'not a demo'
 cp g/rom.lua bad7.demo && bad bad7.demo 'not a demo'
 bad bad8.demo 'no such file'
@@ -50,14 +50,14 @@ for i in 9 10 11 12; do # a flipped bit that nobody repaired, in four records
     at=$(record good3.demo $((i - 9)))
     cp good3.demo bad$i.demo
     printf '\x55' | dd of=bad$i.demo bs=1 seek=$((at + 9)) conv=notrunc 2>/dev/null
-    bad bad$i.demo "the record at byte $at is damaged (CRC)"
+    bad bad$i.demo "damaged record at byte $at (CRC)"
 done
 # Format 9; then with good checksums: the game's id, the first row, the seed, pads in the first, the third and the last
 # second, a print, the core version.
 python3 -c 'd = bytearray(open("good3.demo", "rb").read()); d[4] = 9; open("bad13.demo", "wb").write(d)'
-bad bad13.demo 'demo format 9, this build reads 2 to 5'
+bad bad13.demo 'demo format 9; this build reads 2 to 5'
 id=$(grep -abo probe good3.demo | head -1 | cut -d: -f1)
-patch good3.demo "$id" bad14.demo && bad bad14.demo 'a demo of another game ("qrobe", this is "probe")'
+patch good3.demo "$id" bad14.demo && bad bad14.demo 'demo of another game ("qrobe", this is "probe")'
 patch good3.demo $(($(record good3.demo 2) - 12)) bad15.demo && bad bad15.demo 'frame 0: ml_params differs'
 seed=$((8 + 8 + 4 + 8 + 8 + 1 + 5 + 1 + $(strings -n 5 good3.demo | grep -om1 '5\.4\.[0-9]*' | tr -d '\n' | wc -c)))
 patch good3.demo $seed bad16.demo && bad bad16.demo 'frame 0: board, sparks differ'
@@ -69,7 +69,7 @@ patch good3.demo "$(pads good3.demo 4)" bad18.demo && bad bad18.demo 'frame 121:
 patch good3.demo "$(pads good3.demo 5)" bad19.demo && bad bad19.demo 'frame 181: input differs'
 core=$("$curtain" version | sed -n "s,.*(core \([0-9]*\).*,\1,p")
 patch good3.demo 16 bad20.demo &&
-    bad bad20.demo "holds, 200 frames (recorded on core version $((core ^ 1)), this is $core)"
+    bad bad20.demo "holds, 200 frames (recorded with core version $((core ^ 1)), this is $core)"
 
 # A thousand names: each bad one once, between good ones.
 python3 - >names <<'END'
@@ -121,7 +121,7 @@ same 'a name with a newline is one line' 'odd   name.demo: holds, 60 frames' "$(
 { printf '%02000d\n' 0 && echo good1.demo; } | "$curtain" verify g - >got
 code=$?
 same 'a name without end, and the one after it' \
-    "2 $(printf '%01023d' 0): the name is too long|good1.demo: holds, 60 frames|" "$code $(tr '\n' '|' <got)"
+    "2 $(printf '%01023d' 0): name too long|good1.demo: holds, 60 frames|" "$code $(tr '\n' '|' <got)"
 "$curtain" verify g - </dev/null >got 2>&1
 same 'no names' '0 ' "$? $(cat got)"
 # A line comes before the next name is there.

@@ -97,10 +97,10 @@ rm -r whole/demos
 # ---- as text ----
 
 "$curtain" bench whole --stage queen/ring --slower 50 >out 2>err
-check "a table" says '^section +frames +Lua +tick +draw +sound +mean +99 % +worst +mean +worst +late  the dearest$'
+check "a table" says '^section +frames +Lua +tick +draw +sound +mean +99 % +worst +mean +worst +late  slowest$'
 check "a line a section" says \
     '^queen/ring +1[12][0-9] +[0-9]+( +[0-9]+\.[0-9]{3}){6} +[0-9]+% +[0-9]+% +[0-9]+  [0-9]+ of queen/ring$'
-check "on a slower machine" says '^ +milliseconds +50 x slower$'
+check "on a slower machine" says '^ +milliseconds +50x slower$'
 check "how much slower one may be" says '99 % of the frames on a machine [0-9.]+ times slower than this one,$'
 check "lines" says '^ +[0-9.]+ % +[0-9.]+ +[0-9]+ % +[0-9]+ %   main\.lua:[0-9]+ +.*pattern\.ring'
 check "rooms" says '^board\.bullets +256 +[0-9]+ +[0-9]+ %'
@@ -127,9 +127,9 @@ on_terminal() { # ARGUMENT...: of the program, into told
     script -qec "env LD_PRELOAD=$PWD/clock.so $curtain $*" /dev/null >told 2>&1 </dev/null
 }
 on_terminal bench plain
-check "on a terminal it tells how far it is" grep -qE 'start: counting Lua, [0-9]+:[0-9]{2} left' told
+check "on a terminal it tells how far it is" grep -qE 'start: counting Lua instructions, [0-9]+:[0-9]{2} left' told
 on_terminal check plain
-check "check does, too" grep -qE 'nobody playing, 1 of 1, frame [0-9]+, [0-9]+:[0-9]{2} left' told
+check "check does, too" grep -qE 'frames without input, 1 of 1, frame [0-9]+, [0-9]+:[0-9]{2} left' told
 check "and takes it away before it says what it found" grep -qE $'\r\e\\[Kplain/|\r\e\\[K[a-z./]+:' told
 LD_PRELOAD=$PWD/clock.so "$curtain" check plain >told 2>&1
 same "elsewhere it does not" 0 "$(grep -c ' left' told)"
@@ -143,13 +143,13 @@ slip() { # NAME WORDS ARGUMENT...: it is refused in one sentence
     same "... in one line" 1 "$(wc -l <.said)"
 }
 slip "no game" "bench: expected ROM"
-slip "two" 'bench: "b" is one argument too many' a b
+slip "two" 'bench: unexpected argument "b"' a b
 slip "no such game" "none: no such file or folder" none
 slip "how much slower" '--slower: expected a whole number from 1 to 1000, got "0"' plain --slower 0
 slip "words for it" '--slower: expected a whole number from 1 to 1000, got "slow"' plain --slower slow
 slip "no such demo" "none.demo: " plain --demo none.demo
-slip "a demo of another game's section" "--stage does not go with --demo" plain --demo a --stage one
-slip "frames" "--frames does not go with bench" plain --frames 1
+slip "a demo of another game's section" "--stage cannot be combined with --demo" plain --demo a --stage one
+slip "frames" "--frames does not work with bench" plain --frames 1
 slip "a difficulty" '--difficulty: unknown difficulty "mad"' plain --difficulty mad
 echo 'task.go(function() wait(30) local x; x.y = 1 end)' >>plain/main.lua
 refuse "a script's fault" "main.lua:15: attempt to index a nil value" "$curtain" bench plain

@@ -23,26 +23,26 @@ same "other letters of a name become _, folders stay" "bulletml/____ _two__words
 packs() { doc "$1" >g/bulletml/a.xml; "$curtain" pack g -o g.rom; }
 check "a document packs" packs '<wait>1</wait>'
 bad() { refuse "pack: $1" "g: bulletml/a.xml:$2" packs "$3"; }
-bad "an element that is none" "2:1: <fyre> is no element of BulletML (did you mean <fire>?)" '<fyre/>'
+bad "an element that is none" "2:1: <fyre> is not a BulletML element (did you mean <fire>?)" '<fyre/>'
 bad "a type that is none" "2:7: <speed>: type: expected absolute, relative or sequence, got \"x\"" \
     '<fire><speed type="x">1</speed><bullet/></fire>'
 bad "no term" "2:1: <changeSpeed> has no <term>" '<changeSpeed><speed>1</speed></changeSpeed>'
-bad "no number" "2:1: <wait>: there is no number in it" '<wait/>'
+bad "no number" "2:1: <wait>: no number in it" '<wait/>'
 bad "a sign that is none" "2:9: <wait>: expected + - * / or the end, got \"%\"" '<wait>10%3</wait>'
-bad "a label that is not there" '2:1: <actionRef>: there is no <action label="tap"> (did you mean "top"?)' \
+bad "a label that is not there" '2:1: <actionRef>: no <action label="tap"> (did you mean "top"?)' \
     '<actionRef label="tap"/>'
-bad "a tag that is not closed" "3:3: <fire>, which begins in line 2: mismatched tag" '<fire>'
-bad "a byte that is no UTF-8" "2:7: a byte that is no UTF-8, 0xff" "$(printf '<wait>\377</wait>')"
+bad "a tag that is not closed" "3:3: <fire>, which starts in line 2: mismatched tag" '<fire>'
+bad "a byte that is no UTF-8" "2:7: byte 0xff is not valid UTF-8" "$(printf '<wait>\377</wait>')"
 bomb() {
     printf '<!DOCTYPE bulletml [<!ENTITY a "lol">%s]>\n<bulletml>&b;</bulletml>' \
         "$(printf '<!ENTITY b "%s">' "$(printf '&a;%.0s' $(seq 1000))")" >g/bulletml/a.xml
     "$curtain" pack g -o g.rom
 }
-refuse "pack: an entity bomb" "bulletml/a.xml:1:32: <!ENTITY a>: a document's own entities are not read" bomb
+refuse "pack: an entity bomb" "bulletml/a.xml:1:32: <!ENTITY a>: entities are not supported" bomb
 large() { head -c 1100000 /dev/zero | tr '\0' ' ' >g/bulletml/a.xml; "$curtain" pack g -o g.rom; }
 refuse "pack: a file that is too large" "bulletml/a.xml" large
 deep() { { printf '<bulletml>'; printf '<action>%.0s' $(seq 5000); } >g/bulletml/a.xml; "$curtain" pack g -o g.rom; }
-refuse "pack: too deep" "bulletml/a.xml:1:515: <action>: more than 64 elements in one another" deep
+refuse "pack: too deep" "bulletml/a.xml:1:515: <action>: elements nested deeper than 64" deep
 "$curtain" pack g -o g.rom --nearest 2>/dev/null
 rm -r g
 
@@ -51,14 +51,15 @@ rm -r g
 cp -r "$gallery" g
 check "check has nothing to say" "$curtain" check g
 sed -i '8s/14/0.5/' g/bulletml/lotus.xml
-refuse "check: what is hardly meant" "g/bulletml/lotus.xml:8:7: <wait>: 0.5 frames are none: it goes on at once" \
+refuse "check: what is hardly meant" \
+    "g/bulletml/lotus.xml:8:7: <wait>: 0.5 frames is no wait: the action continues at once" \
     bash -c "'$curtain' check g | sed 's,^,g/,' ; false"
 sed -i 's/<wait>60/<waits>60/' g/bulletml/clockwork.xml
 sed -i 's/<wait>50</<wait>50%</' g/bulletml/snowfall.xml
 "$curtain" check g >said
 check "check: two that are wrong" test "$(grep -c 'clockwork.xml:16:7: <waits>\|snowfall.xml:16:15: <wait>' said)" = 2
 sed -i 's/ bulletml = 8192,//' g/rom.lua
-refuse "check: no room to run them" 'rom.lua: bulletml/ has documents that are not packed, for there is no room' \
+refuse "check: no room to run them" 'rom.lua: documents in bulletml/ are not packed' \
     "$curtain" check g
 "$curtain" pack "$gallery" -o with.rom
 sed -i 's/bullet.documents()/{}/; s/bullet.ml {/print {/' g/main.lua
@@ -66,25 +67,25 @@ sed -i 's/bullet.documents()/{}/; s/bullet.ml {/print {/' g/main.lua
 same "such a game has none in it" 0 "$("$curtain" list without.rom | grep -c ^bulletml/)"
 rm -r g/bulletml
 sed -i 's/lua_kib = 2048/lua_kib = 2048, bulletml = 64/' g/rom.lua
-refuse "check: room for nothing" 'board.bulletml: there is no document bulletml/NAME.xml' "$curtain" check g
+refuse "check: room for nothing" 'board.bulletml: no document bulletml/NAME.xml' "$curtain" check g
 
 # ---- curtain bulletml ----
 
 same "what it says" "$gallery/bulletml/gulls.xml: 1 action runs by itself, 6 others, 3 fires, 2 bullets, 51 elements
   uses \$rank, \$1 to \$2, left for up (horizontal)
-  run by themselves: top
+  top actions: top
   other actions: cry
   fires: pair
   bullets: gull, feather" "$("$curtain" bulletml "$gallery/bulletml/gulls.xml")"
 doc '<repeat><times>0</times><action><fyre/></action></repeat>' >bad.xml
 doc '<repeat><times>0</times><action/></repeat>' >zero.xml
-refuse "what is wrong" "curtain: bad.xml:2:33: <fyre> is no element of BulletML" "$curtain" bulletml bad.xml
+refuse "what is wrong" "curtain: bad.xml:2:33: <fyre> is not a BulletML element" "$curtain" bulletml bad.xml
 check "what is hardly meant is no failure" "$curtain" bulletml zero.xml
 says() { "$curtain" bulletml "$@" 2>&1; }
-same "and is told" "zero.xml:2:1: <repeat>: times 0: a repeat runs once at least" "$(says zero.xml | head -n 1)"
+same "and is told" "zero.xml:2:1: <repeat>: times 0: a repeat runs at least once" "$(says zero.xml | head -n 1)"
 same "one that is wrong does not end it" 1 "$(says bad.xml zero.xml | grep -c 'zero.xml: 1 action runs by itself')"
 refuse "a file that is not there" "none.xml: no such file" "$curtain" bulletml none.xml
-refuse "--lua is of one" "bulletml: --lua prints one document, got 2" "$curtain" bulletml --lua zero.xml zero.xml
+refuse "--lua is of one" "bulletml: --lua takes one document, got 2" "$curtain" bulletml --lua zero.xml zero.xml
 refuse "no file" "bulletml: expected FILE..." "$curtain" bulletml
 
 # ---- as Lua ----
@@ -161,11 +162,12 @@ ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_
     "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o \
     $(pkg-config --libs lua5.4) -lm -pthread -ldl
 cd "$scratch" || exit 2
-refuse "without shared libraries a document is refused" "without shared libraries; libexpat reads BulletML" \
+refuse "without shared libraries a document is refused" \
+    "this build does not load shared libraries; libexpat reads BulletML" \
     ./plain pack "$gallery" -o plain.rom
 mkdir none
 touch none/libexpat.so.1
-refuse "without libexpat too" "libexpat, which reads BulletML, is missing (Debian: libexpat1)" \
+refuse "without libexpat too" "libexpat, which reads BulletML, is not installed (Debian package: libexpat1)" \
     env LD_LIBRARY_PATH="$scratch/none" "$curtain" pack "$gallery" -o plain.rom
 same "what was packed elsewhere runs" "$("$curtain" hash gallery.rom --stage gallery --frames 200 --every 200)" \
     "$(./plain hash gallery.rom --stage gallery --frames 200 --every 200)"

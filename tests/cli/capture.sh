@@ -204,10 +204,10 @@ PATH=$scratch/bin:$PATH "$curtain" capture music --demo m.demo --speed 2 -o fast
 check "a faster film has its pictures" film_same fed.y4m song 0 100 1 2
 refuse "... and no sound" "No such file" ls fed.wav
 touch broken
-refuse "ffmpeg fails" "x.mp4: ffmpeg could not make it" env PATH="$scratch/bin:$PATH" "$curtain" capture plain -o x.mp4
+refuse "ffmpeg fails" "x.mp4: ffmpeg failed" env PATH="$scratch/bin:$PATH" "$curtain" capture plain -o x.mp4
 refuse "... and leaves nothing" "No such file" ls x.mp4 x.mp4.part x.mp4.part.wav
 mkdir none && ln -s "$(command -v sh)" none/sh
-refuse "no ffmpeg" "mp4 is made by ffmpeg, which is not there" env PATH="$scratch/none" \
+refuse "no ffmpeg" "mp4 needs ffmpeg, which is not installed" env PATH="$scratch/none" \
     "$curtain" capture plain -o x.mp4
 
 # A sentence for each slip.
@@ -218,21 +218,21 @@ slip() { # WHY WORDS OPTIONS...
     same "... in one line" 1 "$(wc -l <.said)"
 }
 slip "no file" "capture needs -o"
-slip "no format" '-o: "film.avi" ends in none of .gif .apng .png' -o film.avi
+slip "no format" '-o: "film.avi" does not end in .gif .apng .png' -o film.avi
 slip "standard output" "-o - needs --format" -o -
 slip "an unknown format" '--format: expected gif, apng, y4m, wav, mp4 or webm, got "avi"' --format avi -o film
-slip "a film to standard output" "-o - does not go with webm" --format webm -o -
-slip "sound enlarged" "--scale does not go with wav" --scale 2 -o a.wav
-slip "sound made faster" "--speed does not go with wav" --speed 2 -o a.wav
-slip "pieces" "--frames: a film is of one piece" --frames 1,2 -o a.gif
-slip "steps" "--frames: a film is of one piece" --frames 0:60:2 -o a.gif
+slip "a film to standard output" "-o - cannot be combined with webm" --format webm -o -
+slip "sound enlarged" "--scale cannot be combined with wav" --scale 2 -o a.wav
+slip "sound made faster" "--speed cannot be combined with wav" --speed 2 -o a.wav
+slip "pieces" "--frames: capture takes one range" --frames 1,2 -o a.gif
+slip "steps" "--frames: capture takes one range" --frames 0:60:2 -o a.gif
 slip "a speed" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "0"' --speed 0 -o a.gif
 slip "another" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "1/17"' --speed 1/17 -o a.gif
 slip "a scale" "--scale: expected a whole number from 1 to 16" --scale 17 -o a.gif
 slip "a folder that is a file" "plain/main.lua/a.gif: cannot be written" --frames 1 -o plain/main.lua/a.gif
 slip "the same of y4m" "plain/main.lua/a.y4m: cannot be written" --frames 1 -o plain/main.lua/a.y4m
 sed 's/w = 64, h = 64/w = 384, h = 448/' plain/rom.lua >rom.lua && mv rom.lua plain/rom.lua
-slip "too large" "--scale: a film of 6144 x 7168 pixels is too large" --scale 16 --frames 0 -o a.gif
+slip "too large" "--scale: frames of 6144 x 7168 pixels are too large" --scale 16 --frames 0 -o a.gif
 
 # No room on the disk.
 mknod full c 1 7 2>/dev/null || ln -s /dev/full full # root would lose /dev/full to a program that replaces it

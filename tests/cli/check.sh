@@ -12,7 +12,7 @@ game() {
     luac5.4 -p named.lua 2>/dev/null && cp named.lua "$1/main.lua"
     return 0
 }
-idle='neither boot.run is called nor a task started' # most games here: a note that finds leaves out
+idle='boot.run is not called and no task is started' # most games here: a note that finds leaves out
 finds() { # NAME DIR [OPTION...], standard input: exactly these lines, in this order
     local name=$1 want got code
     shift
@@ -30,7 +30,7 @@ fine() { # NAME DIR [OPTION...]: one line, no finding
     played="$played; sampled [0-9]+ frames? for contrast"
     local lua='Lua RAM [0-9]+ % of [0-9]+ KiB'
     check "$name ($got)" grep -Eq \
-        "^$1: fine: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
+        "^$1: no problems: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua exit 0$" <<<"$got"
 }
 refuses() { # NAME LINE WORD...
     local name=$1 line=$2 got
@@ -142,23 +142,23 @@ LUA
 printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
 printf 'Hello = Allo\nWorld = Monde\nWorld = Terre\n' >tongues/lang/fr.txt
 finds 'words that a language lacks, and a text twice' tongues <<'TEXT'
-lang/fr.txt:3: "World" stands in line 2 already
-main.lua:2: no words for "World" in lang/de.txt
-main.lua:4: no words for "World" in lang/de.txt
-main.lua:6: no words for "World" in lang/de.txt
-main.lua:8: no words for "World" in lang/de.txt
-5 problems; the game was not run, for it cannot be packed
+lang/fr.txt:3: duplicate "World", first in line 2
+main.lua:2: no translation for "World" in lang/de.txt
+main.lua:4: no translation for "World" in lang/de.txt
+main.lua:6: no translation for "World" in lang/de.txt
+main.lua:8: no translation for "World" in lang/de.txt
+5 problems; the game was not run because it cannot be packed
 TEXT
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
 finds 'words without a glyph' tongues <<'TEXT'
-lang/de.txt:2: no font of the game has a glyph for "ü", U+00FC, nor for 1 more of this text: a box is shown
-lang/de.txt:2: no font of the game has a glyph for "G", U+0047, nor for 4 more of this text: a box is shown
-lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, nor for 3 more of this text: a box is shown
-lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, nor for 4 more of this text: a box is shown
-main.lua:2: no words for "World" in lang/de.txt
-main.lua:4: no words for "World" in lang/de.txt
-main.lua:6: no words for "World" in lang/de.txt
-main.lua:8: no words for "World" in lang/de.txt
+lang/de.txt:2: no font of the game has a glyph for "ü", U+00FC, and 1 more of this text: a box is drawn instead
+lang/de.txt:2: no font of the game has a glyph for "G", U+0047, and 4 more of this text: a box is drawn instead
+lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, and 3 more of this text: a box is drawn instead
+lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, and 4 more of this text: a box is drawn instead
+main.lua:2: no translation for "World" in lang/de.txt
+main.lua:4: no translation for "World" in lang/de.txt
+main.lua:6: no translation for "World" in lang/de.txt
+main.lua:8: no translation for "World" in lang/de.txt
 8 problems
 TEXT
 rm -r tongues
@@ -170,7 +170,7 @@ png faces/art/cells.png 16 8 ff8800 # no colour of bank 0
 wade='fonts = { wade = { file = "art\/cells.png", cell = { 8, 8 }, chars = "ab" } },'
 sed -i "s/^  players = 2,/  players = 2, $wade/" faces/rom.lua
 "$curtain" check faces >found
-check 'a font of another name' grep -qx 'main.lua:2: font "wide" is not in rom.lua (did you mean "wade"?)' found
+check 'a font of another name' grep -qx 'main.lua:2: text.line: unknown font "wide" (did you mean "wade"?)' found
 check 'a colour of its picture' grep -q '^art/cells.png: pixel 0,0: colour #ff8800 is not in bank 0' found
 rm -r faces found
 lua 'characters without a glyph' <<'LUA'
@@ -178,16 +178,16 @@ text.put { col = 1, row = 1, text = "A" }
 local title, note = "弾幕 été", "plain"
 print("弾幕", title, note)
 ----
-main.lua:2: no font of the game has a glyph for "A", U+0041: a box is shown
-main.lua:3: note: no font of the game has a glyph for "弾", U+5F3E, nor for 3 more of this text; no run showed it
+main.lua:2: no font of the game has a glyph for "A", U+0041: a box is drawn instead
+main.lua:3: note: no font of the game has a glyph for "弾", U+5F3E, and 3 more of this text; not seen in any run
 1 problem
 LUA
 lua 'titles and spells, which stand in cells' <<'LUA'
 boss.def("b", { title = "弾", kind = "foe", x = 1, y = 1, phases = { { id = "a", spell = "Été 幕", time = 9, hp = 9 } } })
 ----
-main.lua:2: boss.def: enemy kind "foe" is not declared (there is none)
-main.lua:2: no font of the game has a glyph for "弾", U+5F3E: a box is shown
-main.lua:2: no font of the game has a glyph for "É", U+00C9, nor for 2 more of this text: a box is shown
+main.lua:2: boss.def: unknown enemy kind "foe" (declared: none)
+main.lua:2: no font of the game has a glyph for "弾", U+5F3E: a box is drawn instead
+main.lua:2: no font of the game has a glyph for "É", U+00C9, and 2 more of this text: a box is drawn instead
 3 problems
 LUA
 lua 'spells whose bonus stays, where that of another falls' <<'LUA'
@@ -199,20 +199,20 @@ boss.def("b", { title = "B", kind = "foe", x = 1, y = 1, phases = {
   { id = "d", spell = "Of no worth", time = 9, hp = 9, run = idle },
   { id = "e", bonus = 5, time = 9, hp = 9, run = idle } } })
 ----
-main.lua:5: spell "Stays": its bonus does not fall, as that of others does (bonus_to)
+main.lua:5: spell "Stays": its bonus does not decrease like that of other spells (set bonus_to)
 1 problem
 LUA
 lua 'a laser of another shape' <<'LUA'
 laser.def("thin", { strip = "dot", width = 3, hit = { circle = 1 } })
 ----
-main.lua:2: laser.def: hit: expected { share = s }, of its width, 0 to 1, or "none", got one with "circle"
+main.lua:2: laser.def: hit: expected { share = s }, of its width, 0 to 1, or "none", got a table with key "circle"
 1 problem
 LUA
 lua 'lasers' <<'LUA'
 laser.def("thin", { strip = "dott", width = 3, hit = { share = 1 } })
 laser.grop("x"):fade()
 ----
-main.lua:2: laser.def: sprite "dott" is not in rom.lua (did you mean "dot"?)
+main.lua:2: laser.def: unknown sprite "dott" (did you mean "dot"?)
 main.lua:3: laser has no "grop" (did you mean "group"?)
 2 problems
 LUA
@@ -220,7 +220,7 @@ lua 'lasers in a run' <<'LUA'
 laser.def("thin", { strip = "dot", width = 3, hit = { share = 1 } })
 task.go(function() laser.bolt { kind = "thn", x = 1, y = 1, speed = 1, length = 9 } end)
 ----
-main.lua:3: laser.bolt: laser kind "thn" is not declared (did you mean "thin"?)
+main.lua:3: laser.bolt: unknown laser kind "thn" (did you mean "thin"?)
 1 problem
 LUA
 lua 'names that are kept for later' <<'LUA'
@@ -228,7 +228,7 @@ local tests = {}
 print(test)
 test = tests
 ----
-main.lua:3: undeclared global "test" (test is not there yet; the name is kept for it) (did you mean "tests"?)
+main.lua:3: undeclared global "test" (test is reserved for a later version) (did you mean "tests"?)
 main.lua:4: undeclared global "test" (did you mean "tests"?)
 2 problems
 LUA
@@ -247,7 +247,7 @@ main.lua:4: undeclared global "wiat" (did you mean "wait"?)
 main.lua:4: undeclared global "zzz"
 main.lua:4: undeclared global "bulet" (did you mean "bullet"?)
 main.lua:4: undeclared global "first"
-main.lua:5: undeclared global "zzz": there are no new globals (write "local zzz")
+main.lua:5: undeclared global "zzz" (scripts cannot create globals; write "local zzz")
 main.lua:6: undeclared global "inner"
 main.lua:8: undeclared global "wait_untill" (did you mean "wait_until"?)
 9 problems
@@ -255,7 +255,7 @@ LUA
 lua 'a new global that is like one there is' <<'LUA'
 count = 0
 ----
-main.lua:2: undeclared global "count": there are no new globals (write "local count")
+main.lua:2: undeclared global "count" (scripts cannot create globals; write "local count")
 1 problem
 LUA
 lua 'fields nobody put there' <<'LUA'
@@ -280,27 +280,27 @@ print(dofile, collectgarbage "count", xpcall, loadstring, unpack)
 print(math.random(6), math.randomseed, math.exp(1), math.log(2), math.pow, table.getn)
 print(string.dump, string.pack, string.packsize, string.unpack)
 ----
-main.lua:2: os is not available (board.frame() tells the time, save.set keeps things)
-main.lua:2: io is not available (rom.text reads a text of the game, print writes to the log)
-main.lua:2: debug is not available (print and board.note tell what happens)
-main.lua:2: coroutine is not available (task.go starts a task, wait(n) lets frames pass)
-main.lua:2: next is not available (pairs visits a table in an order that is always the same)
-main.lua:2: package is not available (require loads the game's scripts)
-main.lua:3: dofile is not available (require runs another script)
-main.lua:3: collectgarbage is not available (the board collects between frames)
-main.lua:3: xpcall is not available (pcall catches what error raises)
-main.lua:3: loadstring is not available (load takes a text)
-main.lua:3: unpack is not available (it is table.unpack)
-main.lua:4: math.random is not available (rng.int, rng.number, rng.pick or rng.chance)
-main.lua:4: math.randomseed is not available (the run has a seed: --seed)
+main.lua:2: os is not available (use board.frame() for time and save.set for saved data)
+main.lua:2: io is not available (use rom.text to read a text file of the game and print to write to the log)
+main.lua:2: debug is not available (use print and board.note)
+main.lua:2: coroutine is not available (use task.go to start a task and wait(n) to let frames pass)
+main.lua:2: next is not available (use pairs, whose order is always the same)
+main.lua:2: package is not available (use require)
+main.lua:3: dofile is not available (use require)
+main.lua:3: collectgarbage is not available (garbage is collected between frames)
+main.lua:3: xpcall is not available (use pcall)
+main.lua:3: loadstring is not available (use load)
+main.lua:3: unpack is not available (use table.unpack)
+main.lua:4: math.random is not available (use rng.int, rng.number, rng.pick or rng.chance)
+main.lua:4: math.randomseed is not available (set the seed of a run with --seed)
 main.lua:4: math.exp is not available (results differ between machines)
 main.lua:4: math.log is not available (results differ between machines)
-main.lua:4: math.pow is not available (x * x, or math.sqrt)
-main.lua:4: table.getn is not available (#t is the length of t)
-main.lua:5: string.dump is not available (compiled Lua does not run here)
-main.lua:5: string.pack is not available (its bytes differ between machines; string.char makes bytes)
+main.lua:4: math.pow is not available (use x * x or math.sqrt)
+main.lua:4: table.getn is not available (use #t)
+main.lua:5: string.dump is not available (compiled Lua cannot be loaded)
+main.lua:5: string.pack is not available (byte layouts differ between machines; use string.char)
 main.lua:5: string.packsize is not available (sizes differ between machines)
-main.lua:5: string.unpack is not available (its bytes differ between machines; string.byte reads bytes)
+main.lua:5: string.unpack is not available (byte layouts differ between machines; use string.byte)
 21 problems
 LUA
 lua 'what is refused when a script is loaded, all of it' <<'LUA'
@@ -309,12 +309,12 @@ __gc]], { __mode = "k" })
 print(4
   ^ 5, "\95_gc")
 ----
-main.lua:2: the operator ^ is not available (results differ between machines); use x*x or math.sqrt
-main.lua:2: the name __gc is not available (when it would run differs between machines)
-main.lua:3: the name __mode is not available (what it keeps differs between machines)
-main.lua:5: the operator ^ is not available (results differ between machines); use x*x or math.sqrt
-main.lua:5: the name __gc is not available (when it would run differs between machines)
-5 problems; the game was not run, for it cannot be packed
+main.lua:2: operator ^ is not available (results differ between machines); use x*x or math.sqrt
+main.lua:2: __gc is not available (finalizers run at different times on different machines)
+main.lua:3: __mode is not available (weak tables hold different entries on different machines)
+main.lua:5: operator ^ is not available (results differ between machines); use x*x or math.sqrt
+main.lua:5: __gc is not available (finalizers run at different times on different machines)
+5 problems; the game was not run because it cannot be packed
 LUA
 lua 'things that are no tables' <<'LUA'
 for k in pairs(bullet.group("x")) do print(k) end
@@ -331,19 +331,19 @@ boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
 bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
 laser.each(nil, function(l) print(#l, #laser.bolt { kind = "x" }) end)
 ----
-main.lua:2: pairs: what bullet.group returns is a group, not a table (bullet.each visits one by one)
+main.lua:2: pairs: bullet.group returns a handle of kind group, not a table (bullet.each visits each of them)
 main.lua:2: bad argument #1 to 'pairs' (table expected, got number)
-main.lua:4: ipairs: what shot.fire returns is a shot, not a table
-main.lua:7: #: what player.get returns is a player, not a table
-main.lua:7: #: what task.scope returns is a scope, not a table
-main.lua:7: #: what motion.def returns is a motion, not a table
-main.lua:8: #: what bullet.each hands to its function is a thing, not a table
-main.lua:9: pairs: what enemy.def hands to its function is a thing, not a table
-main.lua:10: #: what on.hit hands to its function is a thing, not a table
-main.lua:12: #: what boss.def hands to its function is a thing, not a table
-main.lua:13: #: what bullet.meet hands to its function is a thing, not a table
-main.lua:14: #: what laser.each hands to its function is a thing, not a table
-main.lua:14: #: what laser.bolt returns is a laser, not a table
+main.lua:4: ipairs: shot.fire returns a handle of kind shot, not a table
+main.lua:7: #: player.get returns a handle of kind player, not a table
+main.lua:7: #: task.scope returns a handle of kind scope, not a table
+main.lua:7: #: motion.def returns a handle of kind motion, not a table
+main.lua:8: #: bullet.each passes a handle to its function, not a table
+main.lua:9: pairs: enemy.def passes a handle to its function, not a table
+main.lua:10: #: on.hit passes a handle to its function, not a table
+main.lua:12: #: boss.def passes a handle to its function, not a table
+main.lua:13: #: bullet.meet passes a handle to its function, not a table
+main.lua:14: #: laser.each passes a handle to its function, not a table
+main.lua:14: #: laser.bolt returns a handle of kind laser, not a table
 13 problems
 LUA
 lua 'divisions by nothing' <<'LUA'
@@ -351,18 +351,18 @@ local n = 3
 print(0/0, -(0.0/0), 1/0)
 print(function() return n / 0, n // 0, n % (0) end)
 ----
-main.lua:3: 0/0 is no number: it equals nothing, and the board refuses it
-main.lua:3: divided by 0: the board refuses what is infinite (math.huge compares)
-main.lua:4: divided by 0: the result is infinite or no number
-main.lua:4: // 0: an error that ends the run when both are whole numbers
-main.lua:4: % 0: an error that ends the run when both are whole numbers
+main.lua:3: 0/0 is NaN: it equals nothing, and the board rejects it
+main.lua:3: division by 0: the board rejects infinite values (use math.huge to compare)
+main.lua:4: division by 0: the result is infinite or NaN
+main.lua:4: // 0 is an error when both operands are integers
+main.lua:4: % 0 is an error when both operands are integers
 5 problems
 LUA
 lua 'formats that differ between machines' <<'LUA'
 print(function(t) return ("%d: %-8p"):format(1, t), string.format("%.3a %%p", 1) end)
 ----
-main.lua:2: %p is not available (an address differs between runs)
-main.lua:2: %a is not available (it differs between machines; %.17g)
+main.lua:2: %p is not available (addresses differ between runs)
+main.lua:2: %a is not available (its output differs between machines; use %.17g)
 2 problems
 LUA
 lua 'a fault while it runs' <<'LUA'
@@ -384,9 +384,8 @@ task.go(function()
   pattern.ring { kind = "d", x = 9, y = 9, speed = 0, n = 300 }
 end)
 ----
-main.lua:5: the pool of motions is full (16; motions in rom.lua): what is given a program that finds no room \
-flies straight
-main.lua:11: the pool of bullets is full (256; bullets in rom.lua): what finds no room is not made
+main.lua:5: motion pool full (16): bullets with a new motion fly straight; raise \`board.motions\` in rom.lua
+main.lua:11: bullet pool full (256): new bullets are dropped; raise \`board.bullets\` in rom.lua
 2 problems
 LUA
 good 'a full pool that a script asks for' <<'LUA'
@@ -402,13 +401,13 @@ task.go(function()
   while true do bullet.fire { kind = "d", x = 9, y = 9, speed = 1 } end
 end)
 ----
-main.lua:5: endless loop: more than 200000000 instructions in one frame (is a wait missing?)
+main.lua:5: infinite loop: more than 200000000 instructions in one frame (missing wait?)
 1 problem
 LUA
 lua 'a fault in a line that has another finding' <<'LUA'
 bullet.def("d", { sprite = "dot", hit = { circle = 9 } }) local t = nil print(t.x)
 ----
-main.lua:2: bullet "d": its hit circle of 18 x 18 px is larger than its picture, "dot" of 8 x 8 px
+main.lua:2: bullet "d": its hit circle of 18 x 18 px is larger than its sprite, "dot" of 8 x 8 px
 main.lua:2: attempt to index a nil value (local 't')
 2 problems
 LUA
@@ -429,16 +428,16 @@ echo 'return {}' >s/std/nothing.lua
 printf '%s\n' 'require "stages/one"' 'require "stages/noen"' 'require "stages/two.lua"' 'require "stages.two"' \
     'print(hud.own)' >>s/main.lua
 finds 'syntax errors in several files, and the others still read' s <<'END'
-main.lua:3: require: there is no stages/noen.lua in the game
-main.lua:4: require: there is no stages/two.lua.lua in the game; write require "stages/two"
-main.lua:5: require: there is no stages.two.lua in the game; write require "stages/two"
+main.lua:3: require: no script stages/noen.lua in the game
+main.lua:4: require: no script stages/two.lua.lua in the game; write require "stages/two"
+main.lua:5: require: no script stages.two.lua in the game; write require "stages/two"
 main.lua:6: hud has no "own"
 stages/my file.lua: expected a name of letters, digits, _ - and . only
 stages/one.lua:1: unexpected symbol near '='
-stages/three.lua:1: compiled Lua, expected text
+stages/three.lua:1: expected Lua source, got compiled Lua
 stages/two.lua:3: ')' expected near <eof>
 std/nothing.lua: the standard library has no such script to replace
-9 problems; the game was not run, for it cannot be packed
+9 problems; the game was not run because it cannot be packed
 END
 
 # ---- rom.lua and the art ----
@@ -479,28 +478,28 @@ cp a/rom.lua a/art/far.png
 echo 'a line' >a/left.txt
 echo 'return {}' >a/never.lua
 finds 'missing and unused art, files and names' a <<'END'
-art/all.png: pixel 3,2: colour #123456 is not in bank 0; 2 such pixels in all
-art/dusk.png: 8x8 pixels, expected 16x16: a row a bank, a column a shade
+art/all.png: pixel 3,2: colour #123456 is not in bank 0; 2 such pixels in total
+art/dusk.png: 8x8 pixels, expected 16x16: one row per bank, one column per shade
 art/far.png: not a PNG
-art/left.png: rom.lua does not name it
-left.txt: no script reads it, and it is packed all the same
-main.lua:1: sprite "dto" is not in rom.lua (did you mean "dot"?)
-main.lua:1: blend "glwo" is not in rom.lua (did you mean "glow"?)
-main.lua:2: palette "dsuk" is not in rom.lua (did you mean "dusk"?)
-main.lua:3: palette "night" is not in rom.lua
-main.lua:5: board.attract: there is no demos/demo.demo
-main.lua:7: boot.run: demo: there is no demos/attract.demo
+art/left.png: not listed in rom.lua
+left.txt: packed, but not read by any script
+main.lua:1: unknown sprite "dto" (did you mean "dot"?)
+main.lua:1: unknown blend "glwo" (did you mean "glow"?)
+main.lua:2: unknown palette "dsuk" (did you mean "dusk"?)
+main.lua:3: unknown palette "night"
+main.lua:5: board.attract: demos/demo.demo does not exist
+main.lua:7: boot.run: demo: demos/attract.demo does not exist
 never.lua: no script requires it
-rom.lua:3: blend "glow": no script names it
-rom.lua:3: palette "dusk": no script names it
-rom.lua:6: sheet "far": no sprite is on it
-rom.lua:7: sheet "gone": no sprite is on it
-rom.lua:8: there is no art/gone.png
-rom.lua:11: sprite "dot": no script names it
-rom.lua:14: sprite "lonely": no script names it
-rom.lua:15: sprite "wide": 3 frames of 8x8 at 8,0 are not inside the sheet's 16x16 pixels
-rom.lua:15: sprite "wide": no script names it
-21 problems; the game was not run, for it cannot be packed
+rom.lua:3: blend "glow" is not used by any script
+rom.lua:3: palette "dusk" is not used by any script
+rom.lua:6: sheet "far" has no sprites
+rom.lua:7: sheet "gone" has no sprites
+rom.lua:8: art/gone.png does not exist
+rom.lua:11: sprite "dot" is not used by any script
+rom.lua:14: sprite "lonely" is not used by any script
+rom.lua:15: sprite "wide": 3 frames of 8x8 at 8,0 do not fit the sheet of 16x16 pixels
+rom.lua:15: sprite "wide" is not used by any script
+21 problems; the game was not run because it cannot be packed
 END
 
 art() { # NAME, then sed's program for rom.lua; standard input: the findings
@@ -509,9 +508,9 @@ art() { # NAME, then sed's program for rom.lua; standard input: the findings
     finds "$1" r
     rm -rf r
 }
-not_run='; the game was not run, for it cannot be packed'
+not_run='; the game was not run because it cannot be packed'
 art 'an unknown name in rom.lua' 's/bullets = 256/bulets = 256/' <<END
-rom.lua:3: board.bulets: unknown name (did you mean "bullets"?)
+rom.lua:3: board.bulets: unknown key (did you mean "bullets"?)
 1 problem$not_run
 END
 art 'a number out of range' 's/w = 64/w = 60/' <<END
@@ -524,7 +523,7 @@ rom.lua:5: sprites.dot.w: expected a whole number from 1 to 1024, got nil
 1 problem$not_run
 END
 art 'a sheet that is not there' 's/sheet = "all"/sheet = "al"/' <<END
-rom.lua:5: sprites.dot.sheet: "al" is not one of the sheets
+rom.lua:5: sprites.dot.sheet: "al" is not in sheets
 1 problem$not_run
 END
 art 'a syntax error in rom.lua' '3s/,$/ ,,/' <<END
@@ -533,14 +532,14 @@ rom.lua:3: unexpected symbol near ','
 END
 art 'an entry that is not there' '2s/id = "probe"/id = "probe", entry = "start"/' <<END
 main.lua: no script requires it
-rom.lua:2: entry: there is no start.lua
+rom.lua:2: entry: start.lua does not exist
 2 problems$not_run
 END
 art 'no palette, no font, no picture' \
     '4s/.*/palette = "p.png", font = "f.png", sheets = { all = { file = "all.png" } },/' <<END
-art/all.png: rom.lua does not name it
-rom.lua:4: there is no p.png
-rom.lua:4: there is no all.png
+art/all.png: not listed in rom.lua
+rom.lua:4: p.png does not exist
+rom.lua:4: all.png does not exist
 3 problems$not_run
 END
 echo 'print("dot", "dart")' | game r
@@ -559,7 +558,7 @@ art/font.png: pixel 100,40: colour #010203 is not in bank 0
 END
 png r/art/font.png 120 48 ffffff
 finds 'a font of the wrong size' r <<END
-art/font.png: 120x48 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row
+art/font.png: 120x48 pixels, expected 128 x 8 to 112: cells of 8x8, 16 per row
 1 problem$not_run
 END
 rm -rf r
@@ -591,8 +590,8 @@ LUA
 echo 'the queen and the kings' >u/cast.txt
 echo 'return {}' >u/partone.lua
 finds 'names that scripts put together' u <<'END'
-rom.lua:8: sprite "king": no script names it
-rom.lua:10: sprite "unbead": no script names it
+rom.lua:8: sprite "king" is not used by any script
+rom.lua:10: sprite "unbead" is not used by any script
 2 problems
 END
 
@@ -610,15 +609,15 @@ sed -i 's/lua_kib = 1024/lua_kib = 512/' m/rom.lua
 got=$("$curtain" check m)
 much='(38[4-9]|39[0-9]|4[0-9][0-9]) KiB'
 check "Lua RAM above 75 % in 600 frames ($(head -1 <<<"$got"))" \
-    grep -Eq "^rom.lua:3: board.lua_kib = 512: 600 frames of nobody playing had $much of it in use, more than 75 %$" \
+    grep -Eq "^rom.lua:3: board.lua_kib = 512: 600 frames without input used $much of it, more than 75 %$" \
     <<<"$got"
 same 'and nothing else' '1 problem' "$(tail -n +2 <<<"$got")"
 sed -i 's/lua_kib = 512/lua_kib = 1024/' m/rom.lua
 fine 'the same with more room' m
 sed -i 's/262 do/26200 do/;s/wait(2)//' m/main.lua
-at_once='most of it taken in one frame: an endless loop? Is a wait missing?'
+at_once='(most of it allocated in one frame: infinite loop, missing wait?)'
 finds 'out of Lua RAM is one finding' m <<END
-main.lua:4: out of Lua memory (board.lua_kib = 1024 in rom.lua), $at_once
+main.lua:4: out of Lua memory (1024 KiB); raise \`board.lua_kib\` in rom.lua $at_once
 1 problem
 END
 
@@ -632,7 +631,7 @@ LUA
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --record faint/demos/idle.demo >/dev/null 2>&1
 finds 'bullets that cannot be seen' faint <<'END'
-demos/idle.demo: bullets "dot" in bank 0 hardly stand out: 60 of 60, in 6 sampled frames; the first at 6, 7 in frame 0
+demos/idle.demo: bullets "dot" in bank 0 hardly stand out: 60 of 60, in 6 sampled frames; first at 6, 7 in frame 0
 1 problem
 END
 sed -i 's/layer = "back"/layer = "back", hidden = true/' faint/main.lua
@@ -655,13 +654,13 @@ boot.run { stages = { "night" }, players = { "ship" } }
 LUA
 rm -r faint/demos
 finds 'bullets that cannot be seen in a stage without a demo' faint <<'END'
-night: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; the first at 6, 7 in frame 120
+night: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; first at 6, 7 in frame 120
 1 problem
 END
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --stage night --record faint/demos/n.demo >/dev/null 2>&1
 finds 'told once, for the demo' faint <<'END'
-demos/n.demo: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; the first at 6, 7 in frame 120
+demos/n.demo: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; first at 6, 7 in frame 120
 1 problem
 END
 
@@ -671,20 +670,20 @@ print("dot", "dart", "laser")
 LUA
 sed -i 's/items = 128/values = { bullet = 2 }, frozen = true, hp = true, items = 128/' rooms/rom.lua
 sed 's/1[0-9]* KiB/N KiB/;s/[2-9][0-9]* KiB/N KiB/' >wanted <<'END'
-rom.lua:3: board.sparks: no script names spark; without it the board takes 15 KiB less
-rom.lua:3: board.motions: no script names motion; without it the board takes 18 KiB less
-rom.lua:3: board.curve_points: no script names curve; without it the board takes 17 KiB less
-rom.lua:3: board.options: no script names option; without it the board takes 8 KiB less
-rom.lua:3: board.hp: no script names hp; without it the board takes 9 KiB less
-rom.lua:3: board.frozen: no script names frozen; without it the board takes 9 KiB less
-rom.lua:3: board.bodies: no script names parts; without it the board takes 9 KiB less
-rom.lua:3: board.pierce: no script names pierce; without it the board takes 18 KiB less
-rom.lua:3: board.values.bullet: no script names value; without it the board takes 18 KiB less
+rom.lua:3: board.sparks: no script uses spark; without it the board needs 15 KiB less
+rom.lua:3: board.motions: no script uses motion; without it the board needs 18 KiB less
+rom.lua:3: board.curve_points: no script uses curve; without it the board needs 17 KiB less
+rom.lua:3: board.options: no script uses option; without it the board needs 8 KiB less
+rom.lua:3: board.hp: no script uses hp; without it the board needs 9 KiB less
+rom.lua:3: board.frozen: no script uses frozen; without it the board needs 9 KiB less
+rom.lua:3: board.bodies: no script uses parts; without it the board needs 9 KiB less
+rom.lua:3: board.pierce: no script uses pierce; without it the board needs 18 KiB less
+rom.lua:3: board.values.bullet: no script uses value; without it the board needs 18 KiB less
 9 problems
 END
 rooms() { "$curtain" check rooms | grep -v "$idle" | sed 's/[1-9][0-9]* KiB/N KiB/'; }
 same 'capacities that nobody uses' "$(cat wanted)" "$(rooms)"
-takes() { "$curtain" check rooms | sed -n "s/.*board.$1:.*takes \([0-9]*\) KiB less/\1/p"; }
+takes() { "$curtain" check rooms | sed -n "s/.*board.$1:.*needs \([0-9]*\) KiB less/\1/p"; }
 before=$(takes sparks)
 sed -i 's/sparks = 64/sparks = 4096/' rooms/rom.lua
 check 'what they take grows with them' test "$(takes sparks)" -gt $((before + 64))
@@ -703,8 +702,8 @@ cp d/demos/idle.demo d/demos/spoilt.demo
 printf '\377' | dd of=d/demos/spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
 head -c 1000 d/demos/idle.demo >d/demos/cut.demo
 finds 'damaged demos' d <<'END'
-demos/cut.demo: cut short: it has no end mark
-demos/spoilt.demo: the record at byte 8 is damaged (CRC)
+demos/cut.demo: truncated: no end mark
+demos/spoilt.demo: damaged record at byte 8 (CRC)
 2 problems
 END
 rm d/demos/cut.demo d/demos/spoilt.demo
@@ -728,7 +727,7 @@ while at < len(data):
 open(sys.argv[2], "wb").write(out)
 PY
 finds 'a demo that does not hold, and its fault' d <<'END'
-demos/fire.demo: does not hold from frame 61 on (curtain verify d d/demos/fire.demo)
+demos/fire.demo: differs from frame 61 on (curtain verify d d/demos/fire.demo)
 main.lua:1: fired
 2 problems
 END
@@ -740,7 +739,7 @@ END
 sed -i 's/"probe"/"other"/' d/rom.lua
 rm d/demos/fire.demo
 finds 'a demo of another game' d <<'END'
-demos/idle.demo: a demo of another game ("probe", this is "other")
+demos/idle.demo: demo of another game ("probe", this is "other")
 1 problem
 END
 
@@ -799,11 +798,11 @@ end
 enemy.def("air", { sprite = "dot", hit = "none" })
 LUA
 finds 'hit shapes larger than pictures' l <<'END'
-main.lua:3: bullet "wide": its hit circle of 8.25 x 8.25 px is larger than its picture, "dot" of 8 x 8 px
-main.lua:4: bullet "high": its hit box of 8 x 5 px is larger than its picture, "dart" of 8 x 4 px
-main.lua:6: bullet "long": its hit capsule of 9 x 4 px is larger than its picture, "dart" of 8 x 4 px
-main.lua:8: shot "many": its hit circles, together of 9 x 2 px are larger than its picture, "dot" of 8 x 8 px
-rom.lua: enemy "foe 2": its hit capsule of 2 x 6 px is larger than its picture, "dart" of 8 x 4 px
+main.lua:3: bullet "wide": its hit circle of 8.25 x 8.25 px is larger than its sprite, "dot" of 8 x 8 px
+main.lua:4: bullet "high": its hit box of 8 x 5 px is larger than its sprite, "dart" of 8 x 4 px
+main.lua:6: bullet "long": its hit capsule of 9 x 4 px is larger than its sprite, "dart" of 8 x 4 px
+main.lua:8: shot "many": its hit circles, together of 9 x 2 px are larger than its sprite, "dot" of 8 x 8 px
+rom.lua: enemy "foe 2": its hit capsule of 2 x 6 px is larger than its sprite, "dart" of 8 x 4 px
 5 problems
 END
 rm -r l
@@ -816,7 +815,7 @@ sed -i 's/bullet.def("orb", {/bullet.def("orb", { blend = "shine", bank = 0,/' r
 same 'a ramp from dark to bright' '0' "$("$curtain" check ramps >/dev/null 2>&1; echo $?)"
 sed -i 's/blend = "shine", bank = 0/blend = "shine", bank = 8/' ramps/main.lua
 finds 'a bank that is none' ramps <<'END'
-main.lua:1: bullet "orb": its blend, "shine", is for ramps, but colour 7 of bank 8 is darker than colour 6
+main.lua:1: bullet "orb": its blend, "shine", needs ramps, but colour 7 of bank 8 is darker than colour 6
 1 problem
 END
 rm -r ramps
@@ -828,13 +827,13 @@ same 'a stage that is right' '0' "$("$curtain" check deep >/dev/null 2>&1; echo 
 sed -i '0,/kind = "orb"/s//kind = KIND/; 1i local KIND = "orbb"' deep/main.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a stage' 1 $?
-check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*bullet kind "orbb" is not declared' <<<"$got"
+check '... is found by playing it' grep -q '^main.lua:[0-9]*: .*unknown bullet kind "orbb"' <<<"$got"
 rm -r deep
 cp -R "$repo/roms/glasstide" deep
 sed -i '0,/kind = "lance"/s//kind = "need" .. "ul"/' deep/stages/three/queen.lua
 got=$("$curtain" check deep 2>&1)
 same 'a fault in a late phase of a boss' 1 $?
-check '... is found by playing each' grep -q '^stages/three/queen.lua:[0-9]*: .*bullet kind "needul" is not declared' \
+check '... is found by playing each' grep -q '^stages/three/queen.lua:[0-9]*: .*unknown bullet kind "needul"' \
     <<<"$got"
 
 # What play brings about only now and then is forced: each of these is reached, and what comes after it.
@@ -875,7 +874,7 @@ cp -R "$repo/examples/first" unstarted
 sed -i '/^boot.run/d' unstarted/main.lua
 line='boot.run { stages = { "one" }, players = { "ship" } }'
 finds 'a game that nobody can start' unstarted <<END
-main.lua: boot.run is not called, so nobody can play: it should end in $line
+main.lua: boot.run is not called, so the game cannot be played; end with $line
 1 problem
 END
 echo 'print("dot", "dart", ("x"):rep(3))' | game idle
@@ -890,14 +889,15 @@ echo 'local garcia = require "garcia" print("dot", "dart", garcia.licence)' | ga
 cp garcia.lua unseen/
 got=$("$curtain" check unseen 2>&1)
 same 'text that no run shows is no problem' 0 $?
-check '... but noted' grep -q '^garcia.lua:1: note: no font of the game has a glyph for .*; no run showed it$' <<<"$got"
+check '... but noted' grep -q '^garcia.lua:1: note: no font of the game has a glyph for .*; not seen in any run$' \
+    <<<"$got"
 game seen <<'LUA'
 local g = require "garcia" print("dot", "dart")
 task.go(function() wait(30) text.put { col = 1, row = 1, text = g.licence:match "Garc.*" } wait(forever) end)
 LUA
 cp garcia.lua seen/
 finds 'what a run shows is one' seen <<'END'
-garcia.lua:1: no font of the game has a glyph for "í", U+00ED: a box is shown
+garcia.lua:1: no font of the game has a glyph for "í", U+00ED: a box is drawn instead
 1 problem
 END
 
@@ -905,15 +905,15 @@ END
 
 mkdir empty
 refuses 'no such folder' 'none: no such folder' check none
-refuses 'a file' 'd/main.lua: is a file; check takes a game'"'"'s folder' check d/main.lua
-refuses 'a folder without rom.lua' 'empty: is not a game'"'"'s folder: there is no rom.lua' check empty
-refuses 'no word' 'check: expected DIR (curtain help check)' check
-refuses 'a word too many' 'check: "d" is one argument too many (curtain help check)' check d d
-refuses 'an option of another command' '--frames does not go with check (it goes with render, capture, hash, survive)' \
+refuses 'a file' 'd/main.lua: is a file; check takes the folder of a game' check d/main.lua
+refuses 'a folder without rom.lua' 'empty: not the folder of a game: no rom.lua in it' check empty
+refuses 'no word' 'check: expected DIR (see curtain help check)' check
+refuses 'a word too many' 'check: unexpected argument "d" (see curtain help check)' check d d
+refuses 'an option of another command' '--frames does not work with check (only with render, capture, hash, survive)' \
     check d --frames 3
 same 'its help' 'curtain check DIR [OPTIONS]' "$("$curtain" help check | head -1)"
 "$curtain" check d >/dev/full 2>err
-same 'standard output is full' "3 curtain: standard output cannot be written" "$? $(cat err)"
+same 'standard output is full' "3 curtain: cannot write standard output" "$? $(cat err)"
 
 # ---- sounds ----
 
@@ -930,10 +930,10 @@ on.start(function()
 end)
 LUA
 finds 'names that rom.lua has not, and one that no script has' l <<'EOF'
-main.lua:4: sound.play: "bom" is not in rom.lua's sounds (did you mean "boom"?)
-main.lua:5: sound.stop: "zzz" is not in rom.lua's sounds
-main.lua:6: music.play: "tied" is not in rom.lua's music (did you mean "tide"?)
-rom.lua:9: sound "boom": no script names it
+main.lua:4: sound.play: unknown sound "bom" (did you mean "boom"?)
+main.lua:5: sound.stop: unknown sound "zzz"
+main.lua:6: music.play: unknown music "tied" (did you mean "tide"?)
+rom.lua:9: sound "boom" is not used by any script
 4 problems
 EOF
 rm -rf l
@@ -945,7 +945,7 @@ task.go(function()
 end)
 LUA
 finds 'a mix that is too loud' l <<'EOF'
-600 frames of nobody playing: the mix is above full scale in 590 of 600 frames, first in 0: too loud
+600 frames without input: the mix exceeds full scale in 590 of 600 frames, first in 0: too loud
 1 problem
 EOF
 rm -rf l
@@ -965,7 +965,7 @@ task.go(function()
 end)
 LUA
 finds 'sounds that others take the voice of' l <<'EOF'
-600 frames of nobody playing: sound "hit" is cut short 30 of 30 times, first in frame 11: others need its voice
+600 frames without input: sound "hit" is cut off 30 of 30 times, first in frame 11: other sounds take its voice
 1 problem
 EOF
 rm -rf l

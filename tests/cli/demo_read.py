@@ -172,7 +172,7 @@ def read(data):
             {b"S": second, b"M": moment, b"E": end}[letter](b, d)
         need(b.at == n, "size")
         at += 12 + n
-    need(d, "cut short in its header")
+    need(d, "truncated header")
     need(d["end"] is None or at == len(data), "bytes after its end")
     return d
 

@@ -114,7 +114,7 @@ from demo_read import read, Bad
 from demo_repair import repair
 program, demo, rom, at, changes = *sys.argv[1:5], int(sys.argv[5])
 good = open(demo, "rb").read()
-refusals = re.compile("damaged|not a demo|demo format|cut short in its header|bytes after its end|"
+refusals = re.compile("damaged|not a demo|demo format|truncated header|bytes after its end|"
                       "longer than|larger than")
 
 random.seed(len(good))

@@ -51,7 +51,7 @@ wrong=''
 for i in $(seq 12); do
     PYTHONPATH=$repo/tests/cli python3 change.py "$i" changed.demo spoilt >/dev/null
     got=$("$curtain" verify game.rom changed.demo 2>&1)
-    [[ "$? $got" =~ ^'2 curtain: changed.demo: the record at byte '[0-9]+' is damaged (CRC)'$ ]] ||
+    [[ "$? $got" =~ ^'2 curtain: changed.demo: damaged record at byte '[0-9]+' (CRC)'$ ]] ||
         wrong+="$i: $got"$'\n'
 done
 same 'the same without the repair: one sentence, and 2' '' "$wrong"
@@ -62,20 +62,20 @@ mkdir changed && cp -r "$rom" changed/glasstide
 sed -i '0,/stage.at(\([0-9]*\)0)/s//stage.at(\11)/' changed/glasstide/stages/one.lua
 same 'a script has one other byte' 1 "$(cmp -l "$rom/stages/one.lua" changed/glasstide/stages/one.lua | wc -l)"
 line=$("$curtain" verify changed/glasstide run.demo)
-frame=$(sed -n 's/.*: frame \([0-9]*\): .*script.* (recorded on another build)$/\1/p' <<<"$line")
+frame=$(sed -n 's/.*: frame \([0-9]*\): .*script.* (recorded with another game version)$/\1/p' <<<"$line")
 check "it is found: $line" [ -n "$frame" ]
 "$curtain" hash game.rom --demo run.demo --parts >a.track 2>/dev/null
 "$curtain" hash changed/glasstide --demo run.demo --parts --frames $((frame + 200)) 2>/dev/null |
     head -n $((frame + 150)) >b.track
 head -n $((frame + 150)) a.track >a2.track
 "$curtain" verify --bisect a2.track b.track >out
-same 'tracks of both builds say the same frame' "1 frame $frame is the first that differs" "$? $(head -1 out)"
-command=$(sed -n 's/^for columns and slots.*: hash ROM --demo DEMO //p' out)
+same 'tracks of both builds say the same frame' "1 first difference: frame $frame" "$? $(head -1 out)"
+command=$(sed -n 's/^to compare columns and slots.*: hash ROM --demo DEMO //p' out)
 "$curtain" hash game.rom --demo run.demo $command >a.trace 2>/dev/null
 "$curtain" hash changed/glasstide --demo run.demo $command >b.trace 2>/dev/null
 "$curtain" verify --bisect a.trace b.trace >out
 code=$?
-same 'and their traces, by the command it prints' "1 frame $frame is the first that differs" "$code $(head -1 out)"
+same 'and their traces, by the command it prints' "1 first difference: frame $frame" "$code $(head -1 out)"
 check 'a column, and both values' grep -Eq '^  script digest: [0-9a-f]{16} in a.trace, [0-9a-f]{16} in b.trace$' out
 
 # ---- bisect ----
@@ -97,55 +97,57 @@ bisect 'equal traces' 0 'trace and trace are equal: 3 frames, 2198 to 2200' trac
 "$curtain" verify --bisect parts - <parts >out
 same 'standard input' '0 parts and standard input are equal: 201 frames, 0 to 200' "$? $(cat out)"
 sed '101s/ ./ g/' whole >bad
-bisect 'no hash' 2 'curtain: bad:101: not a line of "hash" or "hash --trace"' whole bad
+bisect 'no hash' 2 'curtain: bad:101: expected a line printed by "hash" or "hash --trace"' whole bad
 sed '101s/ pal=\([0-9a-f]*\)/& pal=\1/' parts >bad
-bisect 'a part named twice' 2 'curtain: bad:101: not a line of "hash" or "hash --trace"' parts bad
+bisect 'a part named twice' 2 'curtain: bad:101: expected a line printed by "hash" or "hash --trace"' parts bad
 sed '101s/ [0-9a-f]\{4\}/ 0000/' whole >other
 hash=$(sed -n '101s/^100 //p' whole)
-bisect 'a track without parts' 1 "frame 100 is the first that differs
-  $hash in whole, 0000${hash:4} in other; for the parts: hash --parts" whole other
+bisect 'a track without parts' 1 "first difference: frame 100
+  $hash in whole, 0000${hash:4} in other; use hash --parts to compare parts" whole other
 sed '51s/ pal=[0-9a-f]*/ pal=0123456789abcdef/; 51s/ input=[0-9a-f]*//; 60s/bullets/bulets/' parts >other
 pal=$(sed -n '51s/.* pal=\([0-9a-f]*\).*/\1/p' parts) input=$(sed -n '51s/.* input=\([0-9a-f]*\).*/\1/p' parts)
-bisect 'several parts, one of them missing' 1 "frame 50 is the first that differs
+bisect 'several parts, one of them missing' 1 "first difference: frame 50
   input: $input in parts, missing in other
   pal: $pal in parts, 0123456789abcdef in other
-for columns and slots, compare what each build prints with: hash ROM --demo DEMO --trace input,pal --frames 49:50" \
+to compare columns and slots, use the output of both builds for: hash ROM --demo DEMO --trace input,pal --frames \
+49:50" \
     parts other
 head -n 100 whole >short
-bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' whole \
+bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole is longer; they are equal up to there' whole \
     short
-bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole goes on; as far as they go they are equal' \
+bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole is longer; they are equal up to there' \
     short whole
 "$curtain" hash game.rom --demo run.demo --frames 2198:2199 --trace input,player,pal >short 2>/dev/null
-bisect 'a shorter trace' 2 'curtain: short ends in frame 2199, trace goes on; as far as they go they are equal' trace \
+bisect 'a shorter trace' 2 'curtain: short ends in frame 2199, trace is longer; they are equal up to there' trace \
     short
 sed 1d whole >other
-bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: not of the same frames' whole other
+bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: the traces are of different frames' whole other
 "$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,pal >other 2>/dev/null
 line=$(grep -nm1 ' player ' trace | cut -d: -f1)
-bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: not traces of the same parts" \
+bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: the traces are of different parts" \
     trace other
 bisect 'a track and a trace' 2 'curtain: whole is a track, trace a trace' whole trace
 : >empty
 bisect 'an empty file' 2 'curtain: empty: empty' whole empty
 bisect 'no file' 2 'curtain: none: No such file or directory' whole none
 head -c 100 whole >cut
-bisect 'a line cut short' 2 "curtain: cut:$(($(head -c 100 whole | wc -l) + 1)): the line is cut short" cut whole
+bisect 'a line cut short' 2 "curtain: cut:$(($(head -c 100 whole | wc -l) + 1)): truncated line" cut whole
 sed '7p' whole >other
 bisect 'a line twice' 2 'curtain: other:8: out of order' whole other
 line=$(grep -nm1 ' pal [0-9]' trace | cut -d: -f1)
 sed "${line}{h;d};$((line + 1)){G}" trace >other
 bisect 'slots out of order' 2 "curtain: other:$((line + 1)): out of order" other other
 printf '\0\n' >binary
-bisect 'bytes' 2 'curtain: binary:1: the line is cut short' whole binary
+bisect 'bytes' 2 'curtain: binary:1: truncated line' whole binary
 cp "$repo/README.md" page
-bisect 'a page' 2 'curtain: page:1: not a line of "hash" or "hash --trace"' page whole
+bisect 'a page' 2 'curtain: page:1: expected a line printed by "hash" or "hash --trace"' page whole
 sed '2s/ held=/ held /' trace >other
-bisect 'a column without its value' 2 'curtain: other:2: not a line of "hash" or "hash --trace"' trace other
+bisect 'a column without its value' 2 'curtain: other:2: expected a line printed by "hash" or "hash --trace"' trace \
+    other
 sed '2s/ [a-z]*=.*//' trace >other
-bisect 'a slot without columns' 2 'curtain: other:2: not a line of "hash" or "hash --trace"' trace other
+bisect 'a slot without columns' 2 'curtain: other:2: expected a line printed by "hash" or "hash --trace"' trace other
 sed '2s/held=/hold=/' trace >other
-bisect 'a column of another name' 1 "frame 2198 is the first that differs
+bisect 'a column of another name' 1 "first difference: frame 2198
   input 0 held: $(sed -n '2s/.*held=\([^ ]*\).*/\1/p' trace) in trace, 0 in other
   input 0 hold: 0 in trace, $(sed -n '2s/.*held=\([^ ]*\).*/\1/p' trace) in other" trace other
 python3 - >many <<'END'
@@ -156,7 +158,7 @@ END
 "$curtain" verify --bisect trace many >out
 code=$?
 same 'many differences are counted' "1 42 1 $(($(grep -c '^2198 pal .*rgb=' trace) - 40))" \
-    "$code $(wc -l <out) $(grep -c '^frame 2198 is' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
+    "$code $(wc -l <out) $(grep -c '^first difference: frame 2198' out) $(sed -n 's/^  and \([0-9]*\) more$/\1/p' out)"
 
 # Files of any size: a megabyte of trace or a hundred, the memory is the same.
 "$curtain" hash game.rom --demo run.demo --frames 1000:1100 --trace all >little 2>/dev/null

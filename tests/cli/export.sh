@@ -44,7 +44,7 @@ python3 "$repo/tests/cli/png_make.py" lanterns/art/icon.png 12 15 ffffff
 bad 'one that is too small' \
     'lanterns: art/icon.png: expected an icon whose longer side is 16 to 1024 px, got 12 x 15' export lanterns -o other
 rm lanterns/art/icon.png
-bad 'one that is not there' 'lanterns: rom.lua:2: there is no art/icon.png' export lanterns -o other
+bad 'one that is not there' 'lanterns: rom.lua:2: art/icon.png does not exist' export lanterns -o other
 sed -i 's,icon = "art/icon.png",icon = "ship",' lanterns/rom.lua
 
 # However it is started.
@@ -86,7 +86,7 @@ game=$!
 until [ -s said ] || ! kill -0 $game 2>/dev/null; do sleep 0.05; done
 kill -KILL $game
 wait $game 2>/dev/null
-check 'messages have its name' grep -q '^lanterns: .*curtain.conf:1: no setting is called "loud"' said
+check 'messages have its name' grep -q '^lanterns: .*curtain.conf:1: unknown setting "loud"' said
 rm -r data/curtain-lanterns
 same 'settings are its own' "$PWD/data/curtain-lanterns/curtain.conf" \
     "$(./game help config | grep -o '/[^ ]*curtain.conf' | head -1)"
@@ -94,16 +94,17 @@ lists() { ./game help; }
 same 'its help has the options of playing, and no developer'"'"'s key' '1 1 0 0 0' \
     "$(for word in ' --fullscreen ' ' pause ' ' console ' ' reload ' ' render '; do lists | grep -c -- "$word"; done |
         paste -sd ' ')"
-plays='this program plays Paper \ Lanterns, and'
+plays='plays Paper \ Lanterns'
 for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'check a' 'sound a' 'export a' 'capture'; do
     # shellcheck disable=SC2086
-    says "it does not $command" 2 "lanterns: ${command%% *}: $plays has no other commands of Curtain (--help)" \
+    says "it does not $command" 2 "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
         ./game $command
 done
-says 'nor plays another game' 2 "lanterns: other.rom: $plays nothing else (--help)" ./game other.rom
+says 'nor plays another game' 2 "lanterns: other.rom: cannot open; this program only $plays (see --help)" ./game \
+    other.rom
 says 'an option that there is not' 2 'lanterns: unknown option --fulscreen (did you mean --fullscreen?)' \
     ./game --fulscreen
-check 'it says whose work it is' grep -qF 'Paper \ Lanterns is the work of You;' <(./game licences)
+check 'it says whose work it is' grep -qF 'Paper \ Lanterns is by You. ' <(./game licences)
 
 # Files that are not whole.
 size=$(stat -c %s game)
@@ -112,7 +113,7 @@ for cut in 1 100 5000; do
     head -c $((size - cut)) game >cut
     chmod +x cut
     says "cut short by $cut bytes" 2 \
-        "curtain: $itself is cut short: it has $((size - cut)) bytes, and should have $size with its game" ./cut
+        "curtain: $itself is truncated: $((size - cut)) bytes, expected $size with its game" ./cut
 done
 rom=$("$curtain" pack lanterns -o rom && stat -c %s rom)
 for at in 1 $((rom / 2)) $((rom - 1)); do
@@ -120,7 +121,7 @@ for at in 1 $((rom / 2)) $((rom - 1)); do
     printf 'X' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null
     cmp -s game spoiled && printf 'Y' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null
     says "a byte is another, $at before its end" 2 \
-        "curtain: $itself is damaged: the game in it is not the one that was put there" ./spoiled
+        "curtain: $itself is damaged: the game in it has changed" ./spoiled
 done
 cp game unreadable
 chmod 111 unreadable
@@ -132,28 +133,28 @@ fi
 says 'may be run, and not read' 3 "curtain: $itself: cannot be read (Permission denied)" as_other ./unreadable
 
 # What export refuses.
-bad 'no game' 'export: expected ROM (curtain help export)' export
+bad 'no game' 'export: expected ROM (see curtain help export)' export
 bad 'a game that is not there' 'none: no such file or folder' export none
 echo 'nonsense(' >>lanterns/main.lua
 bad 'a game with an error' "lanterns: main.lua:$(($(wc -l <lanterns/main.lua) + 1)): unexpected symbol near <eof>" \
     export lanterns -o game
 check '... and the program that was there is as it was' is_game ./game
 sed -i '$d' lanterns/main.lua
-bad 'in place of a folder' 'lanterns: is a folder; -o names the file to be written' export lanterns
+bad 'in place of a folder' 'lanterns: is a folder; name the output file with -o' export lanterns
 bad 'in place of a file that is none of its own' \
-    'run.demo: is already there, and is no exported program: remove it first' export lanterns -o run.demo
-bad 'nor of curtain itself' 'mine: is already there, and is no exported program: remove it first' \
+    'run.demo: already exists and is not an exported program; remove it first' export lanterns -o run.demo
+bad 'nor of curtain itself' 'mine: already exists and is not an exported program; remove it first' \
     export lanterns -o "$(cp "$curtain" mine && echo mine)"
 says 'in place of an older one' 0 '' "$curtain" export lanterns -o game
 says 'where nothing can be written' 3 'curtain: /proc/none/game: cannot be written (No such file or directory)' \
     "$curtain" export lanterns -o /proc/none/game
 says 'by an exported program' 2 \
-    'lanterns: export: this program is Paper \ Lanterns, exported already: export with curtain' ./keys export lanterns
+    'lanterns: export: this program is Paper \ Lanterns, already exported; use curtain to export' ./keys export lanterns
 says 'by a program without a window' 2 \
-    'curtain: export: this program has no window to play in: export with curtain, not with curtain-null' \
+    'curtain: export: this program has no window; use curtain, not curtain-null' \
     "$null" export lanterns -o game
-bad 'an option of it elsewhere' '--keys does not go with pack (it goes with export)' pack lanterns --keys
-bad 'another one' '--desktop does not go with play (it goes with export)' play lanterns --desktop
+bad 'an option of it elsewhere' '--keys does not work with pack (only with export)' pack lanterns --keys
+bad 'another one' '--desktop does not work with play (only with export)' play lanterns --desktop
 
 # An entry for the desktop, with an icon.
 says 'an entry' 0 '' "$curtain" export lanterns -o 'with a blank/50 $x\ `b` "c"' --desktop
@@ -171,7 +172,7 @@ check '... which starts it, with all that is odd in its path' started 'with a bl
 icon=with\ a\ blank/'50 $x\ `b` "c".png'
 same 'an icon of a sprite: a square of whole pixels' 144x144 "$(identify -format '%wx%h' - <"$icon")"
 same '... of this path' "$PWD/${icon//\\/\\\\}" "$(sed -n 's/^Icon=//p' "$entry")"
-bad 'beside files of somebody' 'new.png: is already there: remove it, or name another file with -o' \
+bad 'beside files of somebody' 'new.png: already exists; remove it, or choose another file with -o' \
     export lanterns -o "$(touch new.png && echo new)" --desktop
 check '... and nothing was written' test ! -e new
 
@@ -185,11 +186,11 @@ bad() { # NAME LINE ARGUMENT...: of that program
     shift 2
     says "$name" 2 "curtain: $line" "$tool" "$@"
 }
-made='of its installation:'
-bad 'no player' "export: there is no player.html beside this program, nor in share/curtain $made make web makes it, \
-where Curtain is built" export lanterns --web
-bad 'no core' "export: there is no curtain_libretro.so beside this program, nor in lib/libretro $made make library \
-makes it, where Curtain is built" export lanterns --libretro
+made='of its installation;'
+bad 'no player' "export: no player.html next to this program or in share/curtain $made run \`make web\` in \
+Curtain's source tree" export lanterns --web
+bad 'no core' "export: no curtain_libretro.so next to this program or in lib/libretro $made run \`make library\` in \
+Curtain's source tree" export lanterns --libretro
 check '... and nothing was written' test ! -e lanterns.html -a ! -e lanterns_libretro.so
 version=$("$tool" version | sed -n '1s/.*(core \([0-9]*\),.*/\1/p')
 player=$PWD/tree/share/curtain/player.html
@@ -208,16 +209,16 @@ sed -n 's,^<script>\(.*\)</script>$,\1,p' lanterns.html | base64 -d >in.rom
 check 'and its game, compressed' cmp in.rom lanterns.rom
 says 'a page is replaced' 0 '' "$tool" export lanterns --web -o lanterns.html
 cp "$player" mine.html
-bad 'what is none is not' 'mine.html: is already there, and is no exported page: remove it first' \
+bad 'what is none is not' 'mine.html: already exists and is not an exported page; remove it first' \
     export lanterns --web -o mine.html
-bad 'nor is a program' 'game: is already there, and is no exported page: remove it first' export lanterns --web -o game
+bad 'nor is a program' 'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
 page $((version + 1)) >"$player"
 bad 'a player of another core version' \
-    "$player: is of core version $((version + 1)), this program of $version: make web makes it anew" \
+    "$player: has core version $((version + 1)), this program has $version; rebuild it with make web" \
     export lanterns --web -o new.html
 for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
     printf '%s' "$wrong" >"$player"
-    bad "what is no player: ${#wrong} bytes" "$player: is no player to put a game into: make web makes one" \
+    bad "what is no player: ${#wrong} bytes" "$player: not a player that can hold a game; build one with make web" \
         export lanterns --web -o new.html
 done
 check '... and nothing was written' test ! -e new.html
@@ -244,14 +245,14 @@ same 'it has the name of its game' 'Sun & <Sea> @ROM@ ' "$(called ./lanterns_lib
 same 'and one without a game its own' 'Curtain rom' "$(called "$core")"
 says 'a core is replaced' 0 '' "$tool" export lanterns --libretro
 touch mine.info
-bad 'beside files of somebody' 'mine.info: is already there: remove it, or name another file with -o' \
+bad 'beside files of somebody' 'mine.info: already exists; remove it, or choose another file with -o' \
     export lanterns --libretro -o mine.so
-bad 'what is none is not replaced' 'run.demo.so: is already there, and is no exported core: remove it first' \
+bad 'what is none is not replaced' 'run.demo.so: already exists and is not an exported core; remove it first' \
     export lanterns --libretro -o "$(cp run.demo run.demo.so && echo run.demo.so)"
 bad 'a name that front ends pass over' '--libretro: expected -o with a name that ends in .so, got "lanterns.core"' \
     export lanterns --libretro -o lanterns.core
 head -c 5000 "$OUT/curtain_libretro.so" >"$core"
-bad 'a core that is none' "$core: is no core to put a game into: make library makes one" \
+bad 'a core that is none' "$core: not a core that can hold a game; build one with make library" \
     export lanterns --libretro -o new.so
 python3 - "$OUT/curtain_libretro.so" "$core" <<'END'
 import sys
@@ -260,13 +261,13 @@ b[b.index(b"<a game may stand behind curtain") + 60] += 1
 open(sys.argv[2], "wb").write(b)
 END
 bad 'a core of another core version' \
-    "$core: is of core version $((version + 1)), this program of $version: make library makes it anew" \
+    "$core: has core version $((version + 1)), this program has $version; rebuild it with make library" \
     export lanterns --libretro -o new.so
 check '... and nothing was written' test ! -e new.so -a ! -e new.info
-bad 'both at once' '--libretro does not go with --web: export twice' export lanterns --web --libretro
-bad 'a page with keys' '--keys does not go with --web' export lanterns --web --keys
-bad 'a core with an entry' '--desktop does not go with --libretro' export lanterns --libretro --desktop
-bad 'an option of it elsewhere' '--web does not go with pack (it goes with export)' pack lanterns --web
+bad 'both at once' '--libretro cannot be combined with --web; run export twice' export lanterns --web --libretro
+bad 'a page with keys' '--keys cannot be combined with --web' export lanterns --web --keys
+bad 'a core with an entry' '--desktop cannot be combined with --libretro' export lanterns --libretro --desktop
+bad 'an option of it elsewhere' '--web does not work with pack (only with export)' pack lanterns --web
 says 'where nothing can be written' 3 'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
     "$tool" export lanterns --web -o "$(page "$version" >"$player"; echo /proc/none/a.html)"
 finish

@@ -58,7 +58,7 @@ whole() { # WHAT
     pack) [ "$files" = './out ' ] && { cmp -s at/out old.rom || cmp -s at/out new.rom; } ;;
     restamp) [ "$files" = './out ' ] && { cmp -s at/out g.demo || cmp -s at/out fresh.demo; } ;;
     record) [ "$files" = './out ' ] && { cmp -s at/out g.demo || "$curtain" verify g at/out >/dev/null 2>&1 ||
-        grep -q 'cut short' <("$curtain" verify g at/out 2>&1); } ;;
+        grep -q truncated <("$curtain" verify g at/out 2>&1); } ;;
     unpack) [ "$files" = '' ] || { [ $got = 0 ] && [ "$files" = "$all" ]; } ;;
     render) [ "$files" = '' ] || { [ "$files" = './out/000003.png ' ] && cmp -s at/out/000003.png three.png; } ;;
     list) [ "$files" = '' ] ;;

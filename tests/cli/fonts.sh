@@ -22,7 +22,7 @@ text.line { x = 3, y = 25, text = text.lang("gate"), font = "jp" }
 LUA
 printf 'gate = 門\n' >g/lang/ja.txt
 
-check 'check finds nothing, and plays it' grep -q '^g: fine: 1 script' <("$curtain" check g)
+check 'check finds nothing, and plays it' grep -q '^g: no problems: 1 script' <("$curtain" check g)
 "$curtain" pack g --plain -o g.rom && "$curtain" render g.rom --frames 1 --lang ja -o out >/dev/null
 
 # Prints each glyph's code of a packed font.
@@ -83,15 +83,15 @@ refuse 'planted: other words' 'row ' python3 compare.py g/art/jp.bdf "$repo/test
 echo 'text.line { x = 3, y = 45, text = "潮😀", font = "jp" }' >>g/main.lua
 "$curtain" check g >found
 same 'a character that it lacks' \
-    'main.lua:3: no font of the game has a glyph for "😀", U+1F600: a box is shown' "$(grep glyph found)"
+    'main.lua:3: no font of the game has a glyph for "😀", U+1F600: a box is drawn instead' "$(grep glyph found)"
 sed -i 's/^CHARSET_REGISTRY.*/CHARSET_REGISTRY "JISX0208.1983"/' g/art/jp.bdf
 "$curtain" pack g -o g.rom 2>why
 same 'a font that is not by Unicode' \
-    "curtain: g: art/jp.bdf: line 20: the font's characters are JISX0208.1983-1; expected ISO10646-1 (Unicode), \
+    "curtain: g: art/jp.bdf: line 20: characters in JISX0208.1983-1; expected ISO10646-1 (Unicode), \
 US-ASCII, KOI8-R, FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16" "$(cat why)"
 rm g/art/jp.bdf
 "$curtain" pack g -o g.rom 2>why
-same 'a font that is not there' 'curtain: g: rom.lua:2: there is no art/jp.bdf' "$(cat why)"
+same 'a font that is not there' 'curtain: g: rom.lua:2: art/jp.bdf does not exist' "$(cat why)"
 "$curtain" check g >found
-same 'and of check' 'rom.lua:2: there is no art/jp.bdf' "$(head -n 1 found)"
+same 'and of check' 'rom.lua:2: art/jp.bdf does not exist' "$(head -n 1 found)"
 finish

@@ -34,8 +34,25 @@ once() { # WORD: each entry stands there once
 check "each entry once" once remove
 same "a table lists what it has, and nothing by its text" "" "$(names rng | grep -v '^rng\.')"
 same "an entry's own name shows it alone" "wait(n)" "$(find_word wait | head -1)"
-refuse "what is nowhere" 'there is no "xyzzy"' find_word xyzzy
-refuse "no word at all" 'there is no ""' find_word ""
+check "a synonym names the API's word" says homing 'homing: see home'
+check "and its help follows" says homing 'most degrees it turns towards the nearest target per frame'
+check "split is emit" says split 'fires bullets or shots from where it is'
+check "figure names the patterns" says figure 'figure: see pattern.polygon pattern.star pattern.rose'
+check "pentagon is a polygon" says pentagon 'pattern.polygon{...}'
+synonyms() { # every name in the table is explained
+    local name n=0
+    for name in $(sed -n '/\*const synonyms/,/^};/s/.*{ "[a-z]*", "\(.*\)" },/\1/p' src/cab/command_help.c); do
+        n=$((n + 1))
+        find_word "$name" >/dev/null || { echo "$name is none"; return 1; }
+    done
+    [ $n -gt 7 ] || { echo "only $n names"; return 1; }
+}
+check "all synonyms lead somewhere" synonyms
+for name in test test.run test.expect run:step run.score; do
+    check "$name is of test scripts" says $name "$name: of test scripts: docs/guide/27-testing.md"
+done
+refuse "what is nowhere" 'no entry for "xyzzy"' find_word xyzzy
+refuse "no word at all" 'no entry for ""' find_word ""
 
 tasks() { "$curtain" help lua | sed -n '1,/^$/s/^    .\{24\} //p'; }
 real() { # every name by task is one that is explained

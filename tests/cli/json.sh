@@ -84,7 +84,7 @@ same 'where' '"differs"' "$(field verdict <line)"
 same 'parts' '["script", "player", "fix"]' "$(field difference.parts <line)"
 same 'the first frame' "$(field difference.frame <line)" "$(field difference.first <line)"
 same 'no score is told' 0 "$(grep -c '"score"\|"moments"' line)"
-same 'the doubt' '"recorded on another build"' "$(field doubt <line)"
+same 'the doubt' '"recorded with another game version"' "$(field doubt <line)"
 sed -i 's/score.add(20/score.add(10/' g/main.lua
 echo rubbish >"$(printf 'a"b\\c\x01\xff\xc3\xa4\xf0\x9f\x8e\xb6.demo')"
 tell a* >line 2>err
@@ -95,7 +95,7 @@ same 'a name with everything in it' '"a\"b\\c\u0001\ufffd\u00e4\ud83c\udfb6.demo
 same 'refused' '"refused"' "$(field verdict <line)"
 check 'and why' grep -q 'not a demo' <(field error <line)
 head -c 3000 run.demo >cut.demo
-check 'cut short' grep -q 'cut short: it has' <(of cut.demo error)
+check 'cut short' grep -q 'truncated: ' <(of cut.demo error)
 same 'no such file' '"refused"' "$(of none.demo verdict)"
 
 # ---- many ----
@@ -109,6 +109,6 @@ if command -v jq >/dev/null; then
     same 'jq reads them too' 'holds refused holds holds' "$(jq -r .verdict lines | xargs)"
 fi
 same '--json goes with no other way of verify' \
-    'curtain: --json does not go with --restamp' "$("$curtain" verify g run.demo --json --restamp 2>&1)"
+    'curtain: --json cannot be combined with --restamp' "$("$curtain" verify g run.demo --json --restamp 2>&1)"
 same 'list --json needs --replays' 'curtain: list: --json needs --replays' "$("$curtain" list g --json 2>&1)"
 finish

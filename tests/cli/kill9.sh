@@ -47,7 +47,7 @@ for at \
     [ "$code" = -9 ] || wrong+="at $at it ended by itself ($code)"$'\n'
     "$curtain" hash game.rom --demo cut.demo --every 60 >played 2>said # what is cut short ends in a whole second
     got=$(tail -1 played | cut -d' ' -f1)
-    grep -q "cut.demo: cut short (no end mark); playing the $got frames it has" said ||
+    grep -q "cut.demo: truncated (no end mark); playing the first $got frames" said ||
         wrong+="at $at: $(cat said)"$'\n'
     [ "${got:-0}" -ge $((printed - 60)) ] || wrong+="at $at: $printed frames were printed, $got play"$'\n'
     head -n $((got / 60 + 1)) whole | cmp -s - played || wrong+="at $at: the $got frames are not those of the run"$'\n'

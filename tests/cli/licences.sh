@@ -72,7 +72,7 @@ else
     echo "# no package of SDL here: its text is not compared"
 fi
 says() { "$curtain" "$@" 2>&1; }
-same 'an option that there is not' 'curtain: --keys does not go with licences (it goes with export)' \
+same 'an option that there is not' 'curtain: --keys does not work with licences (only with export)' \
     "$(says licences --keys)"
-same 'a word too many' 'curtain: licences: "x" is one argument too many (curtain help licences)' "$(says licences x)"
+same 'a word too many' 'curtain: licences: unexpected argument "x" (see curtain help licences)' "$(says licences x)"
 finish

@@ -93,7 +93,8 @@ damaged() { # NAME BYTES
     head -c "$2" /dev/zero | tr '\0' '\377' >"$scores"
     cp "$scores" was
     play_until TERM
-    same "$1: said" "curtain: $scores is damaged; it is kept as $XDG_DATA_HOME/curtain/$3, and the scores begin anew" \
+    same "$1: said" \
+        "curtain: $scores is damaged; renamed to $XDG_DATA_HOME/curtain/$3, and the score table starts empty" \
         "$(grep curtain: err)"
     check "$1: kept" cmp -s was "$XDG_DATA_HOME/curtain/$3"
     check "$1: begun anew" saved

@@ -58,6 +58,7 @@ echo 'hud.put(1, 1, rng.fyre)' >"$scratch/std/hud.lua"
 refuse "and no more than it" "undefined field 'fyre'" within clean std/hud.lua
 "$curtain" help lua --annotations >"$scratch/.curtain.lua"
 check "what is written for editors is passed over" clean "$scratch/.curtain.lua"
-refuse "with annotations" "--luacheck does not go with --annotations" "$curtain" help lua --annotations --luacheck
-refuse "without lua" "--luacheck: expected curtain help lua --luacheck" "$curtain" help config --luacheck
+refuse "with annotations" "--luacheck cannot be combined with --annotations" "$curtain" help lua --annotations \
+    --luacheck
+refuse "without lua" "--luacheck works only with curtain help lua --luacheck" "$curtain" help config --luacheck
 finish

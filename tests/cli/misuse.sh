@@ -32,34 +32,34 @@ cp a.demo kept.demo
 # ---- what is read is not written over ----
 
 ln -s g.rom also.rom
-game='is the game that is read: name another file'
-source='is a file of the game: name another one'
+game='is the game being read; choose another file'
+source='is a file of the game; choose another one'
 bad 'an atlas in place of the ROM' "--atlas: g.rom $game" art g.rom --atlas g.rom
 bad 'by a link' "--atlas: also.rom $game" art g.rom --atlas also.rom
 bad 'a film' "-o: ./g.rom $game" capture g.rom --frames 1:3 --format gif -o ./g.rom
 bad 'a run' "-o: g.rom $game" survive g.rom -o g.rom
 bad 'a sheet' "--sheet: g.rom $game" render g.rom --frames 1 --sheet g.rom
 bad 'a recording' "--record: g.rom $game" hash g.rom --frames 2 --record g.rom
-bad 'a demo that is played' '--record: ./a.demo is the demo that is played: name another file' hash g.rom \
+bad 'a demo that is played' '--record: ./a.demo is the demo being played; choose another file' hash g.rom \
     --demo a.demo --frames 2 --record ./a.demo
 bad 'a sheet of the game' "--atlas: g/art/bullets.png $source" art g --atlas g/art/bullets.png
 bad 'by another way' "--map: ./g/../g/art/heron.png $source" survive g --map ./g/../g/art/heron.png
 bad 'a script' "--junit: g/tests/first.lua $source" test g --junit g/tests/first.lua
 bad 'the game itself, packed' "-o: g/rom.lua $source" pack g -o g/rom.lua
-bad 'two reports in one file' '--page: x is what --junit writes: name another file' test g --page x --junit x
+bad 'two reports in one file' '--page: x is also written by --junit; choose another file' test g --page x --junit x
 check 'a film in the folder may be written anew' eval '"$curtain" capture g --frames 1:2 -o g/x.gif &&
     "$curtain" capture g --frames 1:2 -o g/x.gif && rm g/x.gif'
 bad 'a document of the game in place of a report' "--junit: g/doc.xml $source" test g --junit g/doc.xml
 mkdir pattern && printf 'fire = 1\n' >pattern/list.gpl
 bad 'a palette into what it is read from' "-o: pattern/../pattern/list.gpl $game" palette pattern/list.gpl \
     --bank 1 -o pattern/../pattern/list.gpl
-bad 'two files that are one where case does not count' '--page: ./R.x is what --junit writes: name another file' \
+bad 'two files that are one where case does not count' '--page: ./R.x is also written by --junit; choose another file' \
     test g --junit r.x --page ./R.x
 ln -s . here
 ln -s r.x link
-bad 'two files by a folder that is a link' '--page: here/r.x is what --junit writes: name another file' \
+bad 'two files by a folder that is a link' '--page: here/r.x is also written by --junit; choose another file' \
     test g --junit r.x --page here/r.x
-bad 'two files by a link to none' '--page: link is what --junit writes: name another file' \
+bad 'two files by a link to none' '--page: link is also written by --junit; choose another file' \
     test g --junit r.x --page link
 check 'all of them are as they were' eval 'diff -r g kept && cmp g.rom kept.rom && cmp a.demo kept.demo'
 
@@ -71,24 +71,24 @@ check 'also in the folder of the game' report g/tests/results.xml
 rm g/tests/results.xml
 echo mine >run.png
 cp g/art/bullets.png bullets.kept
-bad 'survive: its picture beside the demo' 'run.png: is already there: remove it, or name another file with -o' \
+bad 'survive: its picture beside the demo' 'run.png: already exists; remove it, or choose another file with -o' \
     survive g -o run.demo
-bad 'survive: a picture of the game' '-o: g/art/bullets.png is a file of the game: name another one' \
+bad 'survive: a picture of the game' '-o: g/art/bullets.png is a file of the game; choose another one' \
     survive g -o g/art/bullets.demo
-bad 'survive: its picture and its map in one file' '-o: ./map.png is what --map writes: name another file' \
+bad 'survive: its picture and its map in one file' '-o: ./map.png is also written by --map; choose another file' \
     survive g --map map.png -o ./map.demo
 cp -r g h
 mv h/art/bullets.png h/art/000001.png
 sed -i 's|art/bullets.png|art/000001.png|' h/rom.lua
 bad 'render: a frame in place of a picture of the game' \
-    '-o: h/art/000001.png is a file of the game: name another folder' \
+    '-o: h/art/000001.png is a file of the game; choose another folder' \
     render h --frames 1 -o h/art
 check 'it is as it was' cmp bullets.kept h/art/000001.png
 rm -r h
-bad 'render: a sheet in place of a frame' '--sheet: ./000001.png is a frame'"'"'s file: name another one' \
+bad 'render: a sheet in place of a frame' '--sheet: ./000001.png is also the file of a frame; choose another name' \
     render g --frames 1 -o . --sheet ./000001.png
 echo mine >g.rom
-bad 'pack: the default name' 'g.rom: is already there: remove it, or name another file with -o' pack g
+bad 'pack: the default name' 'g.rom: already exists; remove it, or choose another file with -o' pack g
 same 'all are as they were' 'mine mine' "$(cat run.png g.rom | xargs)"
 check 'and so is the picture' cmp bullets.kept g/art/bullets.png
 cp kept.rom g.rom
@@ -110,10 +110,10 @@ same 'unpack where nothing can be written: the host, 3' 3 $?
 # ---- words that are none ----
 
 for command in hash play render survive; do
-    bad "$command of nothing" "$command: expected [ROM], got \"\" (curtain help $command)" $command ''
+    bad "$command of nothing" "$command: expected [ROM], got \"\" (see curtain help $command)" $command ''
 done
-bad 'test of nothing' 'test: expected DIR [NAME...], got "" (curtain help test)' test ''
-bad 'export of nothing' 'export: expected ROM, got "" (curtain help export)' export ''
+bad 'test of nothing' 'test: expected DIR [NAME...], got "" (see curtain help test)' test ''
+bad 'export of nothing' 'export: expected ROM, got "" (see curtain help export)' export ''
 bad 'a fault while measuring' \
     'nope: frame 0: main.lua:21: boot.run: stage "nope" is not declared (did you mean "one"?)' bench g --stage nope
 
@@ -147,7 +147,7 @@ ln -s /dev/full full.mp4
 host 'a film on a full disk' 'full.mp4: cannot be written (No space left on device)' capture g --frames 1:2 -o full.mp4
 check 'a device stays one' test -c /dev/full
 touch broken
-host 'ffmpeg fails in the middle' 'real.mp4: ffmpeg could not make it' capture g --frames 1:2 -o real.mp4
+host 'ffmpeg fails in the middle' 'real.mp4: ffmpeg failed' capture g --frames 1:2 -o real.mp4
 same 'the film of before is there, and no half one' 'film real.mp4' "$(cat real.mp4) $(ls real.mp4*)"
 
 mkdir locked

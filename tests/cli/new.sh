@@ -85,19 +85,19 @@ bad() { # NAME CODE LINE ARGUMENT...
     same "$name" "curtain: $line $code" "$("$curtain" "$@" 2>&1) $?"
 }
 again=$(cksum plain/main.lua)
-bad "a folder that has files" 2 'plain: has files in it already; new makes a folder, or fills an empty one' new plain
+bad "a folder that has files" 2 'plain: not empty; new creates a folder or fills an empty one' new plain
 mkdir hidden && : >hidden/.keep
-bad "a hidden one is a file too" 2 'hidden: has files in it already; new makes a folder, or fills an empty one' \
+bad "a hidden one is a file too" 2 'hidden: not empty; new creates a folder or fills an empty one' \
     new hidden
 same "nothing in it was touched" "$again" "$(cksum plain/main.lua)"
 : >file
-bad "a file" 2 'file: is a file; new makes a folder' new file
+bad "a file" 2 'file: is a file; new creates a folder' new file
 bad "below a file" 3 'file/game/README.md: cannot be written (Not a directory)' new file/game
-bad "a folder without a name" 2 'new: "." is no name to call a game by: expected a folder to make' new .
-bad "nor is there one above" 2 'new: "a/.." is no name to call a game by: expected a folder to make' new a/..
-bad "nothing" 2 'new: "" is no name to call a game by: expected a folder to make' new ''
-bad "no folder" 2 'new: expected DIR (curtain help new)' new
-bad "two folders" 2 'new: "b" is one argument too many (curtain help new)' new a b
+bad "a folder without a name" 2 'new: "." is not a valid game name; expected a folder to create' new .
+bad "nor is there one above" 2 'new: "a/.." is not a valid game name; expected a folder to create' new a/..
+bad "nothing" 2 'new: "" is not a valid game name; expected a folder to create' new ''
+bad "no folder" 2 'new: expected DIR (see curtain help new)' new
+bad "two folders" 2 'new: unexpected argument "b" (see curtain help new)' new a b
 bad "another game" 2 '--from: expected bulletml, first, pattern or shooter, got "shoter"' new a --from shoter
 bad "another game, part of a name" 2 '--from: expected bulletml, first, pattern or shooter, got "fir"' new a --from fir
 help_names_all() {
@@ -108,11 +108,11 @@ help_names_all() {
 }
 check "its help names all of them" help_names_all
 bad "no game" 2 '--from: expected NAME, got nothing' new a --from=
-bad "--from of another command" 2 '--from does not go with pack (it goes with new)' pack plain --from first
-bad "an option of another command" 2 '--wav does not go with new (it goes with render, sound)' new a --wav a.wav
+bad "--from of another command" 2 '--from does not work with pack (only with new)' pack plain --from first
+bad "an option of another command" 2 '--wav does not work with new (only with render, sound)' new a --wav a.wav
 check "nothing of these is there" test ! -e a
 line=$("$curtain" new told 2>&1 >/dev/full)
-same "standard output is full: the game is there, and that is said" '3 curtain: standard output cannot be written yes' \
+same "standard output is full: the game is there, and that is said" '3 curtain: cannot write standard output yes' \
     "$? $line $([ -f told/main.lua ] && echo yes)"
 
 if disk locked size=64k; then
@@ -136,8 +136,8 @@ fi
 cp -r plain copy
 check "a copy is the same game" test "$(ids copy)" = plain
 sed -i 's/id = "plain", //' copy/rom.lua
-missing="rom.lua: id is missing: this folder's name stands for it, so a copy has none of its demos, saves and scores \
-(id = \"copy\")"
+missing="rom.lua: no id; the folder's name is used, so a copy under another name loses demos, saves and scores; add \
+id = \"copy\""
 same "check says when an id is missing" "$missing"$'\n'"1 problem 1" "$("$curtain" check copy) $?"
 sed -i 's/title = "plain"/id = "copy", &/' copy/rom.lua
 check "and nothing when it is as it says" "$curtain" check copy

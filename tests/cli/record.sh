@@ -49,22 +49,22 @@ bad() { # NAME WORDS MUSIC
 head -c 2000 "$seeds/loop.ogg" >g/music/cut.ogg
 bad "a file that was cut off" 'music/cut.ogg: the page at byte ' "a = { file = 'music/cut.ogg' }"
 head -c 2000 "$seeds/loop.flac" >g/music/cut.flac
-bad "and one of FLAC" 'music/cut.flac: it ' "a = { file = 'music/cut.flac' }"
+bad "and one of FLAC" 'music/cut.flac: its header says ' "a = { file = 'music/cut.flac' }"
 echo hello >g/music/text.xm
-bad "no module" 'music/text.xm: libopenmpt knows no module in it' "a = { file = 'music/text.xm' }"
-bad "a loop that is not in it" "music/loop.flac: its loop, from frame 100 up to 3100, is not within its 2400" \
+bad "no module" 'music/text.xm: libopenmpt does not recognise it, or it is damaged' "a = { file = 'music/text.xm' }"
+bad "a loop that is not in it" "music/loop.flac: the loop from frame 100 to 3100 is not inside its 2400 frames" \
     "a = { file = 'music/loop.flac', loop = { start = 100, length = 3000 } }"
-bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, lies behind its end, at beat 0.40' \
+bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, is after the end, at beat 0.40' \
     "a = { file = 'music/loop.flac', tempo = 120, markers = { drop = 4 } }"
-bad "two markers in a frame" 'music/loop.flac: marker "up" is within a frame (1/60 s) of "drop", which no script' \
+bad "two markers in a frame" 'music/loop.flac: marker "up" is within a frame (1/60 s) of "drop", so scripts' \
     "a = { file = 'music/loop.flac', tempo = 120, markers = { drop = 0.1, up = 0.12 } }"
 bad "a file of another kind" 'rom.lua: music.a: expected file="music/NAME.mml" (or .ogg, .flac, .wav)' \
     "a = { file = 'music/a.mp3' }"
-bad "a file that is not there" 'there is no music/b.ogg' "a = { file = 'music/b.ogg' }"
+bad "a file that is not there" 'music/b.ogg does not exist' "a = { file = 'music/b.ogg' }"
 echo 'return { title = "g", sounds = { d = { file = "music/loop.flac", stereo = true } },
                music = { a = { file = "m.mml" } } }' >g/rom.lua
 printf '@d sample d\nA @d c4\n' >g/m.mml
-refuse "an instrument of a stereo sound" 'm.mml: sample "d" is stereo, and an instrument has one voice' \
+refuse "an instrument of a stereo sound" 'm.mml: sample "d" is stereo; instruments need mono samples' \
     "$curtain" pack g -o g.rom
 
 # What check measures: three seconds at 8,000 frames of a sine of 250 Hz, with one thing wrong each.
@@ -84,20 +84,20 @@ finds() { # NAME WORDS WAV ENTRY
     rom "a = { file = 'music/x.wav'$4 }"
     refuse "check: $1" "$2" "$curtain" check g
 }
-finds "clipping" 'music/x.wav: 750 samples clip, the first at 1.001 s: it is too loud by itself' \
+finds "clipping" 'music/x.wav: 750 samples clip, the first at 1.001 s: the recording itself is too loud' \
     "(1.06 if 1 <= t < 1.5 else 0.5) * $sine" ''
 finds "an offset" 'music/x.wav: its mean is 5.0 % of full scale (DC offset)' "0.05 + 0.5 * $sine" ''
 finds "a click at the loop" \
-    'music/x.wav: its loop clicks: from its end, 3.000 s, to its beginning, 1.001 s, it bends by' \
+    'music/x.wav: its loop clicks: from its end, 3.000 s, to its start, 1.001 s, it jumps by' \
     "0.5 * $sine" ', loop = { start = 8008 }'
 finds "a loop that is no whole number of beats" \
-    'music/x.wav: its loop is 2.97 beats long at tempo 89: music.beat parts' \
+    'music/x.wav: its loop is 2.97 beats long at tempo 89: music.beat drifts away' \
     "0.5 * $sine" ', loop = { start = 1, unit = "seconds" }, tempo = 89'
 wav "0.5 * $sine" >g/music/x.wav
 cp "$seeds/mono.flac" g/music/
 rom "a = { file = 'music/x.wav', loop = { start = 8000 }, tempo = 90 }, b = { file = 'music/x.wav' }"
-refuse "check: music that is not used" 'rom.lua:1: music "b": no script names it' "$curtain" check g
-refuse "check: and a file" 'music/mono.flac: rom.lua does not name it' "$curtain" check g
+refuse "check: music that is not used" 'rom.lua:1: music "b" is not used by any script' "$curtain" check g
+refuse "check: and a file" 'music/mono.flac: not listed in rom.lua' "$curtain" check g
 rm g/music/mono.flac
 rom "a = { file = 'music/x.wav', loop = { start = 8000 }, tempo = 90 }"
 check "check: and nothing of what is right" "$curtain" check g
@@ -114,7 +114,7 @@ ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_
 cd "$scratch" || exit 2
 curtain=$scratch/plain
 check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
-without='this curtain was built without shared libraries'
+without='this build does not load shared libraries'
 bad "OGG is refused" "music/loop.ogg: $without; libsndfile reads OGG and FLAC" "a = { file = 'music/loop.ogg' }"
 bad "modules too" "music/tiny.xm: $without; libopenmpt reads tracker modules" "a = { file = 'music/tiny.xm' }"
 check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
@@ -125,10 +125,10 @@ touch none/libsndfile.so.1 none/libopenmpt.so.0 none/libexpat.so.1
 curtain=$OUT/curtain-null
 export LD_LIBRARY_PATH=$scratch/none
 bad "a library that is missing is named, with its package" \
-    'music/loop.ogg: libsndfile, which reads OGG and FLAC, is missing (Debian: libsndfile1)' \
+    'music/loop.ogg: libsndfile, which reads OGG and FLAC, is not installed (Debian package: libsndfile1)' \
     "a = { file = 'music/loop.ogg' }"
 bad "that of modules too" \
-    'music/tiny.xm: libopenmpt, which reads tracker modules, is missing (Debian: libopenmpt0)' \
+    'music/tiny.xm: libopenmpt, which reads tracker modules, is not installed (Debian package: libopenmpt0)' \
     "a = { file = 'music/tiny.xm' }"
 check "without them WAV packs" packs "a = { file = 'music/loop.wav' }"
 finish

@@ -75,7 +75,7 @@ while at < len(data):
 open(target, "wb").write(out)
 PY
 }
-doubt=" (recorded on core version 1, this is $core)"
+doubt=" (recorded with core version 1, this is $core)"
 says() { # NAME "CODE LINE" COMMAND...
     local got
     got=$("${@:3}" 2>&1)
@@ -122,9 +122,9 @@ as_they_were old untold two lost
 lost='frame 0: pilots differs'
 late='moments: mark far 41 -> 44, boss queen 51 -> 54, phase bloom 111 -> 114'
 late="$late, death of player 1 310 -> never and 1 more"
-same_length='length 400 as before'
+same_length='length 400 unchanged'
 again 'points and moments' 1 old \
-    "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 as before$doubt"
+    "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 unchanged$doubt"
 verified 'points and moments' old 400
 python3 "$reader" old.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >is
 python3 "$reader" new.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >was
@@ -133,15 +133,15 @@ check 'they are those it was recorded with' grep -qx 'registers power=3' is
 pads() { python3 "$reader" "$1" | grep ^pads; }
 same 'so are the pads' "$(pads new.demo)" "$(pads old.demo)"
 again 'the program told no points' 1 untold \
-    "rerecorded: frame 1: script, tasks differ; score not told -> 220 (known up to frame 19: 0); $late; \
+    "rerecorded: frame 1: script, tasks differ; recorded score unknown -> 220 (known up to frame 19: 0); $late; \
 $same_length$doubt"
-again 'no part with points' 1 lost "rerecorded: $lost; score not told -> 220; $late; length 400 as before$doubt"
+again 'no part with points' 1 lost "rerecorded: $lost; recorded score unknown -> 220; $late; length 400 unchanged$doubt"
 again 'format 2 tells less' 1 two \
-    "rerecorded: frame 1: script differs; score not told -> 220 (known up to frame 0: 0); moments not told; \
-$same_length$doubt"
+    "rerecorded: frame 1: script differs; recorded score unknown -> 220 (known up to frame 0: 0); \
+recorded moments unknown; $same_length$doubt"
 as_they_were old
 again 'verbose: all moments' 1 old \
-    "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 as before$doubt
+    "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 unchanged$doubt
   mark far 41 -> 44
   boss queen 51 -> 54
   phase bloom 111 -> 114
@@ -151,12 +151,12 @@ local_is '0, 10, 0, 2'
 sed -i 's/frame == 320/frame == 310 + 60 * deaths/' g/main.lua # the same again, told otherwise
 as_they_were old
 again 'hashes alone' 0 old \
-    "rerecorded: frame 320: script, bullets differ; score 200 as before; moments as before; length 400 as before$doubt"
+    "rerecorded: frame 320: script, bullets differ; score 200 unchanged; moments unchanged; length 400 unchanged$doubt"
 
-build=' (recorded on another build)'
+build=' (recorded with another game version)'
 cp new.demo other.demo
 again 'another build of this core version' 0 other \
-    "rerecorded: frame 320: script, bullets differ; score 200 as before; moments as before; length 400 as before$build"
+    "rerecorded: frame 320: script, bullets differ; score 200 unchanged; moments unchanged; length 400 unchanged$build"
 verified 'another build of this core version' other 400
 
 # ---- faults ----
@@ -166,28 +166,28 @@ run_of fault 400
 aged fault.demo ends.was
 as_they_were ends
 again 'the fault it was recorded with' 0 ends \
-    "rerecorded: holds, 200 frames, ends in the fault it was recorded with$doubt"
+    "rerecorded: holds, 200 frames, ends in the recorded fault$doubt"
 check 'it ends in it still' cmp ends.demo fault.demo
 as_they_were old
 cut='not rerecorded: the rest of it would be lost'
 again 'a fault before its end' 2 old \
-    "frame 200: a fault that is not in the demo: main.lua:18: the end; length 400 -> 200; $cut$doubt"
+    "frame 200: fault that is not in the demo: main.lua:18: the end; length 400 -> 200; $cut$doubt"
 check 'it is left alone' cmp old.demo old.was
 local_is '0, 10, 0, 0'
 as_they_were ends
-gone='the fault it was recorded with does not happen'
+gone='the recorded fault does not occur'
 again 'a fault that does not come' 1 ends \
-    "rerecorded: frame 200: $gone; score 100 as before; moments as before; length 200 as before$doubt"
+    "rerecorded: frame 200: $gone; score 100 unchanged; moments unchanged; length 200 unchanged$doubt"
 verified 'a fault that does not come' ends 200
 local_is '0, 11, 0, 0'
 as_they_were ends
 again 'nor does it after a difference' 1 ends \
-    "rerecorded: frame 20: script, player, fix differ; score 100 -> 110; moments as before; $gone; \
-length 200 as before$doubt"
+    "rerecorded: frame 20: script, player, fix differ; score 100 -> 110; moments unchanged; $gone; \
+length 200 unchanged$doubt"
 sed -i 's/local late/error("at once", 0) local late/' g/main.lua
 as_they_were old
 again 'a fault at power-on' 2 old \
-    "frame 0: a fault that is not in the demo: main.lua:1: at once; length 400 -> 0; $cut$doubt"
+    "frame 0: fault that is not in the demo: main.lua:1: at once; length 400 -> 0; $cut$doubt"
 check 'that one is left alone' cmp old.demo old.was
 
 # ---- what is not this run ----
@@ -195,7 +195,7 @@ check 'that one is left alone' cmp old.demo old.was
 local_is '0, 11, 0, 0'
 aged new.demo touched.was 2
 as_they_were touched
-outside='the board was touched from outside, which a demo does not hold'
+outside='the board was changed from outside, which a demo does not record'
 again 'touched from outside' 2 touched \
     "frame 20: script, player, fix differ; not rerecorded: $outside$doubt"
 check 'touched: left alone' cmp touched.demo touched.was
@@ -204,17 +204,17 @@ again 'touched, but it holds' 0 touched "rerecorded: holds, 400 frames$doubt"
 aged new.demo forged.was here forged
 as_they_were forged
 again 'of this very build, and differs' 2 forged \
-    'frame 120: ml_params differs; not rerecorded: it is of this very build'
+    'frame 120: ml_params differs; not rerecorded: it was recorded with this build'
 check 'forged: left alone' cmp forged.demo forged.was
 head -c -30 old.was >short.demo
 cp short.demo short.was
-says 'cut short' '2 curtain: short.demo: cut short: it has 400 frames and no end mark' "$curtain" verify g \
+says 'cut short' '2 curtain: short.demo: truncated: 400 frames and no end mark' "$curtain" verify g \
     --rerecord short.demo
 check 'short: left alone' cmp short.demo short.was
 cp -r g h
 sed -i 's/"probe"/"lanterns"/' h/rom.lua
 as_they_were old
-says 'another game' '2 curtain: old.demo: a demo of another game ("probe", this is "lanterns")' "$curtain" verify h \
+says 'another game' '2 curtain: old.demo: demo of another game ("probe", this is "lanterns")' "$curtain" verify h \
     --rerecord old.demo
 check 'another game: left alone' cmp old.demo old.was
 
@@ -224,7 +224,7 @@ as_they_were old untold touched
 printf '%s\n' old.demo short.demo untold.demo | "$curtain" verify g --rerecord - >out 2>said
 status=$? good="rerecorded: holds, 400 frames$doubt"
 same 'names from standard input' \
-    "2 old.demo: $good|short.demo: cut short: it has 400 frames and no end mark|untold.demo: $good|" \
+    "2 old.demo: $good|short.demo: truncated: 400 frames and no end mark|untold.demo: $good|" \
     "$status $(tr '\n' '|' <out)"
 full() { # FOLDER: has no room
     mkdir full && mount -t tmpfs -o size=64k tmpfs full || return 1
@@ -257,7 +257,7 @@ as_they_were old two
 for demo in old two; do
     "$curtain" render g --demo $demo.demo --frames 400 -o $demo >/dev/null 2>$demo.said
     same "render plays an older demo ($demo)" \
-        "0 $(echo "curtain: $demo.demo: recorded on core version 1, this is $core; it may not play as it was")" \
+        "0 $(echo "curtain: $demo.demo: recorded with core version 1, this is $core; playback may diverge")" \
         "$? $(cat $demo.said)"
 done
 finish

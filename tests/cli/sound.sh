@@ -35,21 +35,21 @@ check "from the beginning, whichever frames are wanted" cmp run.wav again.wav
 "$curtain" hash g --frames 300 --every 300 >heard
 check "hearing it changes nothing" cmp quiet heard
 
-refuse "a name that is not there" 'sound: the game has no "hut" (did you mean "hit"?)' "$curtain" sound g hut
+refuse "a name that is not there" 'sound: no "hut" in this game (did you mean "hit"?)' "$curtain" sound g hut
 refuse "no game" 'curtain: sound: expected' "$curtain" sound
-refuse "nothing too many" 'sound: "x" is one argument too many' "$curtain" sound g hit x
+refuse "nothing too many" 'sound: unexpected argument "x"' "$curtain" sound g hit x
 refuse "a file for no name" '-o needs the name of a sound or a piece of music' "$curtain" sound g -o x.wav
 refuse "nor as WAV" '--wav needs the name of a sound or a piece of music' "$curtain" sound g --wav x.wav
 refuse "nor to hear" '--play needs the name of a sound or a piece of music' "$curtain" sound g --play
 refuse "nor its notes" '--notes needs the name of a sound or a piece of music' "$curtain" sound g --notes
-refuse "two files" '--wav does not go with -o' "$curtain" sound g hit -o x.wav --wav y.wav
-refuse "heard and written" '--play does not go with -o' "$curtain" sound g hit --play -o x.wav
-refuse "notes and a file" '--notes does not go with -o' "$curtain" sound g hit --notes -o x.wav
+refuse "two files" '--wav cannot be combined with -o' "$curtain" sound g hit -o x.wav --wav y.wav
+refuse "heard and written" '--play cannot be combined with -o' "$curtain" sound g hit --play -o x.wav
+refuse "notes and a file" '--notes cannot be combined with -o' "$curtain" sound g hit --notes -o x.wav
 refuse "--play has no value" '--play takes no value, got "1"' "$curtain" sound g hit --play=1
 refuse "no file's name" '--wav: expected F.wav, got nothing' "$curtain" sound g hit --wav=
-refuse "an option of another command" '--mute does not go with sound (it goes with play)' "$curtain" sound g --mute
-refuse "nor this one here" '--play does not go with render (it goes with sound)' "$curtain" render g --play
-refuse "nobody hears it without a window" 'there is no window to play in' "$curtain" sound g hit --play
+refuse "an option of another command" '--mute does not work with sound (only with play)' "$curtain" sound g --mute
+refuse "nor this one here" '--play does not work with render (only with sound)' "$curtain" render g --play
+refuse "nobody hears it without a window" 'cannot open a window' "$curtain" sound g hit --play
 "$curtain" sound g hit --play 2>/dev/null
 same "which is the host's fault" 3 $?
 refuse "no such game" 'nowhere' "$curtain" sound nowhere
@@ -61,5 +61,5 @@ echo 'A L c1' >g/music/tide.mml
 "$curtain" sound g tide --notes | head -n 99 >notes
 check "the notes of what repeats one event have an end" [ "$(wc -l <notes)" -lt 99 ]
 rm g/music/tide.mml
-refuse "a file that is not there" 'there is no music/tide.mml' "$curtain" pack g -o g.rom
+refuse "a file that is not there" 'music/tide.mml does not exist' "$curtain" pack g -o g.rom
 finish

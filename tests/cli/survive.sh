@@ -56,12 +56,12 @@ says() { # WORDS ARGUMENT...
 }
 check "of a way: its length" says "can_gap: survived: frames" --stage can_gap -o a.demo
 check "of a way: what it was measured by" says "narrowest gap      at least 4." --stage can_gap -o a.demo
-check "of a proof: what it rests on" says "flew alike in 8 more runs" --stage cannot_gap -o b.demo
+check "of a proof: what it rests on" says "flew identically in 8 more runs" --stage cannot_gap -o b.demo
 check "where bullets go after the ship, nothing is proved" \
     says "so nothing can be proved" --stage cannot_but_reacts --effort 1 -o c.demo
 check "no demo of it" [ ! -e c.demo ]
 check "but a picture" [ -s c.png ]
-check "how far it was to look" says "was not over by then" --stage can_rest --frames 60 -o d.demo
+check "how far it was to look" says "not over by then" --stage can_rest --frames 60 -o d.demo
 check "the map" says "map.png" --stage can_zigzag --map map.png -o e.demo
 check "which is a PNG" [ -s map.png ]
 same "its legend has the two colours, each a square of 10 px, and no more" "100 100" "$(python3 - "$repo" <<'PY'
@@ -115,7 +115,8 @@ check "one of the difficulties alone" says "can_gap                  hard" --all
 
 # ---- bots that fly on ----
 
-check "bots alone: an easier difficulty that is harder" says "hits a minute, and" --all --stage upside_down --bots 8
+check "bots alone: an easier difficulty that is harder" \
+    says "hits a minute, compared with" --all --stage upside_down --bots 8
 same "bots alone: and is exit code 1" 1 \
     "$("$curtain" survive planted --all --stage upside_down --bots 8 >/dev/null 2>&1; echo $?)"
 cat >>planted/main.lua <<'LUA'
@@ -164,15 +165,15 @@ bad "no such stage" "nowhere" planted --stage nowhere
 bad "no such difficulty" 'unknown difficulty "mild"' planted --difficulty mild
 bad "an effort that is none" "--effort: expected a whole number from 1 to 1000" planted --effort 0
 bad "bots that are none" "--bots: expected a whole number from 1 to 1000" planted --bots 0
-bad "bots and a demo" "--bots does not go with -o: no way is looked for" planted --bots 8 -o a.demo
-bad "bots and effort" "--bots does not go with --effort" planted --bots 8 --effort 2
+bad "bots and a demo" "--bots cannot be combined with -o: bots do not search" planted --bots 8 -o a.demo
+bad "bots and effort" "--bots cannot be combined with --effort" planted --bots 8 --effort 2
 bad "several lengths" "--frames: survive takes one number" planted --frames 60,90
 bad "a length of nothing" "--frames: survive takes one number" planted --frames 0
-bad "all of it and a map" "--all does not go with --map" planted --all --map a.png
+bad "all of it and a map" "--all cannot be combined with --map" planted --all --map a.png
 bad "all of what is not there" "no such stage or boss" planted --all --stage nowhere
 bad "a map that cannot be written" "cannot be written" planted --stage can_rest --frames 9 --map planted/rom.lua/a.png
 bad "a demo that cannot be written" "planted/rom.lua/a.demo" planted --stage can_rest --frames 9 \
     -o planted/rom.lua/a.demo
-refuse "a map for another command" "--map does not go with hash (it goes with survive)" \
+refuse "a map for another command" "--map does not work with hash (only with survive)" \
     "$curtain" hash planted --map a.png
 finish

@@ -174,7 +174,7 @@ keep
 
 python3 "$repo/tests/cli/png_make.py" g/tests/golden/newest.png 64 64 00ff00
 same "a picture" "FAILS tests/all.lua N frames     T s
-      tests/all.lua:NN: newest: frame 60: 4096 of 4096 pixels are not those of tests/golden/newest.png, from 0,0 to \
+      tests/all.lua:NN: newest: frame 60: 4096 of 4096 pixels differ from tests/golden/newest.png, from 0,0 to \
 63,63
       | seen by who reads 3
 1 test: 0 hold, 1 fails; N frames in T s
@@ -224,14 +224,14 @@ check "and not there, too" test ! -e g/tests/failed/failed.html
 same "--update keeps the picture of now" 0 "$("$curtain" test g all >/dev/null 2>&1; echo $?)"
 check "what failed before is taken away" test ! -e g/tests/failed/newest.got.png
 python3 "$repo/tests/cli/png_make.py" g/tests/golden/newest.png 32 64 00ff00
-check "another size" says 'the picture is 64 x 64, and tests/golden/newest.png is 32 x 64$' all
+check "another size" says 'the picture is 64 x 64, but tests/golden/newest.png is 32 x 64$' all
 echo no >g/tests/golden/newest.png
 check "a picture that is none" says 'tests/all.lua:[0-9]+: newest: frame 60: tests/golden/newest.png: ' all
 
 back
 sed -i 's/hp = 3/hp = 4/' g/main.lua
 check "the hashes of a demo" says \
-    '^ +demos/run.demo: frame [0-9]+: script, .*enemy_kinds differ \(recorded on another build\)$'
+    '^ +demos/run.demo: frame [0-9]+: script, .*enemy_kinds differ \(recorded with another game version\)$'
 check "the hashes of a kept frame" says \
     '^ +tests/all.lua:[0-9]+: fight: frame 120: script, .*enemy_kinds differ from tests/golden/fight.hash$'
 check "the page shows the frame from which a demo differs" grep -q 'demo-run: got' g/tests/failed/failed.html
@@ -248,7 +248,7 @@ back
 sed -i 's/  print("the stage begins")/  wait(1) error("planted")/' g/main.lua
 rm -r g/tests g/demos
 script try <<<'test.run { stage = "one", frames = 10 }'
-check "an error of the game" says '^ +tests/try.lua:1: the game stops at frame [0-9]+: main.lua:15: planted$'
+check "an error of the game" says '^ +tests/try.lua:1: the game stopped at frame [0-9]+: main.lua:15: planted$'
 holds "an error that is wanted" 'local run = test.run { stage = "one", frames = 10, faults = true }
 test.expect(run.fault:find("planted"))
 run:step(5)
@@ -260,32 +260,32 @@ alone
 
 script try <<<'while true do end'
 same "an endless loop of a test" "FAILS tests/try.lua       0 frames
-      tests/try.lua:1: endless loop: more than 1000000000 instructions in one test" \
+      tests/try.lua:1: infinite loop: more than 1000000000 instructions in one test" \
     "$("$curtain" test g 2>&1 | sed -E 's/ +[0-9.]+ s$//' | head -2)"
 sed -i 's/  print("the stage begins")/  wait(1) while true do end/' g/main.lua
 script try <<<'test.run { stage = "one", frames = 10 }'
 curtain=$OUT/curtain-short
 check "an endless loop of the game" says \
-    '^ +tests/try.lua:1: the game stops at frame [0-9]+: main.lua:15: endless loop: more than 50000000 instructions'
+    '^ +tests/try.lua:1: the game stopped at frame [0-9]+: main.lua:15: infinite loop: more than 50000000 instructions'
 curtain=$OUT/curtain-null
 rm -rf g && cp -r kept g
 alone
 wrong "frames without end" \
-    'tests/try.lua:2: more than 216000 frames, an hour of play, in one test: does it ever end?' \
+    'tests/try.lua:2: more than 216000 frames (an hour of play) in one test (infinite loop?)' \
     $'local run = test.run()\nwhile true do run:step(50000) end'
-wrong "a text without end" 'tests/try.lua:1: out of memory: a test has 16 MiB' \
+wrong "a text without end" 'tests/try.lua:1: out of memory (16 MiB for a test)' \
     'local s = "x" while true do s = s .. s end'
 wrong "a recursion without end" \
-    'tests/try.lua:1: out of memory: a test has 16 MiB, deep in calls: an endless recursion?' \
+    'tests/try.lua:1: out of memory (16 MiB for a test) (calls nested deeply: infinite recursion?)' \
     'local function f() return 1 + f() end f()'
 
 wrong "no such demo" 'tests/try.lua:1: test.run: g/demos/no.demo: no such file' 'test.run { demo = "demos/no.demo" }'
-wrong "no such script" 'tests/try.lua:1: require: there is no tests/no.lua' 'require "no"'
-wrong "no such picture" "tests/try.lua:1: new: frame 0: there is no tests/golden/new.png yet: look at \
-tests/failed/new.got.png, and --update keeps it" 'test.run() test.shot("new")'
+wrong "no such script" 'tests/try.lua:1: require: no script tests/no.lua' 'require "no"'
+wrong "no such picture" "tests/try.lua:1: new: frame 0: no tests/golden/new.png yet: check \
+tests/failed/new.got.png, then run with --update to save it" 'test.run() test.shot("new")'
 check "which is there to look at" test -s g/tests/failed/new.got.png
-wrong "no such hash" "tests/try.lua:1: new: frame 0: there is no tests/golden/new.hash yet: --update keeps the hashes \
-of this frame" 'test.run() test.hash("new")'
+wrong "no such hash" "tests/try.lua:1: new: frame 0: no tests/golden/new.hash yet: run with --update to save the \
+hashes of this frame" 'test.run() test.hash("new")'
 mv g/art/all.png away.png
 refuse "a picture of the game's" "art/all.png" "$curtain" test g
 mv away.png g/art/all.png
@@ -296,64 +296,67 @@ while IFS='|' read -r code sentence; do
     wrong "$code" "tests/try.lua:1: $sentence" "$code"
 done < <(sed -e ':a' -e '/\\$/{N;s/\\\n//;ba' -e '}' <<'END'
 test.run { stge = "one" }|test.run: unknown field "stge" (did you mean "stage"?)
-test.run { stage = 1 }|test.run: stage: expected a text, got number
-test.run("one")|test.run: expected a table like { stage = "one", frames = 600 }, got string
-test.run { "one" }|test.run: expected a table like { stage = "one", frames = 600 }
-test.run { frames = -1 }|test.run: frames: a whole number from 0 to 216000, not -1
+test.run { stage = 1 }|test.run: stage: expected a string, got number
+test.run("one")|test.run: expected a table such as { stage = "one", frames = 600 }, got string
+test.run { "one" }|test.run: expected a table such as { stage = "one", frames = 600 }
+test.run { frames = -1 }|test.run: frames: expected a whole number from 0 to 216000, got -1
 test.run { frames = "9" }|test.run: frames: expected a whole number from 0 to 216000, got string
-test.run { seed = 1.5 }|test.run: seed: a whole number from -9223372036854775808 to 9223372036854775807, not 1.5
+test.run { seed = 1.5 }|test.run: seed: expected a whole number from -9223372036854775808 to \
+9223372036854775807, got 1.5
 test.run { difficulty = "hrad" }|test.run: difficulty: unknown difficulty "hrad" (did you mean "hard"?)
-test.run { stage = "one", lives = 100 }|test.run: lives: a whole number from 1 to 99, not 100
-test.run { lives = 3 }|test.run: lives, invincible and registers need stage: they are of a practice start
+test.run { stage = "one", lives = 100 }|test.run: lives: expected a whole number from 1 to 99, got 100
+test.run { lives = 3 }|test.run: lives, invincible and registers require stage
 test.run { invincible = 1 }|test.run: invincible: expected true or false, got number
-test.run { lang = "de" }|test.run: lang: the game has no language
+test.run { lang = "de" }|test.run: lang: this game has no language
 test.run { dips = { coin = "one" } }|test.run: dip: unknown DIP switch "coin" (did you mean "coins"?)
-test.run { dips = { "one" } }|test.run: dips: expected names with texts or numbers, as { name = 1 }, got a list
-test.run { dips = { f = {}, e = {}, d = {}, c = {}, b = {}, a = {} } }|test.run: dips.a: expected a text or a number, \
-got a table
+test.run { dips = { "one" } }|test.run: dips: expected { NAME = string or number }, got a list
+test.run { dips = { f = {}, e = {}, d = {}, c = {}, b = {}, a = {} } }|test.run: dips.a: expected a string or \
+a number, got a table
 test.run { zf = 1, ze = 1, zd = 1, zc = 1, zb = 1, za = 1, zg = 1, zh = 1 }|test.run: unknown field "za" \
-(there are stage, seed, difficulty, frames, pads, demo, lang, lives, invincible, dips, registers, faults)
-test.run { dips = 3 }|test.run: dips: expected a table like { name = value }, got number
-test.run { pads = "jump" }|test.run: pads: expected buttons like fire or fire,focus or bomb@200 or left@60:90, got \
-"jump" (there are up down left right fire bomb focus special start select)
-test.run { pads = 3 }|test.run: pads: expected buttons like "fire,left@60:90" or a function, got number
-test.run { pads = function() return 3 end, frames = 1 }|pads: the function is to return buttons like "left,fire", got \
-number
-test.run { demo = "../x.demo" }|test.run: demo: expected a file of the game like "demos/run.demo", got "../x.demo"
-test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start and buttons: beside demo go frames \
-and faults
-test.run { stage = "two" }|the game stops at frame 0: main.lua:19: boot.run: stage "two" is not declared (there is one)
+(fields: stage, seed, difficulty, frames, pads, demo, lang, lives, invincible, dips, registers, faults)
+test.run { dips = 3 }|test.run: dips: expected a table { NAME = value }, got number
+test.run { pads = "jump" }|test.run: pads: expected buttons, as in fire or fire,focus or bomb@200 or left@60:90, got \
+"jump" (buttons: up down left right fire bomb focus special start select)
+test.run { pads = 3 }|test.run: pads: expected buttons such as "fire,left@60:90" or a function, got number
+test.run { pads = function() return 3 end, frames = 1 }|pads: expected the function to return buttons such as \
+"left,fire", got number
+test.run { demo = "../x.demo" }|test.run: demo: expected a file of the game, as in "demos/run.demo", got "../x.demo"
+test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start and buttons; combine demo only \
+with frames and faults
+test.run { stage = "two" }|the game stopped at frame 0: main.lua:19: boot.run: stage "two" is not \
+declared (there is one)
 test.run():step(-1)|run:step: expected a whole number of frames from 0 to 216000
 test.run():wait("true")|run:wait: expected a whole number of frames from 0 to 216000
-test.run():press(3)|run:press: expected buttons like "fire,left@60:90" or a function, got number
+test.run():press(3)|run:press: expected buttons such as "fire,left@60:90" or a function, got number
 test.run():eval("1 +")|run:eval: unexpected symbol near '1'
-test.run():eval(3)|run:eval: expected a line of Lua as a text, got number
+test.run():eval(3)|run:eval: expected a line of Lua as a string, got number
 test.run():eval("nobody")|run:eval: undeclared global "nobody"
 test.run():exec("error('so')")|run:exec: so
-test.run():live("bulets")|run:live: there is no part "bulets" (curtain hash --parts names them all)
-test.run():heard("bang")|run:heard: the game has no sound "bang" (curtain sound lists them)
-test.run():moment("end")|run:moment: there is no kind "end" (there are stage mark wave boss phase death clear won \
+test.run():live("bulets")|run:live: unknown part "bulets" (curtain hash --parts lists them)
+test.run():heard("bang")|run:heard: unknown sound "bang" (curtain sound lists them)
+test.run():moment("end")|run:moment: unknown kind "end" (kinds: stage mark wave boss phase death clear won \
 lost start game over row)
-test.run().stage()|a run has no "stage" (curtain help test lists what it has)
-test.run().frame = 3|a run's fields are only read; run:exec "..." changes the game
-test.run().step(3)|expected a run, as test.run gives it (and run:step with a colon), got number
-test.shot("x")|there is no run yet: test.run begins one
-test.run() test.shot("A b")|test.shot: a name has 1 to 63 of the characters a-z 0-9 _ -, got "A b"
-local r = test.run() for _ = 1, 4 do test.run() end r:step()|the run is over: a test keeps its last 4 runs
+test.run().stage()|a run has no field "stage" (curtain help test lists them)
+test.run().frame = 3|the fields of a run are read-only; change the game with run:exec "..."
+test.run().step(3)|expected a run from test.run (call run:step with a colon), got number
+test.shot("x")|no run yet (start one with test.run)
+test.run() test.shot("A b")|test.shot: name: expected 1 to 63 of the characters a-z 0-9 _ -, got "A b"
+local r = test.run() for _ = 1, 4 do test.run() end r:step()|the run has ended (only the last 4 runs of a test \
+stay open)
 local t = {} t.t = t test.run():eval("nil") test.equal(#t, 1, "of itself")|of itself: expected 1, got 0
 test.equal({ f = 1, e = 2, d = 3, c = 4, b = 5, a = 6 }, 1)|expected 1, got { a = 6, b = 5, c = 4, d = 3, e = 2, f = 1 }
 test.equal({ 1, { a = "x" } }, { 1, { a = "y" } })|expected { 1, { a = "y" } }, got { 1, { a = "x" } }
 test.expect(1 == 2, "sums")|expected: sums
-test.expect(nil)|expected what is true, got nil
-bullet.fire {}|undeclared global "bullet" (a test has Lua's own names and `test`; what a game knows, a run is asked \
-for: run:eval "bullet")
-speed = 3|undeclared global "speed": there are no new globals (write "local speed")
-os.exit()|undeclared global "os" (a test has Lua's own names and `test`; what a game knows, a run is asked for: \
-run:eval "os")
-print(2 ^ 3)|the operator ^ is not available (results differ between machines); use x*x or math.sqrt
+test.expect(nil)|expected a true value, got nil
+bullet.fire {}|undeclared global "bullet" (a test sees only Lua's library and `test`; \
+read the game's globals with run:eval "bullet")
+speed = 3|undeclared global "speed" (scripts cannot create globals; write "local speed")
+os.exit()|undeclared global "os" (a test sees only Lua's library and `test`; \
+read the game's globals with run:eval "os")
+print(2 ^ 3)|operator ^ is not available (results differ between machines); use x*x or math.sqrt
 END
 )
-wrong "a circle of tables" 'tests/try.lua:1: run:eval: a table more than 8 tables deep' \
+wrong "a circle of tables" 'tests/try.lua:1: run:eval: tables nested more than 8 deep' \
     'test.run():eval("(function() local t = {} t.t = t return t end)()")'
 script try <<<'test.expect(false, string.rep("x", 5000))'
 refuse "a sentence of 5000 letters" "tests/try.lua:1: expected: xxx" "$curtain" test g try
@@ -366,47 +369,48 @@ end
 test.equal(deep(), deep())
 LUA
 check "tables that are too much to be compared" says \
-    '^ +tests/try.lua:6: endless loop: more than 1000000000 instructions in one test$' try
+    '^ +tests/try.lua:6: infinite loop: more than 1000000000 instructions in one test$' try
 for does in 'test.run { frames = 3, pads = function() more() end }' 'test.run():wait(function() more() end, 3)'; do
     wrong "a run that others have taken the place of, while it asks: ${does:0:14}" \
-        'tests/try.lua:1: the run is over: a test keeps its last 4 runs' \
+        'tests/try.lua:1: the run has ended (only the last 4 runs of a test stay open)' \
         "local function more() for _ = 1, 4 do test.run() end end $does"
 done
-wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: there is no tests/golden/a.png yet: look at '\
-'tests/failed/a.got.png, and --update keeps it' 'test.run() test.shot("a") test.shot("a")'
-check "is told" says 'tests/try.lua:1: a: frame 0: the name is taken twice in this test' try
+wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: no tests/golden/a.png yet: check '\
+'tests/failed/a.got.png, then run with --update to save it' 'test.run() test.shot("a") test.shot("a")'
+check "is told" says 'tests/try.lua:1: a: frame 0: duplicate name in this test' try
 for other in one two; do script $other <<<'test.run() test.shot("both")'; done
 check "a name of two tests" says \
-    '^ +tests/golden/both.png is taken by tests/one.lua too: each picture and hash is of one test$' one two --update
+    '^ +tests/golden/both.png is also used by tests/one.lua: pictures and hashes cannot be shared by tests$' one two \
+        --update
 alone
 script try <<<'print("a\27[31mb")'
 check "what is printed obeys nobody" says '^ +\| a \[31mb$'
-same "a picture that no test takes" "tests/golden/old.png: no test takes it" \
+same "a picture that no test takes" "tests/golden/old.png: not used by any test" \
     "$(mkdir -p g/tests/golden && touch g/tests/golden/old.png && said | grep old.png)"
 same "is not told when some tests are left out" "" "$(said try | grep old.png)"
 alone
 
 # ---- the command ----
 
-refuse "nothing to test" "g: there is nothing to test: no demos/*.demo and no tests/*.lua (curtain help test)" \
+refuse "nothing to test" "g: no tests: no demos/*.demo and no tests/*.lua (see curtain help test)" \
     "$curtain" test g
 same "with exit code 2" 2 "$("$curtain" test g >/dev/null 2>&1; echo $?)"
 for name in boss bomb title; do script $name <<<'test.run { frames = 30 }'; done
 script slow <<<'test.run { frames = 4500 }'
 refuse "no such test" 'test: g has no test "bos" (did you mean tests/boss.lua?)' "$curtain" test g bos
-refuse "nothing like it" 'test: g has no test "zzzzzzzz" (there are demos/*.demo and tests/*.lua)' \
+refuse "nothing like it" 'test: g has no test "zzzzzzzz" (tests are demos/*.demo and tests/*.lua)' \
     "$curtain" test g zzzzzzzz
 same "names choose tests, in whatever form" "ok tests/bomb.lua ok tests/boss.lua ok tests/title.lua 3 tests: all" \
     "$(said bomb tests/boss.lua title.lua | awk '/^ok/ { print $1, $2 } / tests: / { print $1, $2, $3 }' | xargs)"
 same "one at a time and eight say the same" "$(said --jobs 1)" "$(said --jobs 8)"
 refuse "no game" "no/such: no such file or folder" "$curtain" test no/such
 "$curtain" pack g -o g.rom
-refuse "a ROM" "g.rom: is a file; test takes a game's folder" "$curtain" test g.rom
-refuse "no folder" "test: expected DIR [NAME...] (curtain help test)" "$curtain" test
+refuse "a ROM" "g.rom: is a file; test takes the folder of a game" "$curtain" test g.rom
+refuse "no folder" "test: expected DIR [NAME...] (see curtain help test)" "$curtain" test
 refuse "jobs that are none" '--jobs: expected a whole number from 1 to 64, got "0"' "$curtain" test g --jobs 0
-refuse "an option of others" "--seed does not go with test (it goes with play, render, capture, hash, bench, survive)" \
+refuse "an option of others" "--seed does not work with test (only with play, render, capture, hash, bench, survive)" \
     "$curtain" test g --seed 1
-refuse "its options are its own" "--update does not go with verify (it goes with test)" "$curtain" verify g x --update
+refuse "its options are its own" "--update does not work with verify (only with test)" "$curtain" verify g x --update
 refuse "a report that cannot be written" "no/such/x.xml" "$curtain" test g --junit /proc/no/such/x.xml
 same "is the host's fault" 3 "$("$curtain" test g --junit /proc/no/such/x.xml >/dev/null 2>&1; echo $?)"
 rm -rf g/tests/golden && touch g/tests/golden
@@ -425,7 +429,7 @@ for _ in $(seq 500); do
     sleep 0.02
 done
 wait
-check "a test whose process dies" grep -qE '^      the program died of signal 11 while the test ran$' died
+check "a test whose process dies" grep -qE '^      the program was killed by signal 11 during the test$' died
 check "what it said before is told" grep -qE '^ +\| so far$' died
 check "takes no other with it" grep -qE '^ok +tests/title.lua' died
 check "and has failed" grep -qx 'exit 1' died
@@ -512,7 +516,7 @@ for name in roms/glasstide roms/cookbook examples/first; do
     check "they have pictures" test "$(find "$(basename $name)/tests/golden" -name '*.png' | wc -l)" -gt 0
 done
 sed -i 's/arms = by(2, 4, 10, 10)/arms = by(3, 5, 11, 11)/' glasstide/stages/three/queen.lua
-refuse "planted: an arm more of the queen's" "pixels are not those of tests/golden/queen-wheels.png" \
+refuse "planted: an arm more of the queen's" "pixels differ from tests/golden/queen-wheels.png" \
     "$curtain" test glasstide three
 # ---- names and words of others, in each report ----
 

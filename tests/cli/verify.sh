@@ -30,7 +30,7 @@ says() { # NAME CODE DEMO LINE
     got=$("$curtain" verify g "$3.demo" 2>&1)
     same "$1" "$2 $3.demo: $4" "$? $got"
 }
-differs() { says "$1" 1 "$2" "$3 (recorded on another build)"; }
+differs() { says "$1" 1 "$2" "$3 (recorded with another game version)"; }
 
 play
 record a 200
@@ -47,7 +47,7 @@ for frame in 1 2 59 60 61 75 119 120 121 180 181 199 200; do
     differs "a script differs in frame $frame, format 2" old-a "frame $frame: script differs"
 done
 play 201 'board.note(1)'
-says 'a script differs after the end' 0 a 'holds, 200 frames (recorded on another build)'
+says 'a script differs after the end' 0 a 'holds, 200 frames (recorded with another game version)'
 while read -r parts act; do
     play 75 "$act"
     parts=${parts//_/ }
@@ -63,7 +63,7 @@ END
 play 75 'board.note(1)' 76 'board.note(2)' 130 'board.note(3)'
 differs 'the first of several frames' a 'frame 75: script, board differ'
 "$curtain" verify g a.demo first.demo second.demo >out 2>&1
-same 'a demo that ends before it holds' "1 first.demo: holds, 60 frames (recorded on another build)" \
+same 'a demo that ends before it holds' "1 first.demo: holds, 60 frames (recorded with another game version)" \
     "$? $(sed -n 2p out)"
 play
 sed -i '1s/^/board.note(1) /' g/main.lua
@@ -81,7 +81,7 @@ narrow
 differs 'a part differs between two rows, format 2' old-a 'frames 61 to 120: bullets differs'
 differs 'a part differs in the one frame of a row, format 2' old-second 'frame 61: bullets differs'
 differs 'a part differs in the last frame' second 'frame 61: bullets differs'
-says 'a part differs after the end' 0 first 'holds, 60 frames (recorded on another build)'
+says 'a part differs after the end' 0 first 'holds, 60 frames (recorded with another game version)'
 play 75 'board.note(1)'
 narrow
 differs 'a part differs before the script' a 'frame 61: bullets differs'
@@ -101,7 +101,7 @@ differs 'a script differs after the row, format 2' old-a 'frames 61 to 120: bull
 end='error("the end", 0)'
 play 100 "$end"
 record fault 200
-says 'the same fault' 0 fault 'holds, 100 frames, ends in the fault it was recorded with'
+says 'the same fault' 0 fault 'holds, 100 frames, ends in the recorded fault'
 for frame in 61 75 99; do
     play $frame 'bullet.group():turn(0)' 100 "$end"
     for demo in fault old-fault; do
@@ -109,11 +109,11 @@ for frame in 61 75 99; do
     done
 done
 play 95 "$end"
-differs 'a fault that comes too soon' fault 'frame 95: a fault that is not in the demo: main.lua:4: the end'
+differs 'a fault that comes too soon' fault 'frame 95: fault that is not in the demo: main.lua:4: the end'
 "$curtain" verify g fault.demo -v >out 2>&1
 check 'verbose: the traceback' grep -qx '  stack traceback:' out
 play
-differs 'a fault that does not come' fault 'frame 100: the fault it was recorded with does not happen'
+differs 'a fault that does not come' fault 'frame 100: the recorded fault does not occur'
 
 # ---- verbose ----
 
@@ -156,45 +156,45 @@ same 'the moments of a run' \
 line() { # NAME FRAME WORDS: where --verbose says the frame is
     moments "$2" 'board.note(7)' | game g
     "$curtain" verify g m.demo -v >out 2>&1
-    same "$1" "m.demo: frame $2: script, board differ (recorded on another build)|$3" \
+    same "$1" "m.demo: frame $2: script, board differ (recorded with another game version)|$3" \
         "$(sed -n 1p out)|$(grep -E '^  (in|[0-9.]+ s)' out)"
 }
 seconds() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.1f s", (b - a) / 60 }'; }
-line 'verbose: in the first frame' 1 '  in stage one, 0.0 s after it began'
-f=$(($(at one) + 6)) && line 'verbose: in a stage' $f '  in stage one, 0.1 s after it began'
-f=$(($(at wisp) + 30)) && line 'verbose: in a wave' $f '  in stage one, wave wisp, 0.5 s after it began'
+line 'verbose: in the first frame' 1 '  in stage one, 0.0 s after its start'
+f=$(($(at one) + 6)) && line 'verbose: in a stage' $f '  in stage one, 0.1 s after its start'
+f=$(($(at wisp) + 30)) && line 'verbose: in a wave' $f '  in stage one, wave wisp, 0.5 s after its start'
 f=$(($(at middle) + 3)) && line 'verbose: after a mark' $f \
-    "  in stage one, mark middle, $(seconds $(at middle) $f) after it began"
+    "  in stage one, mark middle, $(seconds $(at middle) $f) after its start"
 f=$(at queen) && line 'verbose: the very frame in which a boss comes' $f \
-    '  in stage one, mark middle, boss queen, 0.0 s after it began'
+    '  in stage one, mark middle, boss queen, 0.0 s after its start'
 f=$(($(at bloom) + 66)) &&
-    line 'verbose: in a phase' $f '  in stage one, mark middle, boss queen, phase bloom, 1.1 s after it began'
+    line 'verbose: in a phase' $f '  in stage one, mark middle, boss queen, phase bloom, 1.1 s after its start'
 f=$(($(at 1) + 90)) && line 'verbose: after a death' $f \
     "  in stage one, mark middle, boss queen, phase bloom, $(seconds $(at bloom) \
-    $f) after it began; player 1 died 1.5 s before"
+    $f) after its start; player 1 died 1.5 s earlier"
 f=$(($(at bloom lost) + 6)) && line 'verbose: after a phase' $f \
-    "  in stage one, mark middle, boss queen, $(seconds $(at queen) $f) after it began; player 1 died $(seconds \
-    $(at 1) $f) before"
+    "  in stage one, mark middle, boss queen, $(seconds $(at queen) $f) after its start; player 1 died $(seconds \
+    $(at 1) $f) earlier"
 f=$(at one clear) && line 'verbose: after a stage' $f \
-    "  $(seconds 0 $f) after power-on; player 1 died $(seconds $(at 1) $f) before"
-f=$((f + 1)) && line 'verbose: a piece played anew' $f '  in stage one, 0.0 s after it began'
+    "  $(seconds 0 $f) after power-on; player 1 died $(seconds $(at 1) $f) earlier"
+f=$((f + 1)) && line 'verbose: a piece played anew' $f '  in stage one, 0.0 s after its start'
 
 play
 record v 200
 play 75 'board.note(1)'
 "$curtain" verify g v.demo -v >out 2>&1
 same 'verbose: prints of the parts that differ' 'board script' \
-    "$(sed -n 's/^  \([a-z]*\): recorded print [0-9a-f]\{4\}, here [0-9a-f]\{4\}$/\1/p' out | sort | xargs)"
+    "$(sed -n 's/^  \([a-z]*\): recorded checksum [0-9a-f]\{4\}, replayed [0-9a-f]\{4\}$/\1/p' out | sort | xargs)"
 python3 "$repo/tests/cli/demo_read.py" v.demo >v.txt
 for part in script board; do
     print=$(sed -n "s/^prints 75 .*\b$part=\([0-9a-f]*\).*/\1/p" v.txt)
     hash=$("$curtain" hash g --frames 75 --parts --every 75 |
         sed -n "s/^75 .* $part=[0-9a-f]*\([0-9a-f]\{4\}\)\b.*/\1/p")
-    check "verbose: they are right, $part" grep -qx "  $part: recorded print $print, here $hash" out
+    check "verbose: they are right, $part" grep -qx "  $part: recorded checksum $print, replayed $hash" out
 done
 play 120 'board.note(1)'
 "$curtain" verify g v.demo -v >out 2>&1
-check 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, here [0-9a-f]{16}' out
+check 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, replayed [0-9a-f]{16}' out
 check 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
 check 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
 "$curtain" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo" -v >out 2>&1
@@ -214,7 +214,7 @@ cp other.demo other.was
 play 201 'board.note(1)' # another build, on which r holds
 python3 "$repo/tests/cli/demo_read.py" r.demo >before
 "$curtain" verify g --restamp r.demo two.demo >out 2>&1
-status=$? good='holds, 200 frames, restamped (recorded on another build)'
+status=$? good='holds, 200 frames, restamped (recorded with another game version)'
 same 'restamp: two that hold' "0 r.demo: $good|two.demo: $good|" "$status $(tr '\n' '|' <out)"
 says 'restamp: it is of this build now' 0 r 'holds, 200 frames'
 says 'restamp: so is the one of format 2' 0 two 'holds, 200 frames'
@@ -225,10 +225,11 @@ cp r.demo again.demo
 "$curtain" verify g --restamp again.demo >/dev/null
 check 'restamp: once more changes nothing' cmp r.demo again.demo
 got=$("$curtain" verify g --restamp other.demo 2>&1)
-same 'restamp: one that differs' '1 other.demo: frame 75: script, board differ (recorded on another build)' "$? $got"
+same 'restamp: one that differs' '1 other.demo: frame 75: script, board differ (recorded with another game version)' \
+    "$? $got"
 check 'restamp: is left alone' cmp other.demo other.was
 got=$("$curtain" verify g --restamp short.demo 2>&1)
-same 'restamp: one cut short' '2 curtain: short.demo: cut short: it has 180 frames and no end mark' "$? $got"
+same 'restamp: one cut short' '2 curtain: short.demo: truncated: 180 frames and no end mark' "$? $got"
 check 'restamp: is left alone too' cmp short.demo short.was
 play 100 "$end"
 record fault 200
@@ -236,10 +237,10 @@ cp fault.demo fault.was
 play 100 "$end" 150 'board.note(1)'
 "$curtain" verify g --restamp fault.demo old-fault.demo >out 2>&1
 same 'restamp: one that ends in a fault' \
-    '0 fault.demo: holds, 100 frames, ends in the fault it was recorded with, restamped (recorded on another build)' \
+    '0 fault.demo: holds, 100 frames, ends in the recorded fault, restamped (recorded with another game version)' \
     "$? $(head -1 out)"
 check 'restamp: of either format' cmp fault.demo old-fault.demo
-says 'restamp: ends in it still' 0 fault 'holds, 100 frames, ends in the fault it was recorded with'
+says 'restamp: ends in it still' 0 fault 'holds, 100 frames, ends in the recorded fault'
 moments | game g
 "$curtain" hash g --stage one --seed 77 --difficulty hard --dip ships=3 --frames 300 --every 1000 --record m.demo \
     >/dev/null 2>&1

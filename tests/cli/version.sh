@@ -34,7 +34,7 @@ for library in "libsndfile.so.1 OGG and FLAC:libsndfile1" "libopenmpt.so.0 track
     check "$key is found" grep -qxE "$key [0-9]+\.[0-9]+\.[0-9]+: reads ${reads%:*}" <("$curtain" version)
     touch "$scratch/none/$file"
     check "$key is missing" \
-        same_line "$key, which reads ${reads%:*}, is missing (Debian: ${reads#*:})" \
+        same_line "$key, which reads ${reads%:*}, is not installed (Debian package: ${reads#*:})" \
         env LD_LIBRARY_PATH="$scratch/none" "$curtain"
     rm "$scratch/none/$file"
 done

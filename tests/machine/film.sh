@@ -35,9 +35,9 @@ keyed $F6 >script
 plays filmed '' <script
 same 'the run is the same' '' "$(cmp plain.demo filmed.demo 2>&1; cmp plain.nv filmed.nv 2>&1)"
 check 'and holds' "$curtain" verify g filmed.demo
-same 'it says where they are' "wrote $pictures/probe-1.gif wrote $pictures/probe-2.gif" \
-    "$(grep wrote filmed.err | paste -sd ' ')"
-same 'what scripts print is there once' "$(cat plain.err)" "$(grep -v wrote filmed.err)"
+same 'it says where they are' "saved $pictures/probe-1.gif saved $pictures/probe-2.gif" \
+    "$(grep ^saved filmed.err | paste -sd ' ')"
+same 'what scripts print is there once' "$(cat plain.err)" "$(grep -v ^saved filmed.err)"
 check 'the first one has all frames up to there' film_same "$pictures/probe-1.gif" frames 0 161
 check 'so has the other one, of ten seconds at most' film_same "$pictures/probe-2.gif" frames 0 422
 refuse 'planted: other frames' 'is not the frame' film_same "$pictures/probe-2.gif" frames 1 422
@@ -72,7 +72,7 @@ game broken <<'LUA'
 task.go(function() wait(30) error("enough") end)
 LUA
 { keys 60; keys 1 $F6; keys 20; } | ./player play broken >out 2>err
-same 'nothing is filmed of a run that has stopped' '' "$(grep wrote err)"
+same 'nothing is filmed of a run that has stopped' '' "$(grep ^saved err)"
 rm -rf "$pictures" && mkdir -p "$(dirname "$pictures")" && echo file >"$pictures"
 plays nowhere '' <script
 check 'where it cannot be: said' grep -q "curtain: $pictures/probe-1.gif: cannot be written" nowhere.err

@@ -8,10 +8,10 @@
 sandbox
 short=$OUT/curtain-short
 [ -x "$short" ] || { echo "Bail out! $short is not built"; exit 2; }
-LOOP='endless loop: more than 50000000 instructions in one frame'
-TASK=' (is a wait missing?)' ELSEWHERE=' (only a task can wait: task.go starts one)'
-MEMORY='out of Lua memory (board.lua_kib = 1024 in rom.lua)'
-AT_ONCE=', most of it taken in one frame: an endless loop? Is a wait missing?'
+LOOP='infinite loop: more than 50000000 instructions in one frame'
+TASK=' (missing wait?)' ELSEWHERE=' (only a task can wait; start one with task.go)'
+MEMORY='out of Lua memory (1024 KiB); raise `board.lua_kib` in rom.lua'
+AT_ONCE=' (most of it allocated in one frame: infinite loop, missing wait?)'
 
 # run PROGRAM OUTPUT: 5 frames of the game in g; the report on OUTPUT, the exit code after it.
 run() {
@@ -78,7 +78,7 @@ enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function(e) while true do end end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
 LUA
-bomb 'handlers that raise their own event' 'main.lua:2: more than 2592 events in one frame' <<'LUA'
+bomb 'handlers that raise their own event' 'main.lua:2: too many events in one frame (at most 2592)' <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.kill(function(e) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
@@ -136,15 +136,15 @@ both 'reverse of much' 'local s = ("x"):rep(4000) while true do s:reverse() end'
 
 # ---- what is not there ----
 
-both '__gc' 'setmetatable({}, { ["__" .. "gc"] = print })' 'setmetatable: a metatable may not have __gc'
-both '__mode' 'setmetatable({}, { ["__" .. "mode"] = "k" })' 'setmetatable: a metatable may not have __mode'
-both 'xpcall' 'xpcall(print, print)' 'undeclared global "xpcall" (not available: pcall catches what error raises)'
+both '__gc' 'setmetatable({}, { ["__" .. "gc"] = print })' 'setmetatable: __gc is not allowed in a metatable'
+both '__mode' 'setmetatable({}, { ["__" .. "mode"] = "k" })' 'setmetatable: __mode is not allowed in a metatable'
+both 'xpcall' 'xpcall(print, print)' 'undeclared global "xpcall" (not available: use pcall)'
 both 'coroutine' 'coroutine.wrap(print)()' \
-    'undeclared global "coroutine" (not available: task.go starts a task, wait(n) lets frames pass)'
+    'undeclared global "coroutine" (not available: use task.go to start a task and wait(n) to let frames pass)'
 both 'collectgarbage' 'collectgarbage()' \
-    'undeclared global "collectgarbage" (not available: the board collects between frames)'
-both 'debug' 'debug.sethook()' 'undeclared global "debug" (not available: print and board.note tell what happens)'
-bomb '__gc into a metatable in use' 'a metatable in use may not have __gc' <<'LUA'
+    'undeclared global "collectgarbage" (not available: garbage is collected between frames)'
+both 'debug' 'debug.sethook()' 'undeclared global "debug" (not available: use print and board.note)'
+bomb '__gc into a metatable in use' '__gc is not allowed in a metatable' <<'LUA'
 local m = {}
 local t = setmetatable({}, m)
 task.go(function() wait(1) m["__" .. "gc"] = print end)
@@ -156,9 +156,9 @@ memory 'tables in a table' 'local t = {} while true do t[#t + 1] = {} end'
 memory 'one big array' 'local t = {} for i = 1, 1e9 do t[i] = i end'
 memory 'a big hash' 'local t = {} for i = 1, 1e9 do t[i * 7919] = i end'
 both 'memory: doubling text' 'local s = "x" while true do s = s .. s end' \
-    'a text of 131072 bytes: a text has 65536 at most'
+    'string too long: 131072 bytes (at most 65536)'
 memory 'many texts' 'local t = {} while true do t[#t + 1] = ("x"):rep(60000) .. #t end'
-both 'a text too long by string.rep' 'local s = ("x"):rep(1 << 17)' 'a text of 131072 bytes: a text has 65536 at most'
+both 'a text too long by string.rep' 'local s = ("x"):rep(1 << 17)' 'string too long: 131072 bytes (at most 65536)'
 memory 'closures' 'local f while true do local g = f f = function() return g end end'
 memory 'many texts' 'local t = {} for i = 1, 1e9 do t[i] = "text " .. i end'
 memory 'table.concat' \
@@ -174,8 +174,8 @@ bomb 'memory: parked tasks' "main.lua:1: $MEMORY$AT_ONCE" \
 
 # ---- depth ----
 
-DEEP=', deep in calls: an endless recursion?'
-NESTED='C stack overflow (calls nested too deeply: an endless recursion?)'
+DEEP=' (calls nested deeply: infinite recursion?)'
+NESTED='C stack overflow (calls nested too deeply: infinite recursion?)'
 both 'deep recursion' 'local function f(n) return f(n) + 1 end f(1)' "$MEMORY$DEEP"
 both 'mutual recursion' 'local g local function f() return (g()) end function g() return (f()) end f()' "$MEMORY$DEEP"
 both 'nested pcall' 'local function f() return pcall(f) end f()' "$NESTED"
@@ -194,8 +194,8 @@ both 'tail calls' 'local function f() return f() end f()'
 
 both 'error' 'error("boo")' 'boo'
 both 'error without a place' 'error("boo", 0)' 'boo'
-both 'error with a table' 'error({})' 'error: the value raised is a table, not text'
-both 'error with nil' 'error()' 'error: the value raised is a nil, not text'
+both 'error with a table' 'error({})' 'error: expected a string as the error value, got a table'
+both 'error with nil' 'error()' 'error: expected a string as the error value, got a nil'
 both 'error in pcall, passed on' 'local _, e = pcall(error, "boo") error(e, 0)' 'boo'
 both 'a fault in pcall' 'pcall(function() return nil + 1 end)' 'attempt to perform arithmetic on a nil value'
 both 'a fault in __close while an error passes' \
@@ -216,7 +216,7 @@ LUA
 
 # ---- the real limit ----
 
-LOOP='endless loop: more than 200000000 instructions in one frame'
+LOOP='infinite loop: more than 200000000 instructions in one frame'
 program=$curtain
 load 'real limit: plain loop' 'while true do end'
 task 'real limit: pcall loop' 'while true do pcall(function() while true do end end) end'
@@ -244,7 +244,7 @@ heavy 60000000
 "$short" hash g --frames 20 >/dev/null 2>one
 echo "exit $?" >>one
 same 'over the limit is a fault' \
-    "main.lua:1: endless loop: more than 50000000 instructions in one frame$TASK"$'\nexit 2' "$(cat one)"
+    "main.lua:1: infinite loop: more than 50000000 instructions in one frame$TASK"$'\nexit 2' "$(cat one)"
 
 # ---- the same verdict on every host ----
 
@@ -281,7 +281,7 @@ verdict() { # NAME TURN VERDICT
     fi
 }
 text='local s = ("x"):rep(65535) local n = 0'
-beside=' (one beside a text of 65535 bytes counts as 16)'
+beside=' (each counts as 16 with a string of 65535 bytes in scope)'
 verdict '11 million turns of a loop beside a long text' "$text for i = 1, 11000000 do n = n + 1 end" \
     "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
 verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" \

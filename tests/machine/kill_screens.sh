@@ -67,7 +67,7 @@ def state():
 def holds():
     demos = [os.path.join(d, f) for d, _, files in os.walk("data/curtain") for f in files if f.endswith(".demo")]
     said = subprocess.run([curtain, "verify", "g", *demos], capture_output=True)
-    return [line for line in said.stdout.decode().splitlines() if ": holds, " not in line and "cut short" not in line]
+    return [line for line in said.stdout.decode().splitlines() if ": holds, " not in line and "truncated" not in line]
 
 kills = 0
 for name, way, options in [(n, w, ["--no-resume"]) for n, w in ways.items()] + [(n, w, []) for n, w in asked.items()]:

@@ -49,11 +49,11 @@ wrong() { # NAME BREAK SENTENCE
     check "$1: then the game runs" ran
 }
 wrong 'a slip of syntax' "echo 'x = = 3' >g/main.lua" "main.lua:1: unexpected symbol near '='"
-wrong 'a picture that is not there' 'rm g/art/all.png' 'rom.lua:4: there is no art/all.png'
+wrong 'a picture that is not there' 'rm g/art/all.png' 'rom.lua:4: art/all.png does not exist'
 wrong 'a picture that is none' 'echo no >g/art/all.png' 'art/all.png: not a PNG'
 wrong 'rom.lua' "sed -i 's/screen =/scren =/' g/rom.lua" \
-    'rom.lua: scren: unknown name (did you mean "screen"?)'
-wrong 'a script that is not there' 'rm g/main.lua' 'rom.lua: entry: there is no main.lua'
+    'rom.lua: scren: unknown key (did you mean "screen"?)'
+wrong 'a script that is not there' 'rm g/main.lua' 'rom.lua: entry: main.lua does not exist'
 
 # Settings that cannot be read: the same of their file, and Enter does without it.
 conf=data/curtain/curtain.conf shown_conf=$scratch/data/curtain/curtain.conf

@@ -38,7 +38,7 @@ if start "Curtain" "$OUT/curtain" play g --scale 2; then
     kill -SEGV $child
     wait $child 2>/dev/null
     same "a crash ends it as ever" 139 $?
-    report=$(sed -n 's/^curtain: crashed (SIGSEGV); a report is in //p' "$scratch/err")
+    report=$(sed -n 's/^curtain: crashed (SIGSEGV); report: //p' "$scratch/err")
     check "and leaves a report" test -s "$report"
     check "which says what is here" grep -qE "^port      SDL 2\.[0-9]+\.[0-9]+, x11$" "$report"
     check "its demo holds" "$curtain" verify g "$report"

@@ -92,8 +92,8 @@ slow() {
 }
 at=$(($(wc -l <tiny/main.lua) + 1))
 slow long '' 'for i = 1, 5000000 do end'
-slow endless "main.lua:$at: endless loop" 'for i = 1, forever do end'
-slow beside "main.lua:$at: endless loop" 'local s = ("x"):rep(65535) for i = 1, 14000000 do end'
+slow endless "main.lua:$at: infinite loop" 'for i = 1, forever do end'
+slow beside "main.lua:$at: infinite loop" 'local s = ("x"):rep(65535) for i = 1, 14000000 do end'
 slow below '' 'local s = ("x"):rep(65535) for i = 1, 9000000 do end'
 slow error "main.lua:$at: boo" 'for i = 1, 5000000 do end error("boo")'
 
@@ -193,18 +193,18 @@ check 'switches are set' ./bad dips.rom switches ' coins=one  pace=5 '
 while IFS='|' read -r what value words; do
     refuse "$what: $value" "$words" ./bad dips.rom "$what" "$value"
 done <<'WHAT'
-difficulty|brutal|difficulty: the game has no "brutal"
-lang|xx|language "xx": the game has no lang/xx.txt
-lang|aaaaaaaaaaaaaaaaaaaaaaaaa|lang: longer than 15 characters
+difficulty|brutal|unknown difficulty "brutal"
+lang|xx|language "xx": no lang/xx.txt in the game
+lang|aaaaaaaaaaaaaaaaaaaaaaaaa|lang: expected at most 15 characters, got 25
 switches|coins|switches: expected NAME=VALUE, got "coins"
-switches|coin=one|switches: the game has no "coin"
-switches|coins=two|switches: coins cannot be "two"
-switches|pace=9|switches: pace cannot be "9"
-switches|pace=|switches: pace cannot be ""
-switches|pace=-|switches: pace cannot be "-"
-switches|pace=2x|switches: pace cannot be "2x"
+switches|coin=one|switches: unknown switch "coin"
+switches|coins=two|switches: coins: invalid value "two"
+switches|pace=9|switches: pace: invalid value "9"
+switches|pace=|switches: pace: invalid value ""
+switches|pace=-|switches: pace: invalid value "-"
+switches|pace=2x|switches: pace: invalid value "2x"
 size|40|40 bytes long, but its header says
-snapshots|5000|snapshots: 5000, expected at most 4096
+snapshots|5000|snapshots: expected at most 4096, got 5000
 demo|nonsense|demo
 WHAT
 

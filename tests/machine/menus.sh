@@ -191,12 +191,12 @@ spoilt() { # COMMAND...: plays, and runs it between a change of volume and the e
 breaks() { echo 'volum = 3' >$conf; }
 spoilt breaks
 same 'a file that is not right by now stays, and is said' \
-    "$(unsaved ':1: no setting is called "volum"')" "$(cat err)"
+    "$(unsaved ':1: unknown setting "volum"')" "$(cat err)"
 same '... as it is' 'volum = 3' "$(cat $conf)"
 same '... and the game goes on' 80 "$(frames menu.demo)"
 keys 9 | plays g menu
 same 'at the next start it is refused' \
-    "2 curtain: $XDG_DATA_HOME/curtain/curtain.conf:1: no setting is called \"volum\"" "$? $(cat err)"
+    "2 curtain: $XDG_DATA_HOME/curtain/curtain.conf:1: unknown setting \"volum\"" "$? $(cat err)"
 rm -r data
 blocks() { rm -rf data/curtain && echo 'a file' >data/curtain; }
 mkdir data

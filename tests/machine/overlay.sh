@@ -100,15 +100,15 @@ check 'piece, bar, beat, tempo and marker can be read' says \
     'm1   tide             fm     o5c      0' 'm2'
 { keys 1 $MINUS; keys 1; keys 1 $MINUS; keys 1; } >script
 KEYS_PPM=4 hears out <script
-check 'the volume is said' says 'volume 80 %'
+check 'the volume is said' says 'Volume 80%'
 { keys 1 $EQUALS; keys 1; keys 1 $M; keys 1; } >script
 KEYS_PPM=2 hears out <script
-check 'it ends at 100' says 'volume 100 %'
+check 'it ends at 100' says 'Volume 100%'
 KEYS_PPM=4 hears out <script
-check 'so is silence' says 'sound off'
+check 'so is silence' says 'Sound off'
 { keys 1 $M; keys 1; } >script
 KEYS_PPM=2 plays out <script
-check 'and that a game has no sound' says 'this game has no sound'
+check 'and that a game has no sound' says 'This game has no sound'
 
 # ---- the console ----
 
@@ -128,7 +128,7 @@ rm -rf data
 
 { keys 60; keys 1 $BACKQUOTE; keys 1; line 'while true do end'; keys 3; } >script
 KEYS_PPM=$(wc -l <script) plays out <script
-check 'an endless line ends' says 'endless loop: more than 10000000 instructions in one line'
+check 'an endless line ends' says 'infinite loop: more than 10000000 instructions in one line'
 
 # ---- a line that is kept ----
 
@@ -151,7 +151,7 @@ same 'but to it, and on as before' "$(tail -1 direct)" "$(tail -1 out)"
 
 { keys 20; keys 1 $BACKQUOTE; keys 1; line 'keep 1'; keys 3; } >script
 KEYS_PPM=$(wc -l <script) ./player play g --demo straight.demo <script >out 2>err
-check 'in a playback nothing can be kept' says 'nothing can be kept'
+check 'in a playback nothing can be kept' says 'nothing can be saved'
 
 # ---- the guide ----
 

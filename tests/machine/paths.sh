@@ -20,7 +20,7 @@ plays() { ./player play g --seed 5 "$@" >out 2>err; }
 # ---- settings ----
 "$curtain" help config >guide
 check 'help config names the file' grep -qx "    $own/curtain.conf" guide
-check '... which is not there yet' grep -q 'It is not there yet' guide
+check '... which is not there yet' grep -q 'The file does not exist yet' guide
 settings() { "$curtain" help play | sed -n '/^Settings:/,$p' | sed 1d; }
 lists() { # GUIDE: each line of the settings
     local line n=0
@@ -33,27 +33,28 @@ lists() { # GUIDE: each line of the settings
 check 'help config lists every setting' lists guide
 sed '/^  volume/d' guide >short
 refuse 'planted: one is missing' 'not there: volume' lists short
-example() { sed -n '/^As an example\|^none. As an example/,$s/^    //p' guide; }
+example() { sed -n '/^none. Example/,$s/^    //p' guide; }
 example >"$own/curtain.conf"
 check 'the example has settings' eval '[ $(grep -c = "$own/curtain.conf") -ge 5 ]'
 check '... and comments' grep -q '^#' "$own/curtain.conf"
 keys 5 | plays
 same 'the example is a file that is taken' '0 ' "$? $(cat err)"
-check 'help config sees that it is there' eval '"$curtain" help config | grep -q "A line that is not in"'
-refuse 'help config takes no word' 'help: "volume" is one argument too many' "$curtain" help config volume
+check 'help config sees that it is there' eval '"$curtain" help config | grep -q "A setting that is not in"'
+refuse 'help config takes no word' 'help: unexpected argument "volume"' "$curtain" help config volume
 printf 'scale = 2\nvolum = 3\n' >"$own/curtain.conf"
 keys 5 | plays
 same 'a wrong line: exit code' 2 $?
-same 'a wrong line: its path' "curtain: $own/curtain.conf:2: no setting is called \"volum\"" "$(cat err)"
+same 'a wrong line: its path' "curtain: $own/curtain.conf:2: unknown setting \"volum\"" "$(cat err)"
 head -c 70000 /dev/zero >"$own/curtain.conf"
 keys 5 | plays
-same 'a file too large: its path' "curtain: $own/curtain.conf: cannot be read, or larger than 65536 bytes" "$(cat err)"
+same 'a file too large: its path' "curtain: $own/curtain.conf: cannot be read, or is larger than 65536 bytes" \
+    "$(cat err)"
 rm "$own/curtain.conf"
 
 # ---- pictures ----
 { keys 30; keys 1 $F12; keys 30; keys 1 $F12; keys 30; } | plays --record one.demo
-same 'two pictures' "wrote $XDG_PICTURES_DIR/Curtain/probe-1.png
-wrote $XDG_PICTURES_DIR/Curtain/probe-2.png" "$(cat err)"
+same 'two pictures' "saved $XDG_PICTURES_DIR/Curtain/probe-1.png
+saved $XDG_PICTURES_DIR/Curtain/probe-2.png" "$(cat err)"
 "$curtain" render g --demo one.demo --frames 30 -o pictures-of
 check 'a picture is the one that was seen' cmp "$XDG_PICTURES_DIR/Curtain/probe-1.png" pictures-of/000030.png
 same 'none is in the current folder' '' "$(ls ./*.png 2>/dev/null)"
@@ -64,7 +65,7 @@ mkdir at && (
     unset XDG_PICTURES_DIR XDG_CONFIG_HOME
     { keys 30; keys 1 $F12; } | HOME=$scratch/at plays
 )
-same 'without a word of the desktop: ~/Pictures' "wrote $scratch/at/Pictures/Curtain/probe-1.png" "$(cat err)"
+same 'without a word of the desktop: ~/Pictures' "saved $scratch/at/Pictures/Curtain/probe-1.png" "$(cat err)"
 rm -rf "$XDG_PICTURES_DIR" && echo file >"$XDG_PICTURES_DIR"
 { keys 30; keys 1 $F12; keys 30; } | plays
 picture="$XDG_PICTURES_DIR/Curtain/probe-1.png: cannot be written (Not a directory)"
@@ -73,6 +74,7 @@ curtain: not saved: $picture" "$(cat err)"
 
 # ---- recordings ----
 { keys 30; keys 1 $T; keys 30; } | ./player play g --demo one.demo >out 2>err
-check 'a take-over says where it records' grep -qx "curtain: g: you play; recording $scratch/probe-1.demo" err
+check 'a take-over says where it records' grep -qx "curtain: g: You play from here. Recording: $scratch/probe-1.demo" \
+    err
 check '... and does' "$curtain" verify g probe-1.demo
 finish

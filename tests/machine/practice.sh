@@ -113,7 +113,7 @@ printf 'practice 1\n# mine\n7 9 normal queen/weak\n1 1 easy one\n' >"$file"
 same 'they count on' $'practice 1\n# mine\n8 11 normal queen/weak\n1 1 easy one' "$(cat "$file")"
 printf 'practice 1\n9 7 normal queen/weak\n' >"$file"
 { keys 20; weak; keys 100; } | plays out
-left='practice is not counted, and the file is left as it is'
+left='practice is not counted, and the file is unchanged'
 same 'a damaged file is reported' \
     "curtain: $scratch/$file: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; $left" "$(cat err)"
 same 'and left alone' $'practice 1\n9 7 normal queen/weak' "$(cat "$file")"
@@ -132,7 +132,7 @@ same 'and begins with none' "$(cat without)" "$(cat with)"
 mkdir -p data/curtain
 cp before.nv data/curtain/probe.nv
 { weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | plays out
-check 'the game from its title does, from where they were' refuted "$(cksum <before.nv)" \
+check 'Start from the Title does, from where they were' refuted "$(cksum <before.nv)" \
     "$(cksum <data/curtain/probe.nv)"
 cp data/curtain/probe.nv menu.nv
 rm -rf data

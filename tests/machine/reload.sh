@@ -56,13 +56,13 @@ unchanged
 played() { echo "$1: holds, $(($(wc -l <out) - $2)) frames"; } # DEMO PICTURES: so many are not of a tick
 edited 100 'echo "return = 3" >g/step.lua' --record two.demo
 same 'an error of syntax is none of the old game' 0 $code
-same '... with file and line' 'curtain: not taken in: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
+same '... with file and line' 'curtain: reload failed: g: step.lua:1: unexpected symbol near '"'='" "$(cat err)"
 unchanged
 same '... and the old game goes on' "$(played two.demo 1)" "$("$curtain" verify g two.demo)"
 
 edited 100 'echo "return {}" >g/step.lua' --record three.demo
 same 'an error in the run is none of the old game' 0 $code
-check '... with file and line and frame' grep -q '^curtain: not taken in: main.lua:5: .*(in frame 0 of the run)$' err
+check '... with file and line and frame' grep -q '^curtain: reload failed: main.lua:5: .*(in frame 0 of the run)$' err
 unchanged
 same '... which goes on' "$(played three.demo 2)" "$("$curtain" verify g three.demo)"
 
@@ -139,12 +139,12 @@ cp -R notes ready
 edited 100 'mv g old; mv ready g'
 same 'another name' "$(part other 180 250)" "$(part out 181 251)"
 same '... and what played is gone' 'curtain: g: reloaded
-curtain: g: the music "tide", which played, is gone' "$(cat err)"
+curtain: g: the music "tide" was playing and is no longer in the game' "$(cat err)"
 back
 edited 100 'sed -i "s/tide = {/deep = {/" g/rom.lua' --record five.demo
 same 'a piece that a script still names: the old game goes on' "$(played five.demo 2)" \
     "$("$curtain" verify before five.demo)"
-check '... with file and line' grep -q 'not taken in: main.lua:[0-9]*: music.play: "tide" is not in rom.lua' err
+check '... with file and line' grep -q 'reload failed: main.lua:[0-9]*: music.play: unknown music "tide"' err
 
 # A document of BulletML, which is changed, and is then none.
 rm -rf g before
@@ -173,5 +173,5 @@ same '... which is told' 'curtain: g: reloaded' "$(cat err)"
 back
 edited 100 'sed -i "s,</wait>,</waits>," g/bulletml/fall.xml'
 same 'one that is wrong is told with its place' \
-    'curtain: not taken in: g: bulletml/fall.xml:2:10: <wait>, which begins in line 2: mismatched tag' "$(cat err)"
+    'curtain: reload failed: g: bulletml/fall.xml:2:10: <wait>, which starts in line 2: mismatched tag' "$(cat err)"
 finish

@@ -44,7 +44,7 @@ same 'one that was left' '0:05 ship normal 2520 left' "$(list | head -1)"
 same 'not those that were left or over in three seconds' 2 "$(list | grep -c .)"
 { begin; keys 20; keys 3 $C $DOWN; keys 9; } | plays out
 same 'but one that ended in a fault' '0:01 ship normal 20 a fault' "$(list | head -1)"
-same 'whose recording holds, and ends in it' 'holds, 195 frames, ends in the fault it was recorded with' \
+same 'whose recording holds, and ends in it' 'holds, 195 frames, ends in the recorded fault' \
     "$("$curtain" verify g "$(newest)" | sed 's/.*: //')"
 { begin; keys 200 $Z; keys 30 $BACKSPACE; keys 60 $Z; ends; } | plays out
 same 'one in which time ran back says so' '0:05 ship normal 2320 game over, branched' "$(list | head -1)"
@@ -160,7 +160,7 @@ cp old/main.lua g/main.lua
 rm "$kept"
 { watch; keys 60; } | plays shown
 check 'without it the replay is shown on what there is, and says where it is another' \
-    grep -q 'from frame [0-9]* on this is not the run that was recorded' err
+    grep -q 'Playback diverged from the recording at frame [0-9]*' err
 
 # Saves and scores go by the game's id, so those of the older game are the newer's.
 { begin; keys 240 $Z; ends; enters; } | plays out

@@ -33,13 +33,13 @@ same 'a fault: exit code' 2 $?
 same 'a fault: one report' 1 "$(count)"
 today=$(basename "$(newest)" -1.txt)
 check 'its name has game and date' eval 'echo "$today" | grep -qx "probe-20[0-9][0-9]-[01][0-9]-[0-3][0-9]"'
-check 'the log says where' grep -qx "curtain: a report is in $(newest)" err
+check 'the log says where' grep -qx "curtain: report: $(newest)" err
 check 'it has what happened' has 'a fault, in frame 161' 'main.lua:4: undeclared global "nothing"' 'stack traceback:' \
     "in function <main.lua:2>"
 version=$("$curtain" version | sed -n '1s/curtain \([^ ]*\) (core \([0-9]*\), \(.*\))/\1, core version \2, \3/p')
 check 'it has versions' has "$version" "$(uname -s)" "$("$curtain" list g | sed -n 's/^game /game hash /p')"
 check 'it has the settings' has 'volume = 70' 'fullscreen = no'
-same 'its demo holds' "$(newest): holds, 161 frames, ends in the fault it was recorded with" \
+same 'its demo holds' "$(newest): holds, 161 frames, ends in the recorded fault" \
     "$("$curtain" verify g "$(newest)")"
 keys 400 | ./player play g --demo "$(newest)" >other 2>none
 same 'and is played, to the fault' 2 $?
@@ -55,7 +55,7 @@ refuse 'a line that is lost is found' 'lost.txt: ' "$curtain" verify g lost.txt
 # Gone back, and into the fault in another frame.
 { played; keys 3 $B; keys 10; keys 20 $BACKSPACE; keys 60 $B; } | ./player play g --seed 7 >out 2>err
 same 'a report for each fault' 3 "$(count)"
-check '... the demo of the second' eval '"$curtain" verify g "$(newest)" | grep -q "ends in the fault"'
+check '... the demo of the second' eval '"$curtain" verify g "$(newest)" | grep -q "ends in the recorded fault"'
 
 # ---- a crash ----
 # killed SIGNAL [ARGUMENT]...: plays g and kills it after 100 pictures
@@ -73,7 +73,7 @@ killed() {
     wait $player 2>/dev/null
     code=$?
 }
-reported() { sed -n 's/^curtain: crashed ([A-Z]*); a report is in //p' err; }
+reported() { sed -n 's/^curtain: crashed ([A-Z]*); report: //p' err; }
 played | head -n 100 | ./player play g --seed 7 --record straight.demo >none 2>none
 for signal in SEGV BUS FPE ILL ABRT; do
     before=$(count)
@@ -81,7 +81,7 @@ for signal in SEGV BUS FPE ILL ABRT; do
     same "SIG$signal ends it as ever" $((128 + $(kill -l $signal))) $code
     same "SIG$signal: one report more" $((before + 1)) "$(count)"
     check "SIG$signal: which the log names" \
-        grep -qx "curtain: crashed (SIG$signal); a report is in $reports/probe-.*txt" err
+        grep -qx "curtain: crashed (SIG$signal); report: $reports/probe-.*txt" err
     file=$(reported)
     check "SIG$signal: it says so" grep -q "a crash: SIG$signal, in frame 100" "$file"
     same "SIG$signal: its demo holds" "$file: holds, 100 frames" "$("$curtain" verify g "$file")"
@@ -91,7 +91,7 @@ check 'nobody else may read it' test "$(stat -c %a "$file")" = 600
 "$curtain" hash g --demo straight.demo >two
 same 'the run is the one that was played' "$(sed -n 101p two)" "$(sed -n 101p one)"
 keys 30 | ./player play g --seed 7 >out 2>err
-same 'the next start says so' "curtain: Curtain crashed when it last ran: a report is in $file" "$(cat err)"
+same 'the next start says so' "curtain: Curtain crashed last time. Report: $file" "$(cat err)"
 keys 30 | ./player play g --seed 7 >out 2>err
 same '... once' '' "$(cat err)"
 killed SEGV --record own.demo
@@ -113,13 +113,13 @@ until [ $(($(used) - before)) -gt 12 ]; do sleep 0.02; done
 kill -SEGV $player
 exec 7>&-
 wait $player 2>/dev/null
-check 'in a tick: it says so' grep -qx 'what      a crash: SIGSEGV, in the tick after frame 100' "$(reported)"
+check 'in a tick: it says so' grep -qx 'reason    a crash: SIGSEGV, in the tick after frame 100' "$(reported)"
 "$curtain" verify loops "$(reported)" >said 2>&1
 same '... its demo is cut short' 2 $?
-check '...' grep -q 'cut short' said
+check '...' grep -q truncated said
 "$OUT/curtain-short" hash loops --demo "$(reported)" >said 2>why
 same '... and leads into that tick' 2 $?
-check '... again' grep -q 'main.lua:4: endless loop' why
+check '... again' grep -q 'main.lua:4: infinite loop' why
 same '... with all frames before it' 100 "$(tail -n 1 said | cut -d" " -f1)"
 
 # In the middle of a run that was gone back in, the report ends where the player was.
@@ -133,7 +133,7 @@ kill -SEGV $player
 exec 7>&-
 wait $player 2>/dev/null
 file=$(reported)
-at=$(sed -n 's/^what .* in frame //p' "$file")
+at=$(sed -n 's/^reason .* in frame //p' "$file")
 check 'gone back: it says where' test "$at" -lt 100
 same '... its demo has no end mark' 2 "$("$curtain" verify g "$file" >none 2>said; echo $?)"
 check '... and goes as far as that' eval '[ "$("$curtain" hash g --demo "$file" 2>none | wc -l)" = $((at + 1)) ]'
@@ -157,5 +157,5 @@ same 'a report that cannot be written: exit code as ever' 2 $?
 check '... said' grep -q "curtain: $reports/probe-.*: cannot be written (" err
 killed SEGV
 same 'a crash without: as ever' $((128 + 11)) $code
-check '... said' grep -q "curtain: crashed (SIGSEGV); a report cannot be written to $reports/" err
+check '... said' grep -q "curtain: crashed (SIGSEGV); cannot write a report to $reports/" err
 finish

@@ -39,7 +39,7 @@ cp -R data "$scratch/was"
 same 'the next start asks, and the game stands behind the question' 1 "$(part asked 2 6 | sort -u | wc -l)"
 check 'unanswered the run is still there' cmp -s "$left" "was/curtain/resume/probe.demo"
 { keys 5; keys 1 $ENTER; keys 100; keys 2 $Z; keys 190 $Z; } | plays went
-same 'going on says so' "curtain: g: goes on at frame $frames with the run that was left" "$(cat err)"
+same 'going on says so' "curtain: g: resumed at frame $frames" "$(cat err)"
 waits() { part went 60 100 | sort -u | wc -l; }
 same 'it waits, paused' 1 "$(waits)"
 same 'until a button is pressed; then the pictures are those of a run that nobody left' \
@@ -49,11 +49,11 @@ same 'its demo says that it was resumed, and holds' '["holds",["resumed"]]' "$(t
 same 'of the part before it no replay stays besides' 1 "$(list | wc -l)"
 again
 { keys 100; keys 1 $Z; keys 60 $Z; ends; } | plays went --resume
-same '--resume asks nothing' "curtain: g: goes on at frame $frames with the run that was left" "$(cat err)"
+same '--resume asks nothing' "curtain: g: resumed at frame $frames" "$(cat err)"
 same 'played to its end it is one replay' '0:07 ship normal 3630 game over, resumed' "$(list)"
 check 'and nothing is left' test ! -e "$left"
 { keys 60; } | plays out --resume
-same 'with nothing left --resume says that' 'curtain: g: --resume: no run was left' "$(cat err)"
+same 'with nothing left --resume says that' 'curtain: g: --resume: no unfinished run' "$(cat err)"
 again
 { keys 3; keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
 check 'who begins anew is not asked again' test ! -e "$left"
@@ -71,9 +71,9 @@ echo 'resume = no' >data/curtain/curtain.conf
 { begin; keys 300 $Z; } | plays out
 check 'resume = no keeps none, and asks nothing' test ! -e "$left"
 
-same '--resume goes on with a start that is given already' 'curtain: --resume does not go with --seed' \
+same '--resume goes on with a start that is given already' 'curtain: --resume cannot be combined with --seed' \
     "$(./player play g --resume --seed 5 2>&1 </dev/null)"
-same 'and is no --no-resume' 'curtain: --resume does not go with --no-resume' \
+same 'and is no --no-resume' 'curtain: --resume cannot be combined with --no-resume' \
     "$(./player play g --resume --no-resume 2>&1 </dev/null)"
 
 again
@@ -81,7 +81,7 @@ again
     keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 3; keys 1 $ENTER; keys 3; keys 1 $ENTER; keys 99 # a replay is watched
     keys 1 $ESC; keys 3; keys 1 $DOWN; keys 2; keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 9 # back to the game
     keys 1 $ENTER; keys 99; } | plays out # which asks
-check 'who left a run to watch a replay is asked when he comes back' grep -q 'goes on at frame 4[0-9]* with' err
+check 'who left a run to watch a replay is asked when he comes back' grep -q 'resumed at frame 4[0-9]*' err
 
 # ---- scores ----
 
@@ -101,7 +101,7 @@ PY
 cp $nv foreign
 { keys 100; keys 1 $Z; keys 130 $Z; } | plays out --resume
 check 'saves that came between are not lost to those of the run' cmp -s $nv foreign
-check 'which is said' grep -q "scores were made since, and this run's are not kept" err
+check 'which is said' grep -q "high scores have changed since, so this run's are not saved" err
 # A kill leaves saves of up to a second before: these are the run's own.
 again
 python3 - $nv <<'PY'
@@ -130,19 +130,19 @@ check 'in a folder that was changed Enter begins anew' test ! -e "$left"
 same '... and says nothing of going on' '' "$(cat err)"
 again
 { keys 3; keys 1 $UP; keys 2; keys 1 $ENTER; keys 100; keys 1 $Z; keys 60 $Z; } | plays went
-same 'going on is the row above' "curtain: g: goes on at frame $frames with the run that was left" "$(cat err)"
+same 'going on is the row above' "curtain: g: resumed at frame $frames" "$(cat err)"
 again
 "$curtain" pack g -o g.rom
 { keys 5; keys 1 $ENTER; keys 100; keys 1 $Z; keys 60 $Z; } | ./player play g.rom >went 2>err
-same 'in a ROM that was changed it goes on' "curtain: g.rom: goes on at frame $frames with the run that was left" \
+same 'in a ROM that was changed it goes on' "curtain: g.rom: resumed at frame $frames" \
     "$(cat err)"
 rm g.rom
 again
 rm data/curtain/roms/*
 { keys 60; } | plays out --resume
 check 'without its ROM it cannot, which is said' grep -q \
-    'the run that was left cannot go on: the game has changed since, and its older ROM is not kept' err
-check 'and it stays among the replays' test -s "$(echo $folder/*.demo)"
+    'Cannot resume the run: the game has changed and its old version is not stored' err
+check 'and Saves the unfinished run as a replay.' test -s "$(echo $folder/*.demo)"
 again
 cp old/main.lua g/main.lua
 python3 "$repo/tests/cli/png_make.py" g/art/all.png 16 16 cccccc
@@ -164,12 +164,12 @@ open(sys.argv[1], "wb").write(d)
 PY
 { keys 60; } | plays out --resume
 check 'a run of another core version does not go on, which is said' grep -q \
-    'the run that was left cannot go on: recorded on core version 7, this is 9' err
+    'Cannot resume the run: recorded with core version 7, this is 9' err
 again
 echo rubbish >$left
 { keys 60; } | plays out
 same 'a file that is none is told by its real path, and the game begins' \
-    "curtain: $PWD/$left: not a demo; the run that was left is gone" "$(cat err)"
+    "curtain: $PWD/$left: not a demo; the unfinished run is lost" "$(cat err)"
 
 # ---- nothing to go on with ----
 
@@ -204,7 +204,7 @@ cp $left later.demo
 exec 3>&-
 wait $first
 same 'two at once: the first says it' \
-    "curtain: where you stand is not kept from here on: $scratch/$left: another program has written it" "$(cat first)"
+    "curtain: Progress is not saved from here on: $scratch/$left: another program has changed it" "$(cat first)"
 check '... and the file is the second one'"'"'s' cmp later.demo $left
 same '... both are replays, the first also as the second found it' 3 "$(list | wc -l)"
 
@@ -220,7 +220,7 @@ kill -9 $killed
 exec 3>&-
 wait $killed 2>/dev/null
 { keys 100; keys 1 $Z; } | plays went --resume
-check 'after kill -9 at most a second is lost' grep -qE 'goes on at frame (4[2-9]|5)[0-9][0-9]? ' err
+check 'after kill -9 at most a second is lost' grep -qE 'resumed at frame (4[2-9]|5)[0-9][0-9]?' err
 rm -rf data
 { begin; keys 250 $Z; ends; } | plays out --seed 5
 cp -R data before

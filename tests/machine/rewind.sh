@@ -125,13 +125,13 @@ same 'a copy of it ends where one left it' "copy.demo: holds, 37 frames" "$("$cu
 cp -R g faulty
 sed -i "s/if i == 30/if i == 71 then error 'ends here' end\n    if i == 30/" faulty/main.lua
 keys 90 | ./player play faulty --seed 5 --record fault.demo >/dev/null 2>&1
-same 'a run that faults' "fault.demo: holds, 71 frames, ends in the fault it was recorded with" \
+same 'a run that faults' "fault.demo: holds, 71 frames, ends in the recorded fault" \
     "$("$curtain" verify faulty fault.demo)"
 { keys 90; keys 1 $BEFORE; keys 3; keys 1 $P; } | ./player play faulty --demo fault.demo --record before.demo >out 2>&1
 check 'who went back from the fault and left has a demo without it' grep -q ': holds, [0-9]* frames$' \
     <("$curtain" verify faulty before.demo)
 { keys 90; keys 1 $T; keys 5; } | ./player play faulty --demo fault.demo --record over.demo >out 2>&1
-same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the fault it was recorded with" \
+same 'taken over at the fault, it ends in it' "over.demo: holds, 71 frames, ends in the recorded fault" \
     "$("$curtain" verify faulty over.demo)"
 
 # ---- another run than was recorded ----
@@ -141,8 +141,8 @@ sed -i 's/i == 150 then/i == 150 or i == 60 then/' other_game/main.lua # saves o
 mkdir -p data2
 XDG_DATA_HOME=$scratch/data2 ./player play other_game --demo whole.demo >shown 2>err < <(keys 100)
 check 'a playback that is not what was recorded says so' grep \
-    -q '^curtain: other_game: from frame 6[01] on this is not the run that was recorded$' err
-same 'once' 1 "$(grep -c 'not the run' err)"
+    -q '^curtain: other_game: Playback diverged from the recording at frame 6[01]$' err
+same 'once' 1 "$(grep -c 'diverged' err)"
 keys 100 | watches shown
 same 'and one that is does not' '' "$(cat err)"
 
@@ -155,6 +155,6 @@ same 'the demo is one of its own' "over.demo: holds, 111 frames" "$("$curtain" v
 rm -f probe-*.demo
 { keys 61; keys 1 $T; keys 49 $Z; } | watches shown
 same 'without --record under a name of its own' "probe-1.demo: holds, 111 frames" "$("$curtain" verify g probe-1.demo)"
-same 'which it tells' "curtain: g: you play; recording $scratch/probe-1.demo" "$(cat err)"
+same 'which it tells' "curtain: g: You play from here. Recording: $scratch/probe-1.demo" "$(cat err)"
 same 'the demo that was shown is untouched' "whole.demo: holds, 200 frames" "$("$curtain" verify g whole.demo)"
 finish

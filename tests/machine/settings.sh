@@ -112,7 +112,7 @@ refuted() { ! "$@" >/dev/null; }
 { keys 30; keys 1 $P; keys 5; } >paused
 picture 34 '' <paused
 cp picture.ppm upright.ppm
-check 'a message is read' says upright.ppm 'paused at frame 30'
+check 'a message is read' says upright.ppm 'Paused at frame 30'
 top() { convert "$1" -crop 240x300+0+0 +repage -depth 8 "rgb:$2"; }
 top upright.ppm upright.rgb
 keys 40 | picture 30 ''
@@ -133,7 +133,7 @@ play_demo() { # SETTINGS X,Y
 }
 play_demo '' 60,316
 cp picture.ppm upright.ppm
-check 'a click on the bar of time goes there' says upright.ppm 'paused at frame'
+check 'a click on the bar of time goes there' says upright.ppm 'Paused at frame'
 play_demo 'turn = left\n' 316,179
 convert picture.ppm -rotate 90 -depth 8 rgb:b
 convert upright.ppm -depth 8 rgb:a
@@ -148,7 +148,7 @@ export KEYS_WINDOW=1200x700
 picture 36 'panels = beside\nborder = no\n' <script
 convert picture.ppm -crop 480x640+360+30 +repage -depth 8 rgb:a
 convert picture.ppm -crop 360x700+840+0 +repage -scale 50% side.ppm
-check 'gauges and messages stand beside it' says side.ppm 'paused at frame 31' 'part          live   top   cap refused'
+check 'gauges and messages stand beside it' says side.ppm 'Paused at frame 31' 'part          live   top   cap refused'
 keys 40 | picture 31 'panels = beside\nborder = no\n'
 convert picture.ppm -crop 480x640+360+30 +repage -depth 8 rgb:b
 check 'and the picture is bare' cmp a b
@@ -158,7 +158,7 @@ check 'where nothing is to be said nothing stands' cmp a b
 export KEYS_WINDOW=700x700
 picture 36 'panels = beside\nborder = no\n' <script
 convert picture.ppm -crop 480x640+110+30 +repage -scale 50% middle.ppm
-check 'in a narrow one they are over it' says picture.ppm 'paused at frame 31'
+check 'in a narrow one they are over it' says picture.ppm 'Paused at frame 31'
 unset KEYS_WINDOW
 
 # The border: its colours in the corners, the picture as it is.
@@ -178,7 +178,7 @@ check 'and the picture in it' cmp a b
 check 'the border is a picture that is used' refuted grep border found
 sed -i '/border =/d' g/rom.lua
 "$curtain" check g >found
-check 'and is not when nobody names it' grep -q '^art/border.png: rom.lua does not name it' found
+check 'and is not when nobody names it' grep -q '^art/border.png: not listed in rom.lua' found
 sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
 cp -R g wrong

@@ -606,7 +606,7 @@ static void test_off(void **state)
     rig_script(&g, NULL, "bg.layer(1).x = 3");
     rig_power_any(&r, &g, &start);
     assert_string_equal(rig_fault(&r)->message,
-                        "main.lua:1: bg: this game has no room for it; rom.lua asks for it: maps = { ... }");
+                        "main.lua:1: bg: backgrounds are disabled; add `maps = { ... }` in rom.lua");
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -622,15 +622,15 @@ static void test_lumps(void **state)
         { 4, 9, "its header is out of range" },
         { 8, 16, "its header is out of range" },
         { 12, 1, "its header is out of range" },
-        { 10, 1, "it says wrongly whether it has holes" },
+        { 10, 1, "wrong flag for empty cells" },
         { 10, 2, "its header is out of range" },
         { 2, 5, "bytes long, its header says" },
         { 16, 4, "cell 0 is tile 4 of 4" },
         { 17, 1, "cell 0 is tile 256 of 4" },
-        { 57, 1, "tile 1 is not what the map says of it" },
-        { 58, 0, "tile 2 is not what the map says of it" },
-        { 60, 49, "tile 0 is not what the map says of it" },
-        { -1, 17, "tile 3 is not what the map says of it" },
+        { 57, 1, "tile 1 does not match the map's flags" },
+        { 58, 0, "tile 2 does not match the map's flags" },
+        { 60, 49, "tile 0 does not match the map's flags" },
+        { -1, 17, "tile 3 does not match the map's flags" },
     };
 
     (void)state;
@@ -674,10 +674,10 @@ static void test_said(void **state)
 {
     static const char *const said[][2] = {
         { "bg.layer(5)", "bg.layer: i: expected a whole number from 1 to 4, got 5" },
-        { "bg.layer(1).map = 'see'", "layer: map \"see\" is not in rom.lua (did you mean \"sea\"?)" },
+        { "bg.layer(1).map = 'see'", "layer: unknown map \"see\" (did you mean \"sea\"?)" },
         { "bg.layer(1).x = bg.layer(2) + 0.5",
-          "layer: x: expected a number from -16383 to 16383 px, got 4.6116860229572e+18 (a thing in arithmetic? name "
-          "what of it is meant, as its x)" },
+          "layer: x: expected a number from -16383 to 16383 px, got 4.6116860229572e+18 (arithmetic on a thing? use "
+          "one of its properties, such as x)" },
         { "bg.layer(1).layer = 'middle'", "layer: layer: expected back or front, got \"middle\"" },
         { "bg.layer(1).vz = 1", "a layer has no property \"vz\" (did you mean \"vx\"?)" },
         { "bg.plane().wrap = true", "a plane has no property \"wrap\" (did you mean \"map\"?)" },

@@ -159,13 +159,13 @@ static void errors(void **state)
 
     (void)state;
     script_faults("bullet.def('b', { sprite = 'dot', hit = 'none', blend = 'glwo' })",
-                  "main.lua:1: bullet.def: blend \"glwo\" is not in rom.lua (did you mean \"glow\"?)");
+                  "main.lua:1: bullet.def: unknown blend \"glwo\" (did you mean \"glow\"?)");
     script_faults("spark.def('b', { sprite = 'dot', life = 1, blend = 3 })",
-                  "main.lua:1: spark.def: blend: expected a blend's name, got 3");
+                  "main.lua:1: spark.def: blend: expected a blend name, got 3");
     script_faults("sprite.put { sprite = 'dot', x = 1, y = 1 }.blend = 'add'",
-                  "main.lua:1: sprite: blend \"add\" is not in rom.lua (it has ghost, glow)");
+                  "main.lua:1: sprite: unknown blend \"add\" (in rom.lua: ghost, glow)");
     rig_script(&none, NULL, "sprite.put { sprite = 'dot', x = 1, y = 1, blend = 'glow' }");
-    faults(&none, "main.lua:1: sprite.put: blend \"glow\" is not in rom.lua (it has none)");
+    faults(&none, "main.lua:1: sprite.put: unknown blend \"glow\" (in rom.lua: none)");
     rig_game_free(&none);
 }
 

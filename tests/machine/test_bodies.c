@@ -532,28 +532,26 @@ static void test_mistakes(void **state)
 {
     (void)state;
     SAYS("enemy.spawn { kind = 'foe', x = 1, follow = foe() }",
-         "enemy.spawn: follow stands in the stead of a place and a path");
-    SAYS("enemy.spawn { kind = 'foe', x = 1, y = 1, share = 1 }", "enemy.spawn: share: only of a part, with follow");
+         "enemy.spawn: follow cannot be combined with a place or path");
+    SAYS("enemy.spawn { kind = 'foe', x = 1, y = 1, share = 1 }", "enemy.spawn: share: requires follow");
     SAYS("enemy.spawn { kind = 'foe', follow = foe(), share = 2 }",
          "enemy.spawn: share: expected a number from 0 to 1, got 2");
-    SAYS("foe().dx = 3", "enemy: dx: this one is no part (enemy.spawn{ follow = .. } makes one)");
-    SAYS("foe().follow = foe()", "enemy: follow is read only");
+    SAYS("foe().dx = 3", "enemy: dx: this enemy is not a part (enemy.spawn { follow = .. } makes one)");
+    SAYS("foe().follow = foe()", "enemy: follow is read-only");
     SAYS("foe().rat = 1", "an enemy has no property \"rat\" (did you mean \"rate\"?)");
-    SAYS("foe():move { x = 1, over = 3 }", "enemy:move: expected either x and y, or dx and dy");
-    SAYS("foe():orbit { spin = 3 }", "enemy:orbit: expected either around (a thing), or x and y");
-    SAYS("local e = foe() e:orbit { around = e, spin = 3 }", "enemy:orbit: around: it cannot go round itself");
-    SAYS("foe():orbit { x = 1, y = 1, spin = 3, radius_to = 9 }",
-         "enemy:orbit: radius_to: it is reached at the end of over, which is left out");
+    SAYS("foe():move { x = 1, over = 3 }", "enemy:move: expected either x and y or dx and dy");
+    SAYS("foe():orbit { spin = 3 }", "enemy:orbit: expected either around (a thing) or x and y");
+    SAYS("local e = foe() e:orbit { around = e, spin = 3 }", "enemy:orbit: around: an enemy cannot orbit itself");
+    SAYS("foe():orbit { x = 1, y = 1, spin = 3, radius_to = 9 }", "enemy:orbit: radius_to: requires over");
     SAYS("foe():wander { w = 9, h = 9, every = 20, over = 40 }",
          "enemy:wander: over: expected at most every (20 frames), got 40");
     SAYS("local e = foe() for i = 1, 9 do e = enemy.spawn { kind = 'foe', follow = e } end",
-         "enemy.spawn: follow: parts of parts go 8 deep at most");
+         "enemy.spawn: follow: parts nested more than 8 deep");
     SAYS("enemy.group().share = 1 foe() enemy.group().dx = 3 enemy.group().rate = 0.5 print(enemy.count())", "1\n");
     assert_string_equal(says(false, "foe().rate = 1"),
-                        "enemy: rate is off in this game: write board = { bodies = true } in rom.lua");
+                        "enemy: rate is disabled; add `bodies = true` to `board` in rom.lua");
     assert_string_equal(says(false, "foe():wander { w = 9, h = 9, every = 20, over = 10 }"),
-                        "enemy:wander: wander: this game has no room for it; rom.lua asks for it: board = { bodies = "
-                        "true }");
+                        "enemy:wander: wander: disabled; add `bodies = true` to `board` in rom.lua");
 }
 
 static void refuses(bool on, const char *of, const char *words)
@@ -574,24 +572,23 @@ static void refuses(bool on, const char *of, const char *words)
 static void test_refused(void **state)
 {
     (void)state;
-    refuses(false, DEF("rate = 1"),
-            "enemy.def: rate: this game has no room for it; rom.lua asks for it: board = { bodies = true }");
+    refuses(false, DEF("rate = 1"), "enemy.def: rate: disabled; add `bodies = true` to `board` in rom.lua");
     refuses(true, DEF("rate = 101"), "enemy.def: rate: expected a number from 0 to 100, got 101");
     refuses(true, DEF("parts = {}"),
-            "enemy.def: parts: expected a list of 1 to 64, { { kind=, dx=, dy= }, .. }, got 0");
+            "enemy.def: parts: expected a list of 1 to 64 parts { kind = .., dx = .., dy = .. }, got 0");
     refuses(true, DEF("parts = { kind = 'foe' }"),
-            "enemy.def: parts: expected a list of 1 to 64, { { kind=, dx=, dy= }, .. }, got 0");
+            "enemy.def: parts: expected a list of 1 to 64 parts { kind = .., dx = .., dy = .. }, got 0");
     refuses(true, DEF("parts = { 'foe' }"),
-            "enemy.def: parts: entry 1: expected a table { kind=, dx=, dy= }, got string");
+            "enemy.def: parts[1]: expected { kind = .., dx = .., dy = .. }, got string");
     refuses(true, DEF("parts = { { kind = 'fo' } }"),
-            "enemy.def part: enemy kind \"fo\" is not declared (did you mean \"foe\"?)");
+            "enemy.def part: unknown enemy kind \"fo\" (did you mean \"foe\"?)");
     refuses(true, DEF("parts = { { kind = 'foe', shore = 1 } }"),
             "enemy.def part: unknown argument \"shore\" (did you mean \"share\"?)");
     refuses(
         true,
         "local last = 'foe' for i = 1, 9 do enemy.def('k' .. i, { sprite = 'dot', hit = { circle = 2 }, parts = { { "
         "kind = last } } }) last = 'k' .. i end",
-        "enemy.def: parts: parts of parts go 8 deep at most");
+        "enemy.def: parts: nested more than 8 deep");
 }
 
 /* ---- formations ---- */
@@ -642,7 +639,7 @@ static void test_stop(void **state)
     SAYS("board.stop(3) board.stop(9) board.stop(4) local at = board.frame() wait(1) print(board.frame() - at)",
          "10\n");
     SAYS("board.stop(61)", "board.stop: n: expected a whole number from 1 to 60 frames, got 61");
-    refuses(true, "board.stop(3)", "board.stop: nothing moves yet while scripts load");
+    refuses(true, "board.stop(3)", "board.stop: cannot be called while scripts load");
 }
 
 /* Special goes down just before the stop; fire goes down and up within it, bomb goes down in it and stays. */

@@ -338,7 +338,7 @@ static void test_errors(void **state)
     (void)state;
     says("one()", "boss.def: phases: expected at least one phase");
     says("one({ talk = idle })", "boss.def: phases: expected at least one phase");
-    says("one(phase {}, phase {})", "boss.def: phase \"a\" is there twice");
+    says("one(phase {}, phase {})", "boss.def: duplicate phase \"a\"");
     says("one(phase { hp = 'x' })",
          "boss.def: phase \"a\": hp: expected a whole number from 1 to 2147483647, got \"x\"");
     says("one(phase { hp = { iris = 3 } })",
@@ -346,30 +346,30 @@ static void test_errors(void **state)
     says("one(phase { armor = 3 })", "boss.def phase \"a\": unknown argument \"armor\" (did you mean \"armour\"?)");
     says("one(phase { safe = 2.5 })",
          "boss.def phase \"a\": safe: expected a whole number from 0 to 65535 frames, got 2.5");
-    says("one(phase { armour = 9 })",
-         "boss.def: armour: this game has no room for it; rom.lua asks for it: board = { bodies = true }");
-    says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is more than the bonus, 5");
+    says("one(phase { armour = 9 })", "boss.def: armour: disabled; add `bodies = true` to `board` in rom.lua");
+    says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is greater than bonus (5)");
     says("one(phase { spell = 'S', cut_in = true })",
-         "boss.def: phase \"a\": cut_in: the boss has no portrait (portrait = a sprite)");
-    says("one(phase { portrait = 'none' })", "boss.def phase \"a\": sprite \"none\" is not in rom.lua");
+         "boss.def: phase \"a\": cut_in requires a portrait (portrait = SPRITE)");
+    says("one(phase { portrait = 'none' })", "boss.def phase \"a\": unknown sprite \"none\" (declare it in rom.lua)");
     says("one({ talk = 3 }, phase {})", "boss.def talk: talk: expected a function, got 3");
-    says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\" (it takes talk)");
+    says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\" (arguments: talk)");
     says("one({ talk = idle }, { hp = 5 })", "boss.def phase \"#2\": id: expected a string, got nil");
-    says("one(phase { music = 'x' })", "boss.def phase \"a\": \"x\" is not in rom.lua's music");
+    says("one(phase { music = 'x' })", "boss.def phase \"a\": unknown music \"x\" (declare it in rom.lua)");
     says("one(3)", "boss.def phase \"#1\": expected a table of named arguments, got 3");
     says("two(phase { hp = { irs = 3 } })",
-         "boss.def: phase \"a\": hp: nobody of the cast is \"irs\" (did you mean \"iris\"?)");
+         "boss.def: phase \"a\": hp: no member of the cast is named \"irs\" (did you mean \"iris\"?)");
     says("two(phase { hp = { iris = 0 } })",
          "boss.def: phase \"a\": hp: iris: expected a whole number from 1 to 2147483647, got 0");
     says("two(phase { hp = {} })", "boss.def: phase \"a\": hp: expected { NAME = value }, got {}");
-    says("two(phase { hp = { 5, 6 } })", "boss.def: phase \"a\": hp: expected { NAME = value }, by names of the cast");
+    says("two(phase { hp = { 5, 6 } })",
+         "boss.def: phase \"a\": hp: expected { NAME = value } with names from the cast");
     says("two(phase { run = { opal = 5 } })", "boss.def: phase \"a\": run: opal: expected a function, got 5");
     says("two(phase { down = 'one' })", "boss.def phase \"a\": down: expected all or any, got \"one\"");
     says("boss.def('b', { title = 'B', kind = 'e', x = 5, y = 5, cast = {}, phases = { phase {} } })",
-         "boss.def: kind: each of the cast has its own");
+         "boss.def: kind: set it on each member of the cast instead");
     says(
         "boss.def('b', { title = 'B', cast = { { name = 'i', title = 'I', kind = 'e', x = 5, y = 5 } }, phases = {} })",
-        "boss.def: cast: expected two or more, got 1");
+        "boss.def: cast: expected at least two members, got 1");
     says("boss.def('b', { title = 'B', x = 5, y = 5, phases = { phase {} } })",
          "boss.def: kind: expected a name, got nil");
     says("one(phase {}) alone() alone()",

@@ -707,31 +707,31 @@ static void test_arguments(void **state)
     (void)state;
     check_refused("bullet.ml { kind = 'orb', x = 1, y = 1 }", "bullet.ml: name: expected");
     check_refused("bullet.ml { name = 'dok', kind = 'orb', x = 1, y = 1 }",
-                  "bullet.ml: name: the game has no bulletml/dok.xml (did you mean \"doc\"?)");
+                  "bullet.ml: name: no bulletml/dok.xml in the game (did you mean \"doc\"?)");
     check_refused("bullet.ml { name = 'doc', x = 1, y = 1 }", "bullet.ml: kind: expected");
     check_refused("bullet.ml { name = 'doc', kind = 'orb' }", "bullet.ml: ");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, rank = 1.5 }",
                   "rank: expected a number from 0");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, speed = 0 }", "bullet.ml: speed: expected");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { b = 'gem' } }",
-                  "kinds: the document fires no bullet with the label \"b\"");
+                  "kinds: unknown label \"b\"");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { a = 'gam' } }",
                   "(did you mean \"gem\"?)");
-    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { 'gem' } }", "got one at 1");
+    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { 'gem' } }", "got key 1");
     check_refused(
         "bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, kinds = { zf = 1, ze = 1, zd = 1, zc = 1, zb = 1, "
         "za = 1, zg = 1, zh = 1 } }",
-        "kinds: the document fires no bullet with the label \"za\"");
+        "kinds: unknown label \"za\"");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, params = { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 } }",
                   "params: expected at most 9 numbers, got 10");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, params = { a = 1 } }",
                   "params: expected a list");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, params = { 'a' } }",
                   "params: expected a number");
-    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, steer = true }", "steer: only with from");
+    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, steer = true }", "steer: requires from");
     rig_script(&g, &m, "bullet.ml { name = 'doc' }");
     rig_power_any(&r, &g, NULL);
-    assert_non_null(strstr(rig_fault(&r)->message, "board = { bulletml = 1024 }"));
+    assert_non_null(strstr(rig_fault(&r)->message, "add `bulletml = 1024` to `board`"));
     close_game(&g, &r);
 }
 
@@ -841,9 +841,9 @@ static void test_harm(void **state)
         harm("<action "
              "label='top'><repeat><times>1000000000</times>\n<action><fire><bullet/></fire></action></repeat></action>",
              3),
-        "bulletml/doc.xml:3: more than 100000 commands in a frame: a repeat without a wait?");
+        "bulletml/doc.xml:3: more than 100000 commands in one frame (repeat without a wait?)");
     assert_string_equal(harm("<action label='top'><actionRef label='top'/></action>", 3),
-                        "bulletml/doc.xml:2: more than 100000 commands in a frame: a repeat without a wait?");
+                        "bulletml/doc.xml:2: more than 100000 commands in one frame (repeat without a wait?)");
     assert_string_equal(
         harm("<action label='top'><actionRef label='a'/></action>\n<action "
              "label='a'><repeat><times>2</times><action><actionRef label='a'/></action></repeat></action>",

@@ -670,8 +670,7 @@ static void test_last_generations(void **state)
     rig_run(&r, 1);
     board_tick(r.b, none);
     assert_non_null(rig_fault(&r));
-    assert_string_equal(rig_fault(&r)->message,
-                        "main.lua:23: player 1 has been in 1073741822 games: the board has to be powered anew");
+    assert_string_equal(rig_fault(&r)->message, "main.lua:23: player 1 has joined 1073741822 games; restart the board");
     for (int i = 0; i < 5; i++) {
         assert_int_equal(pools[i]->gen[slot[i]], GENERATIONS);
         assert_false(slots_has(pools[i], (uint32_t)slot[i], GENERATIONS));

@@ -206,17 +206,17 @@ static void test_errors(void **state)
     says("sprite.plate { x = 0, y = 0, w = 60 }",
          "main.lua:1: sprite.plate: h: expected a whole number from 8 to 4096 px, got nil");
     says("sprite.plate { x = 0, y = 0, w = 60, h = 20, layer = 'over' }",
-         "main.lua:1: sprite.plate: unknown argument \"layer\" (it takes x, y, w, h, bank, hidden, front, stay)");
+         "main.lua:1: sprite.plate: unknown argument \"layer\" (arguments: x, y, w, h, bank, hidden, front, stay)");
     says(PLATE "p.sprite = 'dot'", "main.lua:2: sprite: sprite: a plate has no picture");
     says(PLATE "p.blend = nil", "main.lua:2: sprite: blend: a plate has no picture");
-    says(PLATE "p.dx = 2", "main.lua:2: sprite: dx: it follows nothing: write x, y");
+    says(PLATE "p.dx = 2", "main.lua:2: sprite: dx: the sprite follows nothing; write x and y");
     says(PLATE "local q = p.sprite == nil and p.w == 60 and p.h == 20 and p.blend == nil\n"
                "if q then p:remove() error(tostring(p.w)) end",
          "main.lua:3: nil");
     says("local s = sprite.put { sprite = 'dot', x = 0, y = 0 }\ns.w = 3",
          "main.lua:2: sprite: w: expected a whole number from 8 to 4096 px, got 3");
     says("local s = sprite.put { sprite = 'dot', x = 0, y = 0 }\ns.w = 9",
-         "main.lua:2: sprite: w: only a plate's is written; a picture has the size that rom.lua says");
+         "main.lua:2: sprite: w: can only be written on a plate; a sprite's size comes from rom.lua");
     says("sprite.put { sprite = 'dot', x = 0, y = 0, layer = 'ovre' }",
          "main.lua:1: sprite.put: layer: expected back, middle, front or over, got \"ovre\"");
 }

@@ -547,28 +547,30 @@ static void test_errors(void **state)
     refused("{ emit = { 'dot' } }", "step 1: emit: expected named arguments");
     refused("{ emit = { kind = 'dot' } }",
             "step 1: emit: speed: expected a number from -8191 to 8191 px/frame, got nil");
-    refused("{ emit = { kind = 'dit', speed = 1 } }", "bullet kind \"dit\" is not declared (did you mean \"dot\"?)");
-    refused("{ wait = 1 }, { emit = { kind = 'bolt', speed = 1 } }", "step 2: emit: bullet kind \"bolt\"");
-    refused("{ emit = { kind = 'dot', fire = 'shot', speed = 1 } }", "shot kind \"dot\" is not declared");
+    refused("{ emit = { kind = 'dit', speed = 1 } }", "unknown bullet kind \"dit\" (did you mean \"dot\"?)");
+    refused("{ wait = 1 }, { emit = { kind = 'bolt', speed = 1 } }", "step 2: emit: unknown bullet kind \"bolt\"");
+    refused("{ emit = { kind = 'dot', fire = 'shot', speed = 1 } }", "unknown shot kind \"dot\"");
     refused("{ emit = { kind = 'dot', fire = 'gun', speed = 1 } }", "fire: expected bullet or shot, got \"gun\"");
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'rings', n = 3 } }",
             "pattern: expected one, ring, fan, arc, stack or line, got \"rings\"");
-    refused("{ emit = { kind = 'dot', speed = 1, n = 3 } }", "n is no setting of one (did you leave out pattern?)");
-    refused("{ emit = { kind = 'dot', speed = 1, pattern = 'ring' } }", "step 1: emit: ring needs n");
-    refused("{ emit = { kind = 'dot', speed = 1, pattern = 'fan', n = 3 } }", "step 1: emit: fan needs spread");
+    refused("{ emit = { kind = 'dot', speed = 1, n = 3 } }",
+            "n does not apply to pattern one (did you forget pattern?)");
+    refused("{ emit = { kind = 'dot', speed = 1, pattern = 'ring' } }", "step 1: emit: pattern ring requires n");
+    refused("{ emit = { kind = 'dot', speed = 1, pattern = 'fan', n = 3 } }",
+            "step 1: emit: pattern fan requires spread");
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'arc', n = 3, spread = 4 } }",
-            "spread is no setting of arc");
+            "spread does not apply to pattern arc");
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'ring', n = -1 } }",
             "step 1: emit: n: expected a whole number from 0 to 65535 bullets, got -1");
-    refused("{ emit = { kind = 'dot', speed = 'heap' } }", "value \"heap\" is not declared (did you mean \"heat\"?)");
-    refused("{ emit = { kind = 'dot', speed = 1, x = 3 } }", "step 1: emit: x: it fires from where the bullet is");
-    refused("{ emit = { kind = 'dot', speed = 1, each = print } }", "each: a program runs without Lua");
+    refused("{ emit = { kind = 'dot', speed = 'heap' } }", "unknown value \"heap\" (did you mean \"heat\"?)");
+    refused("{ emit = { kind = 'dot', speed = 1, x = 3 } }", "step 1: emit: x is not allowed");
+    refused("{ emit = { kind = 'dot', speed = 1, each = print } }", "each is not allowed");
     refused("{ emit = { kind = 'dot', speed = 1, colour = 3 } }", "step 1: emit: unknown argument \"colour\"");
     refused("{ emit = { kind = 'dot', speed = 1, het = 3 } }", "unknown argument \"het\" (did you mean \"heat\"?)");
-    refused("{ emit = { kind = 'dot', speed = 1, motion = 'none' } }", "motion \"none\" is not declared");
-    refused("{ emit = { kind = 'bolt', fire = 'shot', speed = 1, delay = 3 } }", "delay is of bullets");
-    refused("{ emit = { kind = 'dot', speed = 1 }, turn = 3 }", "turn cannot stand beside emit");
-    refused("{ loop = forever, { emit = { kind = 'dot', speed = 1 } } }", "never ends");
+    refused("{ emit = { kind = 'dot', speed = 1, motion = 'none' } }", "unknown motion \"none\"");
+    refused("{ emit = { kind = 'bolt', fire = 'shot', speed = 1, delay = 3 } }", "delay does not apply to shots");
+    refused("{ emit = { kind = 'dot', speed = 1 }, turn = 3 }", "turn cannot be combined with emit");
+    refused("{ loop = forever, { emit = { kind = 'dot', speed = 1 } } }", "no step in loop = forever takes time");
     refused("{ wait_for = 3 }", "step 1: wait_for: expected a table");
     refused("{ wait_for = {} }", "wait_for: expected one of x, y, near and tag, got 0");
     refused("{ wait_for = { x = 1, tag = 'a' } }", "wait_for: expected one of x, y, near and tag, got 2");
@@ -577,24 +579,24 @@ static void test_errors(void **state)
     refused("{ wait_for = { x = 1, limits = 3 } }", "unknown argument \"limits\" (did you mean \"limit\"?)");
     refused("{ wait_for = { x = 1, limit = 0 } }",
             "limit: expected forever or a whole number from 1 to 1000000000 frames");
-    refused("{ wait_for = { x = 1 }, bank = 3 }", "bank cannot stand beside wait_for");
+    refused("{ wait_for = { x = 1 }, bank = 3 }", "bank cannot be combined with wait_for");
     refused("{ loop = forever, { wait_for = { x = 1 } } }",
-            "step 1: loop = forever without a frame of time inside never ends (wait_for takes no time where its place "
-            "is reached: add { wait = 1 })");
+            "step 1: infinite loop: no step in loop = forever takes time (wait_for takes no time if its condition "
+            "already holds: add { wait = 1 })");
     refused("{ loop = forever, { loop = 3, { orbit = 50, over = 15 }, { turn = 3 } } }",
-            "step 1: loop = forever without a frame of time inside never ends (orbit takes no time once its thing is "
-            "gone: add { wait = 1 })");
+            "step 1: infinite loop: no step in loop = forever takes time (orbit takes no time once its thing has "
+            "despawned: add { wait = 1 })");
     refused("{ loop = 60000, { loop = 60000, { orbit = 50, over = 15 } } }",
-            "this loop has no frame of time inside and too many steps to run at once (orbit takes no time once its "
-            "thing is gone: add { wait = 1 })");
+            "no step in this loop takes time, and it runs too many steps in one frame (orbit takes no time once its "
+            "thing has despawned: add { wait = 1 })");
     refused("{ orbit = 50, over = 15 }, { loop = forever, { turn = 3 } }",
-            "step 2: loop = forever without a frame of time inside never ends\n");
-    refused("{ path = 3 }", "path: expected a route (what path.def returned), got 3");
-    refused("{ path = {} }", "step 1: path: expected a route (what path.def returned)");
-    refused("{ path = point }", "step 1: path: this route leads nowhere");
-    refused("{ path = route, over = 4 }", "over cannot stand beside path");
-    refused("{ turn = 3, mirror = true }", "mirror is a setting of path");
-    refused("fine = true, { path = route }", "path is exact as it is, and not for a fine motion");
+            "step 2: infinite loop: no step in loop = forever takes time\n");
+    refused("{ path = 3 }", "path: expected a route (from path.def), got 3");
+    refused("{ path = {} }", "step 1: path: expected a route (from path.def)");
+    refused("{ path = point }", "step 1: path: the route has no length");
+    refused("{ path = route, over = 4 }", "over cannot be combined with path");
+    refused("{ turn = 3, mirror = true }", "mirror requires path");
+    refused("fine = true, { path = route }", "path cannot be used in a fine motion (it is already exact)");
 }
 
 int main(void)

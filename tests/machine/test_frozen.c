@@ -279,11 +279,11 @@ static void test_seen(void **state)
          "e.frozen = forever b.frozen = forever e:remove() wait(2) b:remove() wait(2) print(t.alive)",
          "10101\n20202\nfalse\n");
     assert_string_equal(says(false, "bullet.group().frozen = 3"),
-                        "group: frozen is off in this game: write board = { frozen = true } in rom.lua");
+                        "group: frozen is disabled; add `frozen = true` to `board` in rom.lua");
     assert_string_equal(says(false, "print(enemy.spawn { kind = 'foe', x = 1, y = 1 }.frozen)"),
-                        "enemy: frozen is off in this game: write board = { frozen = true } in rom.lua");
+                        "enemy: frozen is disabled; add `frozen = true` to `board` in rom.lua");
     assert_string_equal(says(false, "shot.group('x').frozen = 3"),
-                        "shots: frozen is off in this game: write board = { frozen = true } in rom.lua");
+                        "shots: frozen is disabled; add `frozen = true` to `board` in rom.lua");
     SAYS("bullet.group().frozen = -1",
          "group: frozen: expected forever or a whole number from 0 to 2147483647 frames, got -1");
 }

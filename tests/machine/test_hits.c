@@ -449,27 +449,28 @@ static void test_refused(void **state)
         "bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
         "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } }, { circles = { { x, y, r "
         "}, .. } }, { sprite = name } or \"none\"");
-    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 90 } } })", "it lies along the bullet's dir");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 90 } } })", "lies along its dir");
     refused("bullet.def('a', { sprite = 'dot', hit = { circles = {} } })",
-            "hit.circles: expected a list of 1 to 4, as { { x, y, r }, .. }");
+            "hit.circles: expected a list of 1 to 4 circles { x, y, r }");
     refused("enemy.def('a', { sprite = 'dot', hit = { circles = { { 1, 2 } } } })", "hit.circles r: expected");
     refused("enemy.def('a', { sprite = 'dot', hit = { circles = { 3 } } })", "hit: expected { circle = r }");
-    refused("enemy.def('a', { sprite = 'dot', hit = { circles = { { 8000, -100, 100 } } } })", "hit: it reaches 8200");
+    refused("enemy.def('a', { sprite = 'dot', hit = { circles = { { 8000, -100, 100 } } } })",
+            "hit: the shape reaches 8200");
     refused("enemy.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 'x' } } })", "hit.capsule dir: expected");
     refused("for i = 1, 257 do bullet.def('a' .. i, { sprite = 'dot', hit = { circles = { {0, 0, 1}, {0, 0, 1}, {0, 0, "
             "1}, {0, 0, 1} } } }) end",
-            "or 1024 kinds are declared");
+            "or all 1024 are declared");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4 } } })", "hit.capsule radius: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { -4, 1 } } })", "hit.capsule length: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 8000, 4192 } } })",
-            "hit: it reaches 8192 px from its place; expected at most 8191");
+            "hit: the shape reaches 8192 px from its centre, expected at most 8191");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 8000, 4191 } } }) error('fine')", "fine");
     refused("bullet.def('a', { sprite = 'dot', hit = { circle = 4, box = { 1, 1 } } })", "hit: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = {} })", "got an empty table");
     refused("bullet.def('a', { sprite = 'dot', hit = 'nine' })", "got \"nine\"");
-    refused("enemy.def('a', { sprite = 'dot', hit = { capsle = { 4, 4 } } })", "got one with \"capsle\"");
+    refused("enemy.def('a', { sprite = 'dot', hit = { capsle = { 4, 4 } } })", "got a table with key \"capsle\"");
     refused("player.def('a', { sprite = 'dot', hit = { box = { 4, 4 } } })",
-            "player.def: hit: expected { circle = r } or { sprite = name }, got one with \"box\"");
+            "player.def: hit: expected { circle = r } or { sprite = name }, got a table with key \"box\"");
     refused("player.def('a', { sprite = 'dot', hit = 'none' })",
             "player.def: hit: expected { circle = r } or { sprite = name }, got");
 }

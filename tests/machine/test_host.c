@@ -524,7 +524,7 @@ static void test_command_line(void **state)
     assert_true(demo_save(&d, path, err, sizeof err));
     demo_free(&d);
     command_in_all_hosts(5, verify);
-    assert_non_null(strstr(plain.text, " s after it began"));
+    assert_non_null(strstr(plain.text, " s after its start"));
     command_in_all_hosts(3, help);
 }
 

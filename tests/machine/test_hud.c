@@ -573,15 +573,15 @@ static void test_errors(void **state)
 {
     (void)state;
     says("a = { strat = 3 }", "player.def: registers.a: unknown argument \"strat\" (did you mean \"start\"?)");
-    says("a = { start = 3, max = 2 }", "player.def: registers.a: start 3 is more than max 2");
+    says("a = { start = 3, max = 2 }", "player.def: registers.a: start 3 is greater than max 2");
     says("a = { at = 'left' }", "player.def: registers.a.at: expected top or low, got \"left\"");
     says("a = { label = 3 }", "player.def: registers.a.label: expected a string, got 3");
     says("a = { show = 'bars' }",
          "player.def: registers.a.show: expected none, number, icons, bar or times, got \"bars\"");
-    says("a = { show = 'bar' }", "player.def: registers.a: a bar needs a max");
+    says("a = { show = 'bar' }", "player.def: registers.a: show = \"bar\" requires max");
     says("a = { start = -1 }", "player.def: registers.a: start -1 is less than min 0");
     says("a = 1.5", "player.def: registers.a: expected a whole number from 0 to 2147483647, got 1.5");
-    says("x = 1", "player.def: registers: \"x\" is a property of every player already");
+    says("x = 1", "player.def: registers: \"x\" is already a property of players");
 }
 
 int main(void)

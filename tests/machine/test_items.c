@@ -485,7 +485,7 @@ static void test_sources(void **state)
     SAYS(9,
          TASK "item.drop { kind = 'rock', x = 50, y = 50, n = 70, speed = 0 }\n"
               "print(item.group().count, board.refused 'items') end)",
-         "main.lua:13: the pool of items is full (64; items in rom.lua): what finds no room is not made\n64\t6\n");
+         "main.lua:13: item pool full (64): new items are discarded; raise `board.items` in rom.lua\n64\t6\n");
 }
 
 /* A phase that is beaten drops, and the bullets it leaves turn into items; of one that is not, they are only gone. */
@@ -529,38 +529,37 @@ static void test_refused(void **state)
 {
     static const char *const wrong[][2] = {
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { score = { 9, 3 } } })",
-          "item.def: gives.score: 9 is after 3 (did you mean { 3, 9 }?)" },
+          "item.def: gives.score: first 9 is greater than last 3 (did you mean { 3, 9 }?)" },
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { power = 1.5 } })",
           "item.def: gives.power: expected a whole number from -2147483647 to 2147483647, got 1.5" },
-        { "item.drop { kind = 'gam', x = 1, y = 1 }",
-          "item.drop: item kind \"gam\" is not declared (did you mean \"gem\"?)" },
+        { "item.drop { kind = 'gam', x = 1, y = 1 }", "item.drop: unknown item kind \"gam\" (did you mean \"gem\"?)" },
         { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { gem = -1 } }",
           "enemy.spawn: drops.gem: expected a whole number from 0 to 65535, got -1" },
         { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { gems = 1 } }",
-          "enemy.spawn: item kind \"gems\" is not declared (did you mean \"gem\"?)" },
+          "enemy.spawn: unknown item kind \"gems\" (did you mean \"gem\"?)" },
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { pow = 1 } }) sys.join(1, 'ship')",
-          "item.def: item \"x\": no ship has a register \"pow\", nor the run (registers = { pow = 0 } of player.def, "
-          "or game.def)" },
+          "item.def: item \"x\": unknown register \"pow\" (add registers = { pow = 0 } to player.def or game.def)" },
         { "item.def('x', { sprite = 'dot', radius = 3, full = 'fuel' }) sys.join(1, 'ship')",
-          "item.def: full: no ship's register \"fuel\" has a max, nor the run's (registers = { fuel = { max = n } } of "
-          "player.def, or game.def)" },
+          "item.def: full: register \"fuel\" has no max (write registers = { fuel = { max = n } } in player.def or "
+          "game.def)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { start = 9, max = 3 } } })",
-          "player.def: registers.a: start 9 is more than max 3" },
+          "player.def: registers.a: start 9 is greater than max 3" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { most = 3 } } })",
-          "player.def: registers.a: unknown argument \"most\" (it takes start, min, max, drain, every, hold, show, at, "
+          "player.def: registers.a: unknown argument \"most\" (arguments: start, min, max, drain, every, hold, show, "
+          "at, "
           "label, "
           "mark)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = 3 }, collect_full = 'a' })",
-          "player.def: collect_full: the register \"a\" has no max (registers = { a = { max = n } })" },
+          "player.def: collect_full: register \"a\" has no max (write registers = { a = { max = n } })" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, collect_full = 'a' })",
-          "player.def: collect_full: \"a\" is no register of this ship (registers = { a = 0 })" },
+          "player.def: collect_full: unknown register \"a\" (add registers = { a = 0 } to player.def)" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { ab = 1 }, collect_full = 'a' })",
-          "player.def: collect_full: \"a\" is no register of this ship (did you mean \"ab\"?)" },
+          "player.def: collect_full: unknown register \"a\" (did you mean \"ab\"?)" },
         { "enemy.spawn { kind = 'foe', x = 1, y = 1, drops = { 'gem' } }",
-          "enemy.spawn: drops: expected names with numbers, { NAME = n }, got a list" },
+          "enemy.spawn: drops: expected { NAME = n }, got a list" },
         { "item.drop { kind = 'foe', x = 1, y = 1 }",
-          "item.drop: item kind \"foe\" is not declared (enemy kind \"foe\" is)" },
-        { "print(item.group().x)", "items: x cannot be read of a group (only count can)" },
+          "item.drop: unknown item kind \"foe\" (found enemy kind \"foe\")" },
+        { "print(item.group().x)", "items: x cannot be read from a group (only count can)" },
     };
 
     (void)state;

@@ -243,7 +243,7 @@ static void test_differs(void **state)
     while (s.state != SESSION_PLAYING)
         assert_true(session_work(&s, UINT64_MAX));
     assert_false(session_go_on(&s, DEMO_RESUMED));
-    assert_string_equal(s.err, "it is not the run that was recorded any more");
+    assert_string_equal(s.err, "playback diverged from the recording");
     assert_true(session_close(&s));
     demo_free(&d);
 }

@@ -139,8 +139,9 @@ static void test_errors(void **state)
     rig_script(&g, NULL, "bullet.def('a', { sprite = 'dot', hit = 'none', spin = 3 })");
     rig_power_any(&r, &g, NULL);
     assert_non_null(rig_fault(&r));
-    assert_string_equal(rig_fault(&r)->message,
-                        "main.lua:1: bullet.def: spin: sprite \"dot\" has no turned copies (rotations in rom.lua)");
+    assert_string_equal(
+        rig_fault(&r)->message,
+        "main.lua:1: bullet.def: spin: sprite \"dot\" has no rotations (add `rotations` to it in rom.lua)");
     rig_free(&r);
     rig_game_free(&g);
 }

@@ -860,19 +860,19 @@ static void test_faults(void **state)
 {
     (void)state;
     fault("laser.beam { kind = 'rya', x = 1, y = 1, length = 9, hold = 1 }",
-          "laser.beam: laser kind \"rya\" is not declared (did you mean \"ray\"?)");
+          "laser.beam: unknown laser kind \"rya\" (did you mean \"ray\"?)");
     fault("pattern.ring { kind = 'ray', x = 1, y = 1, n = 3, speed = 3 }",
-          "pattern.ring: bullet kind \"ray\" is not declared (laser kind \"ray\" is)");
+          "pattern.ring: unknown bullet kind \"ray\" (found laser kind \"ray\")");
     fault("laser.beam { kind = 'ray', x = 1, y = 1, length = 9 }",
           "laser.beam: hold: expected forever or a whole number from 0 to 1000000000 frames, got nil");
     fault("laser.beam { kind = 'ray', x = 1, follow = p, length = 9, hold = 2 }",
-          "laser.beam: follow stands in the place of x and y, or from");
+          "laser.beam: follow cannot be combined with x, y or from");
     fault("laser.beam { kind = 'ray', x = 1, y = 1, turns = true, length = 9, hold = 2 }",
-          "laser.beam: turns: only of a beam that follows something");
+          "laser.beam: turns: requires follow");
     fault("laser.curve { kind = 'ray', x = 1, y = 1, speed = 1, points = 257 }",
           "laser.curve: points: expected a whole number from 2 to 256 frames, got 257");
     fault("laser.curve { kind = 'ray', x = 1, y = 1, speed = 1 }.length = 3",
-          "laser: length: a curve is as long as it has flown in its frames (points)");
+          "laser: length: cannot be set on a curve (points sets its length)");
     for (int i = 0; i < api_things[H_LASER]->n; i++) {
         const struct api_prop *p = &api_things[H_LASER]->props[i];
         char text[200], want[100];
@@ -880,12 +880,12 @@ static void test_faults(void **state)
             continue;
         snprintf(text, sizeof text,
                  "local l = laser.bolt { kind = 'ray', x = 1, y = 1, speed = 1, length = 9 } l.%s = 1", p->value.name);
-        snprintf(want, sizeof want, "laser: %s is read only", p->value.name);
+        snprintf(want, sizeof want, "laser: %s is read-only", p->value.name);
         fault(text, want);
     }
     fault("pattern.stack { kind = 'ray', fire = 'beam', x = 1, y = 1, n = 3, speed_to = 3, length = 9, hold = 1 }",
           "pattern.stack: fire: a beam has no speed, of which this figure is made");
-    fault("print(laser.group().x)", "lasers: x cannot be read of a group (only count can)");
+    fault("print(laser.group().x)", "lasers: x cannot be read from a group (only count can)");
 }
 
 /* Without room there is no table, no memory, and a word that says what to do. */
@@ -908,8 +908,8 @@ static void test_without(void **state)
     assert_int_equal(board_hash(r.b), board_hash_of(hashes));
     for (int i = 0; i < 4 && !rig_fault(&r); i++)
         board_tick(r.b, (const uint16_t[PADS]){ 0 });
-    assert_non_null(strstr(rig_fault(&r)->message,
-                           "laser: this game has no room for it; rom.lua asks for it: board = { lasers = 64 }"));
+    assert_non_null(
+        strstr(rig_fault(&r)->message, "laser: lasers are disabled; add `lasers = 64` to `board` in rom.lua"));
     end();
     rig_script(&g, &m,
                "bullet.def('orb', { sprite = 'dot', hit = 'none' })\n"
@@ -917,8 +917,8 @@ static void test_without(void **state)
     rig_power(&r, &g, NULL);
     for (int i = 0; i < 8 && !rig_fault(&r); i++)
         board_tick(r.b, (const uint16_t[PADS]){ 0 });
-    assert_non_null(strstr(rig_fault(&r)->message, "pattern.ring: fire: this game has no room for it; rom.lua asks for "
-                                                   "it: board = { lasers = 64 }"));
+    assert_non_null(strstr(rig_fault(&r)->message,
+                           "pattern.ring: fire: lasers are disabled; add `lasers = 64` to `board` in rom.lua"));
     end();
 }
 
@@ -946,7 +946,7 @@ static void test_without_curves(void **state)
         board_tick(r.b, (const uint16_t[PADS]){ 0 });
         assert_int_equal(r.b->lasers.s.live, 3);
         assert_non_null(strstr(rig_fault(&r)->message, i ? "pattern.ring: fire: " : "laser.curve: "));
-        assert_non_null(strstr(rig_fault(&r)->message, "it: board = { curve_points = 2048 }"));
+        assert_non_null(strstr(rig_fault(&r)->message, "add `curve_points = 2048` to `board` in rom.lua"));
         end();
     }
 }

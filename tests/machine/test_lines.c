@@ -74,11 +74,11 @@ static void test_properties(void **state)
     faults("text.line { x = 1, y = 1, text = {} }",
            "main.lua:1: text.line: text: expected a string or a number, got a table");
     faults("text.line { x = 1, y = 1, text = 'a', font = 'tinny' }",
-           "main.lua:1: text.line: font \"tinny\" is not in rom.lua's fonts (did you mean \"tiny\"?)");
+           "main.lua:1: text.line: unknown font \"tinny\" (did you mean \"tiny\"?)");
     faults("local s = sprite.put { sprite = 'dot', x = 1, y = 1 } text.line { follow = s, x = 1, text = 'a' }",
-           "main.lua:1: text.line: follow stands in the stead of x, y and from");
+           "main.lua:1: text.line: follow cannot be combined with x, y or from");
     faults("local s = sprite.put { sprite = 'dot', x = 1, y = 1 } text.line { follow = s, screen = true, text = 'a' }",
-           "main.lua:1: text.line: screen: what follows a thing is in the field");
+           "main.lua:1: text.line: screen cannot be combined with follow");
     faults("text.line { x = 1, y = 1, text = 'a', width = 7 }",
            "main.lua:1: text.line: width: expected a whole number from 8 to 1024 px, got 7");
 }
@@ -296,13 +296,14 @@ static void test_cells(void **state)
     m.wide = 0;
     rig_script(&g, &m, "text.put { col = 2, row = 3, text = 'A', font = 'tiny' }");
     rig_power_any(&rig, &g, NULL);
-    assert_string_equal(rig_fault(&rig)->message, "main.lua:1: text.put: font: cells have none; rom.lua asks for it: "
-                                                  "board = { wide = true }");
+    assert_string_equal(
+        rig_fault(&rig)->message,
+        "main.lua:1: text.put: font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
     end();
     rig_script(&g, &m, "text.line { x = 1, y = 1, text = 'A' }");
     rig_power_any(&rig, &g, NULL);
-    assert_string_equal(rig_fault(&rig)->message, "main.lua:1: text.line: this game has no room for it; rom.lua asks "
-                                                  "for it: board = { lines = 32 }");
+    assert_string_equal(rig_fault(&rig)->message,
+                        "main.lua:1: text.line: text lines are disabled; add `lines = 32` to `board` in rom.lua");
     end();
 }
 

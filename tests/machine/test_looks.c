@@ -268,21 +268,21 @@ static void test_errors(void **state)
          "enemy: its kind has no picture \"csat\" (did you mean \"cast\"?)");
     says("enemy.spawn { kind = 'e', x = 1, y = 1 }.picture = 'zzzzzzz'", "enemy: its kind has no picture \"zzzzzzz\"");
     says("enemy.spawn { kind = 'plain', x = 1, y = 1 }.picture = 'cast'",
-         "enemy: its kind has no pictures beside its sprite (pictures in enemy.def)");
+         "enemy: its kind has no pictures (add `pictures` to its enemy.def)");
     says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { cast = 'dott' } })",
-         "enemy.def: sprite \"dott\" is not in rom.lua (did you mean \"dot\"?)");
+         "enemy.def: unknown sprite \"dott\" (did you mean \"dot\"?)");
     says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { cast = 3 } })",
-         "enemy.def: pictures.cast: expected a sprite's name, got 3");
+         "enemy.def: pictures.cast: expected a sprite name, got 3");
     says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { 'dot' } })",
-         "enemy.def: pictures: expected names with sprites, as { hurt = \"moth_hurt\" }, got a list");
+         "enemy.def: pictures: expected { NAME = sprite }, as { hurt = \"moth_hurt\" }, got a list");
     says("local t = {} for i = 1, 7 do t['n' .. i] = 'dot' end\n"
          "enemy.def('x', { sprite = 'dot', hit = 'none', pictures = t })",
-         "enemy.def: pictures: at most 7");
+         "enemy.def: pictures: too many (at most 7)");
     says("enemy.def('x', { sprite = 'dot', hit = 'none', blink = 16 })",
          "enemy.def: blink: expected a whole number from 0 to 15 frames, got 16");
     says("for i = 1, 20 do player.def('q' .. i, { sprite = 'dot', hit = { circle = 1 }, pictures = { a = 'dot', b = "
          "'dot' } }) end",
-         "player.def: no room: 64 kinds are declared (each of a kind's pictures counts as one)");
+         "player.def: too many kinds (at most 64; each picture of a kind counts as one)");
 }
 
 /* What looks do is in the enemies' and players' own bits: all else goes on as without. */

@@ -497,21 +497,21 @@ static void test_errors(void **state)
 {
     (void)state;
     fault(false, "bullet.meet('a', 'b', { clear = 'both' })",
-          "main.lua:1: bullet.meet: meet is off in this game: write board = { meet = true } in rom.lua");
+          "main.lua:1: bullet.meet: disabled; add `meet = true` to `board` in rom.lua");
     fault(true, "bullet.meet('a', 'b', { clear = 'frist' })",
           "main.lua:1: bullet.meet: clear: expected none, first, second or both, got \"frist\"");
     fault(true, "bullet.meet('a', 'b', { })",
-          "main.lua:1: bullet.meet: expected clear or on_meet: without them nothing comes of it");
+          "main.lua:1: bullet.meet: expected clear or on_meet (without them a meeting has no effect)");
     fault(true, "bullet.meet('a', 'b', { clear = 'none', all = true, on_meet = print })",
-          "main.lua:1: bullet.meet: all: only with clear");
+          "main.lua:1: bullet.meet: all: requires clear");
     fault(true,
           "bullet.meet('a', 'b', { clear = 'both' }) bullet.meet('b', 'a', { clear = 'both' })\n"
           "bullet.meet('a', 'b', { clear = 'first' })",
-          "main.lua:2: bullet.meet: \"a\" and \"b\" are declared already");
+          "main.lua:2: bullet.meet: tags \"a\" and \"b\" are already declared as a pair");
     fault(true, "for i = 1, 17 do bullet.meet('a', 'b' .. i, { clear = 'both' }) end",
-          "main.lua:1: bullet.meet: a game declares at most 16 pairs of tags");
+          "main.lua:1: bullet.meet: too many pairs of tags (at most 16)");
     fault(true, "task.go(function() wait(1) bullet.meet('a', 'b', { clear = 'both' }) end)",
-          "main.lua:1: bullet.meet: only while scripts load");
+          "main.lua:1: bullet.meet: can only be called while scripts load");
 }
 
 int main(void)

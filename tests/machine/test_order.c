@@ -164,7 +164,8 @@ static const struct order orders[] = {
     { "wait_until in a handler",
       "on.kill(function() wait_until(function() return true end) end) task.go(function() foe():kill() end)", 2, NULL,
       "task.go" },
-    { "wait in an each", "task.go(function() foe() enemy.each(nil, function() wait(1) end) end)", 2, NULL, "C calls" },
+    { "wait in an each", "task.go(function() foe() enemy.each(nil, function() wait(1) end) end)", 2, NULL,
+      "callback from C" },
     { "wait in a closing of a stopped task",
       "local t = task.go(function() local k <close> = setmetatable({}, { __close = function() wait(1) end }) wait(9) "
       "end)\n"

@@ -489,7 +489,7 @@ static void what_cannot_be_kept_is_not(void **state)
     assert_false(console_kept(&t->c));
     assert_true(board_hash(t->r.b) == hash);
     draw_console(t);
-    must_see(t, "nothing can be kept");
+    must_see(t, "nothing can be saved");
     console_poll(&t->c, &in, &k, NULL, true); /* no board any more */
     assert_false(t->c.open);
     k.pressed = k.held = 1u << CAB_CONSOLE;

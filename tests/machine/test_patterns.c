@@ -444,35 +444,31 @@ static void test_errors(void **state)
 {
     (void)state;
     says(RING "skip = 3 }", PLAIN "3");
-    says(RING "skip = { 3 } }", PLAIN "nil as its last");
-    says(RING "skip = { first = 3 } }", PLAIN "nil as its first");
-    says(RING "skip = { 1, 2, 3 } }", PLAIN "3 of them");
-    says(RING "skip = { 1, 2.5 } }", PLAIN "2.5 as its last");
-    says(RING "skip = { 1, 65536 } }", PLAIN "65536 as its last");
-    says(RING "skip = { 'x', 2 } }", PLAIN "\"x\" as its first");
-    says(RING "skip = { 5, 2 } }", SPAN "5 is after 2 (did you mean { 2, 5 }?)");
+    says(RING "skip = { 3 } }", PLAIN "nil as the last");
+    says(RING "skip = { first = 3 } }", PLAIN "nil as the first");
+    says(RING "skip = { 1, 2, 3 } }", PLAIN "3 values");
+    says(RING "skip = { 1, 2.5 } }", PLAIN "2.5 as the last");
+    says(RING "skip = { 1, 65536 } }", PLAIN "65536 as the last");
+    says(RING "skip = { 'x', 2 } }", PLAIN "\"x\" as the first");
+    says(RING "skip = { 5, 2 } }", SPAN "first 5 is greater than last 2 (did you mean { 2, 5 }?)");
     says(RING "skp = { 1, 2 } }", "main.lua:2: pattern.ring: unknown argument \"skp\" (did you mean \"skip\"?)");
-    says(RING "accel = 1 }",
-         "main.lua:2: pattern.ring: unknown argument \"accel\" (it is of a motion's steps: motion = "
-         "motion.def { { accel = ... } })");
+    says(RING "accel = 1 }", "main.lua:2: pattern.ring: unknown argument \"accel\" (it is a step of a motion: motion = "
+                             "motion.def { { accel = ... } })");
     says("wait { accel = 1 }",
          "main.lua:2: wait: n: expected forever or a whole number from 0 to 1000000000 frames, got "
          "a table");
-    says(RING "motion = {} }", "main.lua:2: pattern.ring: motion: expected a motion (write motion.def { ... }) or a "
-                               "motion's name, got a table");
-    says(RING "motion = 3 }", "main.lua:2: pattern.ring: motion: expected a motion or a motion's name, got 3");
+    says(RING "motion = {} }",
+         "main.lua:2: pattern.ring: motion: expected a motion (motion.def { ... }) or a motion name, got a table");
+    says(RING "motion = 3 }", "main.lua:2: pattern.ring: motion: expected a motion or a motion name, got 3");
     says("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } pattern.ring(e)",
          "main.lua:2: pattern.ring: expected a table of named arguments, got an enemy");
-    says(
-        "task.own(enemy.spawn { kind = 'foe', x = 9, y = 9 }, pattern.ring, {" DOT "n = 3 })",
-        "main.lua:2: pattern.ring: expected a table of named arguments, got an enemy (a task's function gets its owner "
-        "first: write function(e) ... end)");
+    says("task.own(enemy.spawn { kind = 'foe', x = 9, y = 9 }, pattern.ring, {" DOT "n = 3 })",
+         "main.lua:2: pattern.ring: expected a table of named arguments, got an enemy (a task passes its owner as the "
+         "first argument: write function(e) ... end)");
     says(RING "fire = 'bomb' }",
          "main.lua:2: pattern.ring: fire: expected bullet, shot, bolt, curve or beam, got \"bomb\"");
-    says(RING "fire = 'shot' }",
-         "main.lua:2: pattern.ring: shot kind \"dot\" is not declared (bullet kind \"dot\" is)");
-    says(RING "by = player.get(1) }",
-         "main.lua:2: pattern.ring: by is an argument of shots (did you mean to add fire = \"shot\"?)");
+    says(RING "fire = 'shot' }", "main.lua:2: pattern.ring: unknown shot kind \"dot\" (found bullet kind \"dot\")");
+    says(RING "by = player.get(1) }", "main.lua:2: pattern.ring: by requires a shot (did you forget fire = \"shot\"?)");
     says("pattern.polygon {" DOT "n = 12, sides = 5 }",
          "main.lua:2: pattern.polygon: n: expected a multiple of 5, for as many bullets on each side, got 12 (did you "
          "mean 10?)");

@@ -296,10 +296,9 @@ static void refuses(bool on, const char *of, const char *words)
 static void test_refused(void **state)
 {
     (void)state;
-    refuses(false, "pierce = 1",
-            "shot.def: pierce: this game has no room for it; rom.lua asks for it: board = { pierce = true }");
+    refuses(false, "pierce = 1", "shot.def: pierce: piercing is disabled; add `pierce = true` to `board` in rom.lua");
     refuses(false, "pierce = 0", "");
-    refuses(true, "every = 3", "shot.def: every: only of a shot that has pierce");
+    refuses(true, "every = 3", "shot.def: every: requires pierce");
     refuses(true, "pierce = -1", "shot.def: pierce: expected forever or a whole number from 0 to 1000000, got -1");
 }
 

@@ -372,7 +372,7 @@ static void test_changed(void **state)
     run(t, false, false, &planned);
     expect_equal(t, &planned, run(t, true, false, &plain));
     assert_false(planned.fine);
-    assert_non_null(strstr(planned.out, "expected named arguments ({ name = value }), got one at 1"));
+    assert_non_null(strstr(planned.out, "expected named arguments ({ name = value }), got key 1"));
 }
 
 /* A plan is used once there are calls enough, and is none of a state: neither hash nor digest has anything of it. */

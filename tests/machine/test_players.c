@@ -321,7 +321,7 @@ static void test_options_full(void **state)
     b = rig.b;
     hold(0, 0, 1);
     assert_string_equal(board_last(b)->log,
-                        "the pool of options is full (3; options in rom.lua): what finds no room is not made\n");
+                        "option pool full (3): new options are dropped; raise `board.options` in rom.lua\n");
     assert_int_equal(options_of(0), 2);
     assert_int_equal(options_of(1), 1);
     hold(0, 0, 12);

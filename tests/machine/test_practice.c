@@ -227,18 +227,18 @@ static void test_ranges(void **state)
 
     (void)state;
     start.practice.lives = -1;
-    expect_refusal(&start, "a practice start with -1 lives: expected 1 to 99, or 0");
+    expect_refusal(&start, "practice start: lives: expected 0 to 99, got -1");
     start.practice.lives = 100;
-    expect_refusal(&start, "a practice start with 100 lives: expected 1 to 99, or 0");
+    expect_refusal(&start, "practice start: lives: expected 0 to 99, got 100");
     start.practice.lives = 0;
     start.practice.registers = 17;
-    expect_refusal(&start, "a practice start with 17 registers: expected 0 to 16");
+    expect_refusal(&start, "practice start: registers: expected at most 16, got 17");
     start.practice.registers = -1;
-    expect_refusal(&start, "a practice start with -1 registers: expected 0 to 16");
+    expect_refusal(&start, "practice start: registers: expected at most 16, got -1");
     start.practice.registers = 0;
     start.practice.section[0] = 0;
     start.practice.invincible = true;
-    expect_refusal(&start, "lives, registers or invincibility without a practice start");
+    expect_refusal(&start, "lives, registers and invincibility require a practice start");
 }
 
 /* ---- invincible ---- */
@@ -584,7 +584,8 @@ static void test_list_of_none(void **state)
     (void)state;
     rig_script(&g, NULL, "task.go(function() end)");
     rig_power_any(&r, &g, &start);
-    assert_string_equal(rig_fault(&r)->message, "practice: nothing can be chosen: main.lua does not call boot.run");
+    assert_string_equal(rig_fault(&r)->message,
+                        "practice: no sections to choose from; main.lua does not call boot.run");
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -620,8 +621,8 @@ static void test_endless(void **state)
 {
     static const char *const marks[] = { "ever:after", "waits:none" };
     static const char *const faults[] = {
-        "main.lua:34: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?",
-        "main.lua:37: wait: more than 100000 waits on the way to a mark: does it wait for what is passed over there?"
+        "main.lua:34: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)",
+        "main.lua:37: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)"
     };
     const uint16_t none[PADS] = { 0 };
 
@@ -777,7 +778,7 @@ static void test_sections_of_the_wrong(void **state)
     rig_game_free(&g);
     rig_script(&g, NULL, "task.go(function() end)");
     sections_list(&p, &g.image.rom, &start, true);
-    assert_string_equal(p.why, "practice: nothing can be chosen: main.lua does not call boot.run");
+    assert_string_equal(p.why, "practice: no sections to choose from; main.lua does not call boot.run");
     assert_int_equal(p.n, 0);
     rig_game_free(&g);
 }

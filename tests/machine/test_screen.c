@@ -355,7 +355,7 @@ static void test_errors(void **state)
     says("screen.flash { over = 5, share = 2 }",
          "main.lua:1: screen.flash: share: expected a number from 0 to 1, got 2");
     says("screen.flash { over = 5, colour = 2 }",
-         "main.lua:1: screen.flash: unknown argument \"colour\" (it takes to, over, share)");
+         "main.lua:1: screen.flash: unknown argument \"colour\" (arguments: to, over, share)");
     says("screen.letterbox { h = -1 }",
          "main.lua:1: screen.letterbox: h: expected a whole number from 0 to 2048 px, got -1");
 }

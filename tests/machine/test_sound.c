@@ -255,16 +255,15 @@ static void refuses(const char *script, const char *message)
 static void test_mistakes(void **state)
 {
     (void)state;
-    refuses("sound.play('bom')", "main.lua:1: sound.play: \"bom\" is not in rom.lua's sounds (did you mean \"boom\"?)");
-    refuses("sound.play(3)", "main.lua:1: sound.play: name: expected a sound's name, got 3");
+    refuses("sound.play('bom')", "main.lua:1: sound.play: unknown sound \"bom\" (did you mean \"boom\"?)");
+    refuses("sound.play(3)", "main.lua:1: sound.play: name: expected a sound name, got 3");
     refuses("sound.play('boom', { volum = 1 })",
             "main.lua:1: sound.play: unknown argument \"volum\" (did you mean \"volume\"?)");
     refuses("sound.play('boom', { volume = 2 })",
             "main.lua:1: sound.play: volume: expected a number from 0 to 1, got 2");
     refuses("sound.play('boom', { pan = 0, from = bullet.fire { kind = 'x' } })",
-            "main.lua:1: bullet.fire: bullet kind \"x\" is not declared (there is none)");
-    refuses("music.play('tied')",
-            "main.lua:1: music.play: \"tied\" is not in rom.lua's music (did you mean \"tide\"?)");
+            "main.lua:1: bullet.fire: unknown bullet kind \"x\" (declared: none)");
+    refuses("music.play('tied')", "main.lua:1: music.play: unknown music \"tied\" (did you mean \"tide\"?)");
     refuses("music.stop(30)", "main.lua:1: music.stop: expected a table of named arguments, got 30");
     refuses("music.wait(1)", "main.lua:1: music.wait: only a task can wait; start one with task.go");
     refuses("music.play('tide') music.wait('drob')",

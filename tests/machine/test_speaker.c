@@ -585,10 +585,10 @@ static void test_report(void **state)
     (void)state;
     power(steady);
     speaker_report(&speaker, line, sizeof line);
-    assert_string_equal(line, "sound: none was played");
+    assert_string_equal(line, "sound: nothing was played");
     even(600);
     speaker_report(&speaker, line, sizeof line);
-    if (strncmp(line, "sound: 40.", 10) != 0 || !strstr(line, "gaps 0, blocks left out 0"))
+    if (strncmp(line, "sound: latency 40.", 18) != 0 || !strstr(line, "gaps 0, dropped blocks 0"))
         fail_msg("%s", line);
     flush();
     even(10);

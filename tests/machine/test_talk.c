@@ -611,7 +611,7 @@ static void test_errors(void **state)
          "main.lua:2: talk.run: a talk is running: say and choose speak in it (a phase { talk = f } is one)");
     says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
     says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
-                 "main.lua:1: talk.def face: sprite \"dto\" is not in rom.lua (did you mean \"dot\"?)");
+                 "main.lua:1: talk.def face: unknown sprite \"dto\" (did you mean \"dot\"?)");
     says_at_load("talk.def('a', { name = 'A' }) talk.def('a', { name = 'A' })",
                  "main.lua:1: talk.def: \"a\" is declared twice");
     says_at_load("talk.def('a', { name = 'A', faces = { 'dot' } })",

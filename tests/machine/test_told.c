@@ -87,25 +87,25 @@ static void test_read_only(void **state)
                       : t->props[i].write == PROP_WRITE)
                 continue;
             snprintf(text, sizeof text, "wait(2) local t = %s t.%s = 1", made[k], name);
-            snprintf(want, sizeof want, "main.lua:2: %s: %s is read only", t->name, name);
+            snprintf(want, sizeof want, "main.lua:2: %s: %s is read-only", t->name, name);
             SAYS(text, want);
             seen++;
         }
     }
     assert_int_equal(seen, 53);
     SAYS("local b = bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } b:remove() b.alive = true",
-         "main.lua:2: bullet: alive is read only");
-    SAYS("task.scope().alive = false", "main.lua:2: task: alive is read only");
-    SAYS("p.bomb = 3", "main.lua:2: player: bomb is a verb: call it with a colon, as thing:bomb(...)");
+         "main.lua:2: bullet: alive is read-only");
+    SAYS("task.scope().alive = false", "main.lua:2: task: alive is read-only");
+    SAYS("p.bomb = 3", "main.lua:2: player: bomb is a method; call it with a colon, thing:bomb(...)");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e.kill = print",
-         "main.lua:2: enemy: kill is a verb: call it with a colon, as thing:kill(...)");
+         "main.lua:2: enemy: kill is a method; call it with a colon, thing:kill(...)");
     SAYS("bullet.group('t').alive = false", "main.lua:2: a group has no property \"alive\"");
     SAYS("p.alve = false", "main.lua:2: a player has no property \"alve\" (did you mean \"alive\"?)");
-    SAYS("rom.title = 'x'", "main.lua:2: rom.title is read only");
-    SAYS("rom.field.w = 3", "main.lua:2: rom.field.w is read only");
-    SAYS("rom.new = 3", "main.lua:2: rom.new is read only");
-    SAYS("print(bullet.group('t').age)", "main.lua:2: group: age cannot be read of a group (only count can)");
-    SAYS("print(bullet.group('t').speed)", "main.lua:2: group: speed cannot be read of a group (only count can)");
+    SAYS("rom.title = 'x'", "main.lua:2: rom.title is read-only");
+    SAYS("rom.field.w = 3", "main.lua:2: rom.field.w is read-only");
+    SAYS("rom.new = 3", "main.lua:2: rom.new is read-only");
+    SAYS("print(bullet.group('t').age)", "main.lua:2: group: age cannot be read from a group (only count can)");
+    SAYS("print(bullet.group('t').speed)", "main.lua:2: group: speed cannot be read from a group (only count can)");
 }
 
 /* ---- registers ---- */
@@ -139,9 +139,9 @@ static void test_later(void **state)
 {
     (void)state;
     SAYS("sound.play('x')",
-         "main.lua:2: sound: this game has no room for it; rom.lua asks for it: sounds = { ... } or music = { ... }");
+         "main.lua:2: sound: sound is disabled; add `sounds = { ... }` or `music = { ... }` in rom.lua");
     SAYS("local f = optn", "main.lua:2: undeclared global \"optn\" (did you mean \"on\"?)");
-    SAYS("local f = test", "main.lua:2: undeclared global \"test\" (test is not there yet; the name is kept for it)");
+    SAYS("local f = test", "main.lua:2: undeclared global \"test\" (test is reserved for a later version)");
     SAYS("print(board.test, on[1], text.lines)", "nil\tnil\tnil\n");
     SAYS("board.test = print board.test('mine')", "mine\n");
     SAYS("bullet.fier {}",
@@ -158,21 +158,19 @@ static void test_later(void **state)
          "main.lua:2: menu.choose: items: expected a list of texts, as { items = { \"YES\", \"NO\" }, row = 12 }");
     SAYS("menu.choose { items = { 'a' } }", "main.lua:2: menu.choose: row: expected a whole number, got nil");
     SAYS("sprite.put('dot', 10, 20)",
-         "main.lua:2: sprite.put: expected a table of named arguments, sprite.put { ... }, got 3 arguments");
+         "main.lua:2: sprite.put: expected a table of named arguments (sprite.put { ... }), got 3 arguments");
     SAYS("local s = sprite.put { sprite = 'dot', x = 1, y = 2 } s.z = 4", "main.lua:2: a sprite has no property \"z\"");
-    SAYS("bullet.group().clear(7)", "main.lua:2: group:clear: call it with a colon, on a thing");
+    SAYS("bullet.group().clear(7)", "main.lua:2: group:clear: call it with a colon on a thing");
     SAYS("bullet.group().clear(player.get(1))",
-         "main.lua:2: group:clear: call it with a colon, on what it is of, and not on a player");
-    SAYS("board.difficulty('esay')",
-         "main.lua:2: board.difficulty: difficulty \"esay\" is not in rom.lua (it has normal)");
-    SAYS("board.dip('coin')", "main.lua:2: board.dip: dip \"coin\" is not in rom.lua (it has none)");
-    SAYS("board.live('bulets')",
-         "main.lua:2: board.live: chip \"bulets\" is not one of this board (did you mean \"bullets\"?)");
-    SAYS("palette.load('dusk')", "main.lua:2: palette.load: palette \"dusk\" is not in rom.lua (it has main, other)");
+         "main.lua:2: group:clear: self: expected group, got a player (call it with a colon)");
+    SAYS("board.difficulty('esay')", "main.lua:2: board.difficulty: unknown difficulty \"esay\" (in rom.lua: normal)");
+    SAYS("board.dip('coin')", "main.lua:2: board.dip: unknown DIP switch \"coin\" (in rom.lua: none)");
+    SAYS("board.live('bulets')", "main.lua:2: board.live: unknown chip \"bulets\" (did you mean \"bullets\"?)");
+    SAYS("palette.load('dusk')", "main.lua:2: palette.load: unknown palette \"dusk\" (in rom.lua: main, other)");
     SAYS("say('Hello')", "main.lua:2: say: expected who and what, as say(nil, \"Hello\"): nil for nobody");
     SAYS("choose('a', 'b')", "main.lua:2: choose: list: expected a list of texts, as choose { \"YES\", \"NO\" }");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
-         "main.lua:2: pattern.ring: unknown argument \"needle\" (it takes n, skip, fire, each, kind, speed, x, y, "
+         "main.lua:2: pattern.ring: unknown argument \"needle\" (arguments: n, skip, fire, each, kind, speed, x, y, "
          "from, dx, dy, "
          "dir, aim, bank, tag, motion, delay, around)");
 }
@@ -232,16 +230,16 @@ static void test_off(void **state)
 
     (void)state;
     manifest_default(&m);
-    assert_string_equal(api_off(&m, "item"), "board = { items = 512 }");
-    assert_string_equal(api_off(&m, "items"), "board = { items = 512 }");
+    assert_string_equal(api_off(&m, "item"), "items are disabled; add `items = 512` to `board`");
+    assert_string_equal(api_off(&m, "items"), "items are disabled; add `items = 512` to `board`");
     assert_null(api_off(&m, "ite"));
     assert_null(api_off(&m, "bullet"));
-    assert_string_equal(api_off(&m, "text.line"), "board = { lines = 32 }");
+    assert_string_equal(api_off(&m, "text.line"), "text lines are disabled; add `lines = 32` to `board`");
     assert_null(api_off(&m, "line"));
     m.lines = 1;
     assert_null(api_off(&m, "text.line"));
-    assert_string_equal(api_off(&m, "laser"), "board = { lasers = 64 }");
-    assert_string_equal(api_off(&m, "laser.curve"), "board = { curve_points = 2048 }");
+    assert_string_equal(api_off(&m, "laser"), "lasers are disabled; add `lasers = 64` to `board`");
+    assert_string_equal(api_off(&m, "laser.curve"), "curved lasers are disabled; add `curve_points = 2048` to `board`");
     m.lasers = 1;
     assert_null(api_off(&m, "laser"));
     m.curve_points = 1;
@@ -271,8 +269,7 @@ static void test_off_says(void **state)
         char want[200];
         rig_script(&g, NULL, uses[i][0]);
         rig_power_any(&rig, &g, &start);
-        snprintf(want, sizeof want,
-                 "main.lua:1: %s: this game has no room for it; rom.lua asks for it: board = { items = 512 }",
+        snprintf(want, sizeof want, "main.lua:1: %s: items are disabled; add `items = 512` to `board` in rom.lua",
                  uses[i][1]);
         assert_non_null(rig_fault(&rig));
         assert_string_equal(rig_fault(&rig)->message, want);
@@ -347,9 +344,8 @@ static void test_each(void **state)
                                             "line { n = 3, width = 30,",
                                             "spiral { n = 3, step = 9, every = 1,",
                                             "aimed { n = 3, every = 1," };
-    static const char cannot[] =
-        "main.lua:2: wait: cannot wait inside a function that C calls (bullet.each and its like, a "
-        "sort, a gsub, a <close>)";
+    static const char cannot[] = "main.lua:2: wait: cannot wait inside a callback from C (bullet.each, table.sort, "
+                                 "string.gsub, <close> and the like)";
 
     (void)state;
     SAYS("for i = 1, 3 do bullet.fire { kind = 'dot', x = i, y = 9, speed = 0, tag = i < 3 and 't' or nil } end "
@@ -379,42 +375,40 @@ static void test_each(void **state)
 
 /* ---- full pools ---- */
 
-#define GONE     "what finds no room is not made"
-#define STRAIGHT "what is given a program that finds no room flies straight"
-
 static void test_full(void **state)
 {
     static const struct {
         const char *text, *words;
     } of[] = {
         { "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end",
-          "the pool of bullets is full (256; bullets in rom.lua): " GONE },
+          "bullet pool full (256): new bullets are dropped; raise `board.bullets` in rom.lua" },
         { "for i = 1, 100 do shot.fire { kind = 'bolt', x = 9, y = 9, speed = 0 } end",
-          "the pool of shots is full (64; shots in rom.lua): " GONE },
+          "shot pool full (64): new shots are dropped; raise `board.shots` in rom.lua" },
         { "for i = 1, 40 do enemy.spawn { kind = 'foe', x = 9, y = 9 } end",
-          "the pool of enemies is full (32; enemies in rom.lua): " GONE },
+          "enemy pool full (32): new enemies are dropped; raise `board.enemies` in rom.lua" },
         { "for i = 1, 20 do sprite.put { sprite = 'dot', x = 9, y = 9 } end",
-          "the pool of sprites is full (16; sprites in rom.lua): " GONE },
+          "sprite pool full (16): new sprites are dropped; raise `board.sprites` in rom.lua" },
         { "spark.burst { kind = 'glow', x = 9, y = 9, n = 129 }",
-          "the pool of sparks is full (128; sparks in rom.lua): " GONE },
-        { "item.drop { kind = 'gem', x = 9, y = 9, n = 9 }", "the pool of items is full (8; items in rom.lua): " GONE },
+          "spark pool full (128): new sparks are dropped; raise `board.sparks` in rom.lua" },
+        { "item.drop { kind = 'gem', x = 9, y = 9, n = 9 }",
+          "item pool full (8): new items are discarded; raise `board.items` in rom.lua" },
         { "for i = 1, 9 do laser.bolt { kind = 'ray', x = 9, y = 9, speed = 1, length = 5 } end",
-          "the pool of lasers is full (8; lasers in rom.lua): " GONE },
+          "laser pool full (8): new lasers are dropped; raise `board.lasers` in rom.lua" },
         { "for i = 1, 3 do laser.curve { kind = 'ray', x = 9, y = 9, speed = 0, points = 33 } end",
-          "the pool of curve points is full (64; curve_points in rom.lua): " GONE },
+          "curve point pool full (64): new curves are dropped; raise `board.curve_points` in rom.lua" },
         { "for i = 1, 99 do task.go(function() wait(forever) end) end",
-          "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
+          "task pool full (64): new tasks do not start; raise `board.tasks` in rom.lua" },
         { "for i = 1, 99 do task.scope() end",
-          "the pool of tasks is full (64; tasks in rom.lua): what finds no room is not started" },
+          "task pool full (64): new tasks do not start; raise `board.tasks` in rom.lua" },
         { "for i = 1, 99 do motion.def { { wait = i } } end",
-          "the pool of motions is full (32; motions in rom.lua): " STRAIGHT },
+          "motion pool full (32): bullets with a new motion fly straight; raise `board.motions` in rom.lua" },
         { "for i = 1, 3 do local steps = {} for k = 1, 200 do steps[k] = { wait = i } end motion.def(steps) end",
-          "the pool of motion steps is full (512; motions in rom.lua): " STRAIGHT },
+          "motion step pool full (512): bullets with a new motion fly straight; raise `board.motions` in rom.lua" },
         /* @std stands between */
         { "pattern.ring { kind = 'dot', x = 9, y = 9, speed = 0, n = 300 }",
-          "the pool of bullets is full (256; bullets in rom.lua): " GONE },
+          "bullet pool full (256): new bullets are dropped; raise `board.bullets` in rom.lua" },
         { "stage.wave { kind = 'foe', n = 40, every = 1, path = string.route }",
-          "the pool of enemies is full (32; enemies in rom.lua): " GONE },
+          "enemy pool full (32): new enemies are dropped; raise `board.enemies` in rom.lua" },
     };
 
     (void)state;
@@ -426,23 +420,24 @@ static void test_full(void **state)
         SAYS(text, want);
     }
     SAYS("for i = 1, 257 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end",
-         "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\n");
+         "main.lua:2: bullet pool full (256): new bullets are dropped; raise `board.bullets` in rom.lua\n");
     SAYS("for i = 1, 256 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end", "");
     SAYS("for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end print 'more' bullet.clear()\n"
          "for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 } end "
          "print(board.refused('bullets'))",
-         "main.lua:2: the pool of bullets is full (256; bullets in rom.lua): " GONE "\nmore\n88\n");
+         "main.lua:2: bullet pool full (256): new bullets are dropped; raise `board.bullets` in rom.lua\nmore\n88\n");
     /* what nobody is left to own is no refusal */
     SAYS("for i = 1, 17 do sprite.put { sprite = 'dot', x = 9, y = 9 } end local s = sys.scene(task.scope()) "
          "task.own(s, function() local c <close> = setmetatable({}, { __close = function()\n"
          "for i = 1, 3 do print(sprite.put { sprite = 'dot', x = 9, y = 9 }.alive) end end }) wait(forever) end) "
          "wait(2) task.stop(s)",
-         "main.lua:2: the pool of sprites is full (16; sprites in rom.lua): " GONE "\nfalse\nfalse\nfalse\n");
+         "main.lua:2: sprite pool full (16): new sprites are dropped; raise `board.sprites` in "
+         "rom.lua\nfalse\nfalse\nfalse\n");
     /* however much was printed in that frame */
     const char *all =
         says("for i = 1, 100 do print(('x'):rep(70)) end for i = 1, 17 do sprite.put { sprite = 'dot', x = 9, "
              "y = 9 } end");
-    assert_non_null(strstr(all, "x\nmain.lua:2: the pool of sprites is full"));
+    assert_non_null(strstr(all, "x\nmain.lua:2: sprite pool full"));
 }
 
 /* A run that goes on from a snapshot says what the other said, and a reset is a new run. */
@@ -561,8 +556,7 @@ static void test_pieces(void **state)
     for (int f = 0; f < 4 && !rig_fault(&rig); f++)
         board_tick(rig.b, none);
     assert_non_null(rig_fault(&rig));
-    assert_string_equal(rig_fault(&rig)->message,
-                        "main.lua:6: sys.read: \"boot/lists\" is no piece of a module of this ROM");
+    assert_string_equal(rig_fault(&rig)->message, "main.lua:6: sys.read: no library file \"boot/lists\" in this ROM");
     rig_free(&rig);
     rig_game_free(&g);
 }
@@ -983,15 +977,15 @@ static void test_first_key(void **state)
     } of[] = {
         { "motion.def { { " MANY " } }", "motion.def: step 1: unknown argument \"za\"" },
         { "motion.def { { " MANY ", [true] = 1, [print] = 1 } }",
-          "motion.def: step 1: expected named arguments ({ name = value }), got one at true" },
-        { "motion.def { { wait = 1 }, " MANY " }", "motion.def: unknown argument \"za\" (it takes name, fine)" },
+          "motion.def: step 1: expected named arguments ({ name = value }), got key true" },
+        { "motion.def { { wait = 1 }, " MANY " }", "motion.def: unknown argument \"za\" (arguments: name, fine)" },
         { "motion.def { { emit = { " MANY " } } }", "motion.def: step 1: emit: unknown argument \"za\"" },
         { "motion.def { { wait_for = { " MANY " } } }",
-          "motion.def: step 1: wait_for: unknown argument \"za\" (it takes x, y, near, tag, limit)" },
-        { "bullet.def('x', { sprite = 'dot', hit = { " MANY " } })", "got one with \"za\"" },
+          "motion.def: step 1: wait_for: unknown argument \"za\" (arguments: x, y, near, tag, limit)" },
+        { "bullet.def('x', { sprite = 'dot', hit = { " MANY " } })", "got a table with key \"za\"" },
         { "bullet.def('x', { sprite = 'dot', hit = { circle = 1, box = { 1, 1 }, capsule = { 1, 1 }, circles = {} } })",
-          "got one with \"circle\" and \"box\"" },
-        { "laser.def('x', { strip = 'dot', width = 1, hit = { " MANY " } })", "got one with \"za\"" },
+          "got a table with both \"circle\" and \"box\"" },
+        { "laser.def('x', { strip = 'dot', width = 1, hit = { " MANY " } })", "got a table with key \"za\"" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { a = { " MANY " } } })",
           "player.def: registers.a: unknown argument \"za\"" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, registers = { zc = {}, zd = true, za = -1, zb = -1, "
@@ -1001,9 +995,9 @@ static void test_first_key(void **state)
           "player.def: options: unknown argument \"za\"" },
         { "player.def('x', { sprite = 'dot', hit = { circle = 1 }, options = { kind = 'bead', levels = { { " MANY
           " } } } })",
-          "player.def: options.levels[1]: unknown argument \"za\" (it takes at, n, wide, close)" },
+          "player.def: options.levels[1]: unknown argument \"za\" (arguments: at, n, wide, close)" },
         { "enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { ze = 1, zd = 1, zc = 1, zb = 1, za = 1 } })",
-          "enemy.def: pictures.za: expected a sprite's name, got 1" },
+          "enemy.def: pictures.za: expected a sprite name, got 1" },
         { "enemy.def('x', { sprite = 'dot', hit = 'none', drops = { " MANY " } })",
           "enemy.def: drops: expected at most 18 names, got 20" },
         { "item.def('x', { sprite = 'dot', radius = 1, gives = { ze = '', zd = '', zc = '', zb = '', za = '' } })",
@@ -1012,7 +1006,7 @@ static void test_first_key(void **state)
           "'b', "
           "title = 'B', kind = 'foe', x = 1, y = 1 } }, phases = { { id = 'p', time = 9, run = print, hp = { " MANY
           " } } } })",
-          "boss.def: phase \"p\": hp: nobody of the cast is \"za\"" },
+          "boss.def: phase \"p\": hp: no member of the cast is named \"za\"" },
         { "bullet.def('x', { " MANY " })", "bullet.def: unknown argument \"za\"" },
         { "score.rule { name = 'x', gain = { ze = '', zd = '', zc = '', zb = '', za = '' } }",
           "score.rule: gain: expected { REGISTER = n, .. }, whole numbers, got \"\"" },
@@ -1048,7 +1042,7 @@ static void test_meant(void **state)
          "main.lua:2: a bullet has no property \"colour\" (did you mean \"bank\"?)");
     /* the call's own arguments alone are counted */
     SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:move(9, 9, 30)",
-         "main.lua:2: enemy:move: expected a table of named arguments, enemy:move { ... }, got 3 arguments");
+         "main.lua:2: enemy:move: expected a table of named arguments (enemy:move { ... }), got 3 arguments");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:move({}, 9)",
          "main.lua:2: enemy:move: expected at most 1 argument, got 2");
     SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:shift(1, 2, 3)",
@@ -1073,12 +1067,12 @@ static void test_meant(void **state)
          "local t = {} print(t.x + 1)",
          "main.lua:3: attempt to perform arithmetic on a nil value (field 'x')");
     SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b:remove() print(b.x + 1)",
-         "main.lua:2: attempt to perform arithmetic on a nil value (field 'x') (a thing that has despawned gives nil "
-         "for x; check its alive first)");
+         "main.lua:2: attempt to perform arithmetic on a nil value (field 'x') (x is nil once the thing has despawned; "
+         "check alive first)");
     /* a global that is none */
     SAYS("local counter = 1 print(conter)", "main.lua:2: undeclared global \"conter\" (did you mean \"counter\"?)");
     SAYS("local counter = 1 conter = counter", "main.lua:2: undeclared global \"conter\" (did you mean \"counter\"?)");
-    SAYS("count = 0", "main.lua:2: undeclared global \"count\": there are no new globals (write \"local count\")");
+    SAYS("count = 0", "main.lua:2: undeclared global \"count\" (scripts cannot create globals; write \"local count\")");
     SAYS("print(bulet)", "main.lua:2: undeclared global \"bulet\" (did you mean \"bullet\"?)");
     /* player 1 where none is given */
     assert_string_equal(
@@ -1097,11 +1091,11 @@ static void test_nameless(void **state)
                              "bullet.def('rice', { sprite = 'dot', hit = { circle = 3 } }) "
                              "task.go(function() bullet.fire { kind = 'ricee', x = 1, y = 1, speed = 1 } end)",
                              9),
-                        "main.lua:1: bullet.fire: bullet kind \"ricee\" is not declared (did you mean \"rice\"?)");
+                        "main.lua:1: bullet.fire: unknown bullet kind \"ricee\" (did you mean \"rice\"?)");
     assert_string_equal(said("enemy.def('fly', { sprite = 'dot', hit = 'none', pictures = { hurt = 'dot' } }) "
                              "task.go(function() enemy.spawn { kind = 'flyy', x = 1, y = 1 } end)",
                              9),
-                        "main.lua:1: enemy.spawn: enemy kind \"flyy\" is not declared (did you mean \"fly\"?)");
+                        "main.lua:1: enemy.spawn: unknown enemy kind \"flyy\" (did you mean \"fly\"?)");
 }
 
 /* Every word that the help offers is one that the function takes, and so is every default. */
@@ -1150,7 +1144,7 @@ static void test_late(void **state)
         { "mission.def('m', { title = 'M', stage = 'one', goal = { powr = 3 } })",
           "mission.def: count \"powr\" is not declared (did" },
         { "item.def('a', { sprite = 'dot', radius = 1, gives = { powr = 3 } })",
-          "item.def: item \"a\": no ship has a register \"powr\"" },
+          "item.def: item \"a\": unknown register \"powr\"" },
     };
     char script[4096];
 

@@ -160,8 +160,8 @@ static void named(uint32_t frame, const char *part, int64_t slot, const struct c
         snprintf(index, sizeof index, "[%d]", i);
     spell(a, sizeof a, was, c->width);
     spell(b, sizeof b, is, c->width);
-    snprintf(want, sizeof want, "frame %u is the first that differs\n  %s%s %s%s: %s in %s, %s in %s\n",
-             (unsigned)frame, part, at, column_name(part, c->name), index, a, file("a"), b, file("b"));
+    snprintf(want, sizeof want, "first difference: frame %u\n  %s%s %s%s: %s in %s, %s in %s\n", (unsigned)frame, part,
+             at, column_name(part, c->name), index, a, file("a"), b, file("b"));
     assert_string_equal(out, want);
 }
 
@@ -327,8 +327,8 @@ static void test_who_lives(void **state)
     r.b->bullets.s.gen[4] = 9;
     print_trace("b", "w", r.b, UINT64_MAX);
     assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
-    snprintf(want, sizeof want, "frame 5 is the first that differs\n  bullets 4 generation: 1 in %s, 9 in %s\n",
-             file("a"), file("b"));
+    snprintf(want, sizeof want, "first difference: frame 5\n  bullets 4 generation: 1 in %s, 9 in %s\n", file("a"),
+             file("b"));
     assert_string_equal(out, want);
     r.b->bullets.s.gen[4] = 1;
     for (uint32_t slot = 0; slot < 20; slot += 19) {
@@ -336,9 +336,8 @@ static void test_who_lives(void **state)
         print_trace("b", "w", r.b, UINT64_MAX);
         r.b->bullets.s.used[0] ^= 1ull << slot;
         assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
-        snprintf(want, sizeof want,
-                 "frame 5 is the first that differs\n  bullets %u is alive in %s only (generation 1)\n", (unsigned)slot,
-                 file("a"));
+        snprintf(want, sizeof want, "first difference: frame 5\n  bullets %u is alive in %s only (generation 1)\n",
+                 (unsigned)slot, file("a"));
         assert_string_equal(out, want);
         assert_int_equal(bisect("b", "a"), RESULT_DIFFERS);
         assert_string_equal(out, want);

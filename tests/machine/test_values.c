@@ -98,26 +98,28 @@ static void test_errors(void **state)
 
     (void)state;
     refused(&none, "value.def('heat')",
-            "value.def: \"heat\" needs room in rom.lua: board = { values = { bullet = 1 } }");
-    refused(&few, "value.def('a') value.def('b')", "\"b\" needs room in rom.lua: board = { values = { bullet = 2 } }");
-    refused(&few, "value.def('b', { of = 'shot' })", "board = { values = { shot = 1 } }");
-    refused(&all, "for i = 1, 5 do value.def('v' .. i) end", "\"v5\" is one too many: there are at most 4 of a bullet");
-    refused(&all, "value.def('heat') value.def('heat')", "\"heat\" is declared already");
+            "value.def: \"heat\": too few value columns; set `values = { bullet = 1 }` in `board` in rom.lua");
+    refused(&few, "value.def('a') value.def('b')",
+            "\"b\": too few value columns; set `values = { bullet = 2 }` in `board` in rom.lua");
+    refused(&few, "value.def('b', { of = 'shot' })", "set `values = { shot = 1 }` in `board`");
+    refused(&all, "for i = 1, 5 do value.def('v' .. i) end", "\"v5\": too many values (at most 4 for a bullet)");
+    refused(&all, "value.def('heat') value.def('heat')", "\"heat\" is already declared");
     for (const char *const *name = (const char *const[]){ "speed", "tag", "aim", "remove", "alive", "frozen", "from",
                                                           "delay", "each", "sweep", "count", NULL };
          *name; name++) {
         char code[60];
         snprintf(code, sizeof code, "value.def('%s')", *name);
-        refused(&all, code, "is taken by a property or a verb of a bullet, or an argument of bullet.fire or a pattern");
+        refused(&all, code,
+                "is already a property or a method of a bullet, or an argument of bullet.fire or a pattern");
     }
     refused(&all, "value.def('hp', { of = 'enemy' })",
-            "is taken by a property or a verb of an enemy, or an argument of enemy.spawn");
+            "is already a property or a method of an enemy, or an argument of enemy.spawn");
     refused(&all, "value.def('a b')", "name: expected a word of letters, digits and _, got \"a b\"");
     refused(&all, "value.def('1st')", "name: expected a word");
     refused(&all, "value.def('a', { of = 'sprite' })",
             "of: expected \"bullet\", \"shot\" or \"enemy\", got \"sprite\"");
     refused(&all, "value.def('a', { start = 32768 })", "start: expected a number from -32768 to 32767, got 32768");
-    refused(&all, "task.go(function() value.def('a') end)", "value.def: only while scripts load");
+    refused(&all, "task.go(function() value.def('a') end)", "value.def: can only be called while scripts load");
     refused(&all, "value.def('heat') bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0, heat = 1e9 }",
             "bullet.fire: heat: expected a number from -32768 to 32767");
     refused(&all, "value.def('heat') bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0, heet = 1 }",
@@ -126,7 +128,7 @@ static void test_errors(void **state)
             "bullet: heat: expected a number from -32768 to 32767, got \"x\"");
     refused(&all, "value.def('heat') print(bullet.fire { kind = 'dot', x = 1, y = 1, speed = 0 }.heet)",
             "did you mean \"heat\"?");
-    refused(&all, "value.def('heat') print(bullet.group().heat)", "heat cannot be read of a group");
+    refused(&all, "value.def('heat') print(bullet.group().heat)", "heat cannot be read from a group");
     refused(&all, "value.def('heat') shot.fire { kind = 'bolt', x = 1, y = 1, speed = 0, heat = 1 }",
             "shot.fire: unknown argument \"heat\"");
 }
@@ -242,11 +244,11 @@ static void test_steps(void **state)
                 "end)\n",
           5);
     refused(&m, "value.def('swift') motion.def { { wait = 1 }, { speed = 'swfit' } }",
-            "motion.def: step 2: speed: value \"swfit\" is not declared (did you mean \"swift\"?)");
+            "motion.def: step 2: speed: unknown value \"swfit\" (did you mean \"swift\"?)");
     refused(&m, "motion.def { { speed = 'x' } }",
             "step 1: speed: expected a number or the name of a value (value.def), got \"x\"");
     refused(&m, "value.def('swift') motion.def { { aim = 'swift' } }", "aim: expected true or false");
-    refused(&m, "value.def('swift') motion.def { { dir = 'swift', over = 3 } }", "dir is set at once");
+    refused(&m, "value.def('swift') motion.def { { dir = 'swift', over = 3 } }", "dir takes effect at once");
 }
 
 int main(void)

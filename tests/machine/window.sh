@@ -114,7 +114,7 @@ if SDL_AUDIODRIVER=dummy start "port probe" "$probe" show 64 64 1; then
     leave
 fi
 check "controllers" env SDL_VIDEODRIVER=dummy "$scratch/port_pads"
-refuse "no display at all is refused" "there is no display" env -u DISPLAY -u WAYLAND_DISPLAY "$probe" show 64 64 1
+refuse "no display at all is refused" "no display" env -u DISPLAY -u WAYLAND_DISPLAY "$probe" show 64 64 1
 refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDEODRIVER=x11 "$probe" show 64 64 1
 
 # ---- a game: the picture played is the picture rendered ----
@@ -145,8 +145,8 @@ play_at() { # SCALE [WIN_W WIN_H]
         xdotool key --delay 100 $key
         rounds 5
     done
-    check "a screenshot at ${w}x$h" soon grep -q "^wrote " "$scratch/err"
-    shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
+    check "a screenshot at ${w}x$h" soon grep -q "^saved " "$scratch/err"
+    shot=$(sed -n 's/^saved //p' "$scratch/err" | head -1)
     check "the window of ${w}x$h shows it" soon shows "$shot" "$scale" "$w" "$h"
     stop
     frame=$("$curtain" hash "$play_rom" --demo one.demo | tail -1 | cut -d' ' -f1)
@@ -177,8 +177,8 @@ view_at() { # SETTINGS LEAST MOST OPTIONS-OF-RENDER...
         xdotool key --delay 100 $key
         rounds 5
     done
-    check "$1: a screenshot" soon grep -q "^wrote " "$scratch/err"
-    shot=$(sed -n 's/^wrote //p' "$scratch/err" | head -1)
+    check "$1: a screenshot" soon grep -q "^saved " "$scratch/err"
+    shot=$(sed -n 's/^saved //p' "$scratch/err" | head -1)
     check "$1: the window" window_rgb got.rgb
     stop
     rm "$scratch/data/curtain/curtain.conf"

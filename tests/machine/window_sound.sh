@@ -94,7 +94,7 @@ for ppm in 4000 -4000; do
     check "a tone under load" soon played 330000
     stop
     check "no gap and no repeat, the card $ppm ppm faster" unbroken played.raw 880
-    check "which is what it says" grep -q "gaps 0, blocks left out 0" err
+    check "which is what it says" grep -q "gaps 0, dropped blocks 0" err
 done
 kill -KILL $busy
 wait $busy 2>/dev/null

@@ -84,7 +84,7 @@ static void test_commands(void **state)
     assert_true(a.command == COMMAND_EXPORT && a.keys && a.desktop && !a.full);
     reads("bulletml a.xml b.xml --lua");
     assert_true(a.command == COMMAND_BULLETML && a.lua && a.n_words == 2);
-    refuses("play game --lua", "--lua does not go with play (it goes with bulletml)");
+    refuses("play game --lua", "--lua does not work with play (only with bulletml)");
     reads("licences --full");
     assert_true(a.command == COMMAND_LICENCES && a.full && !a.keys);
     reads("hash -- --odd");
@@ -107,7 +107,7 @@ static void test_values(void **state)
     reads("palette warm.hex --bank 15 -o p.png");
     assert_int_equal(a.bank, 15);
     refuses("palette warm.hex --bank -1", "--bank: expected a whole number from 0 to 15, got \"-1\"");
-    refuses("palette", "palette: expected FILE (curtain help palette)");
+    refuses("palette", "palette: expected FILE (see curtain help palette)");
     reads("play game --record r --scale 3 --fullscreen --mute --stage one:mark --difficulty=hard --lang de");
     assert_string_equal(a.record, "r");
     assert_int_equal(a.scale, 3);
@@ -224,10 +224,10 @@ static void test_press(void **state)
         char line[64];
         snprintf(line, sizeof line, "hash game --press %s", wrong[i]);
         assert_false(parse(line));
-        assert_non_null(strstr(err, "--press: expected buttons like fire"));
+        assert_non_null(strstr(err, "--press: expected buttons, as in fire"));
     }
-    refuses("hash game --demo d --press fire", "--press does not go with --demo, which holds its own");
-    refuses("play game --press fire", "--press does not go with play (it goes with render, capture, hash)");
+    refuses("hash game --demo d --press fire", "--press cannot be combined with --demo: the demo sets it");
+    refuses("play game --press fire", "--press does not work with play (only with render, capture, hash)");
 }
 
 static void test_bad_values(void **state)
@@ -242,7 +242,7 @@ static void test_bad_values(void **state)
     for (size_t i = 0; i < sizeof frames / sizeof frames[0]; i++) {
         snprintf(line, sizeof line, "render game --frames %s", frames[i]);
         assert_false(parse(line));
-        assert_non_null(strstr(err, "--frames: expected frames from 0 to 8388608 like 600"));
+        assert_non_null(strstr(err, "--frames: expected frames from 0 to 8388608, as in 600"));
         assert_non_null(strstr(err, "got \""));
     }
     refuses("render game --frames 5:4", "--frames: 5:4 ends before it starts");
@@ -257,9 +257,9 @@ static void test_bad_values(void **state)
     refuses("capture g --speed 1/", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"1/\"");
     refuses("capture g --speed 17", "--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got \"17\"");
     refuses("bench g --slower 1001", "--slower: expected a whole number from 1 to 1000, got \"1001\"");
-    refuses("hash g --slower 2", "--slower does not go with hash (it goes with bench)");
-    refuses("bench", "bench: expected ROM (curtain help bench)");
-    refuses("render g --speed 2", "--speed does not go with render (it goes with capture)");
+    refuses("hash g --slower 2", "--slower does not work with hash (only with bench)");
+    refuses("bench", "bench: expected ROM (see curtain help bench)");
+    refuses("render g --speed 2", "--speed does not work with render (only with capture)");
     refuses("play --dip lives", "--dip: expected NAME=VALUE, got \"lives\"");
     refuses("play --dip =3", "--dip: expected NAME=VALUE, got \"=3\"");
     refuses("play --dip lives=", "--dip: expected NAME=VALUE, got \"lives=\"");
@@ -279,28 +279,28 @@ static void test_misfits(void **state)
     (void)state;
     refuses("render g --framse 3", "unknown option --framse (did you mean --frames?)");
     refuses("render g --frame=3", "unknown option --frame (did you mean --frames?)");
-    refuses("hash g --xyzzy", "unknown option --xyzzy (curtain help lists them)");
-    refuses("play -q", "unknown option -q (curtain help lists them)");
-    refuses("play g --every 3", "--every does not go with play (it goes with hash)");
-    refuses("play g --dim half", "--dim does not go with play (it goes with render, capture)");
-    refuses("pack g --frames 3", "--frames does not go with pack (it goes with render, capture, hash, survive)");
-    refuses("hash g --demo d --stage one", "--stage does not go with --demo, which holds its own");
-    refuses("hash g --seed 1 --demo d", "--seed does not go with --demo, which holds its own");
+    refuses("hash g --xyzzy", "unknown option --xyzzy (see curtain help)");
+    refuses("play -q", "unknown option -q (see curtain help)");
+    refuses("play g --every 3", "--every does not work with play (only with hash)");
+    refuses("play g --dim half", "--dim does not work with play (only with render, capture)");
+    refuses("pack g --frames 3", "--frames does not work with pack (only with render, capture, hash, survive)");
+    refuses("hash g --demo d --stage one", "--stage cannot be combined with --demo: the demo sets it");
+    refuses("hash g --seed 1 --demo d", "--seed cannot be combined with --demo: the demo sets it");
     refuses("rendr g --frames 1", "unknown command \"rendr\" (did you mean render?)");
     refuses("rendr --frames 1", "unknown command \"rendr\" (did you mean render?)");
-    refuses("mygame other", "unknown command \"mygame\" (curtain help lists them)");
-    refuses("pack", "pack: expected DIR (curtain help pack)");
-    refuses("verify g d --restamp --rerecord", "--rerecord does not go with --restamp");
-    refuses("verify --rerecord --bisect a b", "--rerecord does not go with --bisect");
-    refuses("verify --restamp a b --bisect", "--restamp does not go with --bisect");
-    refuses("play g --rerecord", "--rerecord does not go with play (it goes with verify)");
-    refuses("verify g", "verify: expected ROM DEMO... (curtain help verify)");
-    refuses("export", "export: expected ROM (curtain help export)");
-    refuses("export g --full", "--full does not go with export (it goes with licences)");
-    refuses("pack g --desktop", "--desktop does not go with pack (it goes with export)");
-    refuses("licences --keys", "--keys does not go with licences (it goes with export)");
-    refuses("licences g", "licences: \"g\" is one argument too many (curtain help licences)");
-    refuses("hash g h", "hash: \"h\" is one argument too many (curtain help hash)");
+    refuses("mygame other", "unknown command \"mygame\" (see curtain help)");
+    refuses("pack", "pack: expected DIR (see curtain help pack)");
+    refuses("verify g d --restamp --rerecord", "--rerecord cannot be combined with --restamp");
+    refuses("verify --rerecord --bisect a b", "--rerecord cannot be combined with --bisect");
+    refuses("verify --restamp a b --bisect", "--restamp cannot be combined with --bisect");
+    refuses("play g --rerecord", "--rerecord does not work with play (only with verify)");
+    refuses("verify g", "verify: expected ROM DEMO... (see curtain help verify)");
+    refuses("export", "export: expected ROM (see curtain help export)");
+    refuses("export g --full", "--full does not work with export (only with licences)");
+    refuses("pack g --desktop", "--desktop does not work with pack (only with export)");
+    refuses("licences --keys", "--keys does not work with licences (only with export)");
+    refuses("licences g", "licences: unexpected argument \"g\" (see curtain help licences)");
+    refuses("hash g h", "hash: unexpected argument \"h\" (see curtain help hash)");
 }
 
 static void test_near(void **state)
@@ -547,8 +547,8 @@ static void test_verify(void **state)
     says(out, "/b.demo: holds, 20 frames\n");
     write_game(2);
     runs("verify @/g @/a.demo @/b.demo", EXIT_DIFFERS);
-    says(out, "/a.demo: frame 2: script, board differ (recorded on another build)\n");
-    says(out, "/b.demo: frame 2: script, board differ (recorded on another build)\n");
+    says(out, "/a.demo: frame 2: script, board differ (recorded with another game version)\n");
+    says(out, "/b.demo: frame 2: script, board differ (recorded with another game version)\n");
     write_game(1);
     runs("verify @/g @/none.demo @/a.demo", EXIT_INPUT); /* the others are looked at all the same */
     says(out, "/a.demo: holds, 150 frames\n");
@@ -565,9 +565,9 @@ static void test_cut_demo(void **state)
     snprintf(path, sizeof path, "%s/cut.demo", dir);
     assert_true(plat_save(path, bytes, (size_t)n - 20 - 2 * 28 - 1)); /* the end mark, the points, and one byte */
     runs("verify @/g @/cut.demo", EXIT_INPUT);
-    says(log_text, "/cut.demo: cut short: it has 120 frames and no end mark\n");
+    says(log_text, "/cut.demo: truncated: 120 frames and no end mark\n");
     assert_int_equal(run("hash @/g --demo @/cut.demo --every 120"), EXIT_DONE);
-    says(log_text, "playing the 120 frames it has");
+    says(log_text, "playing the first 120 frames");
     says(out, "\n120 ");
 }
 
@@ -579,7 +579,7 @@ static void test_fault(void **state)
     runs("hash @/g --every 1000 --record @/f.demo", EXIT_INPUT);
     assert_string_equal(log_text, "main.lua:2: boom\n");
     runs("verify @/g @/f.demo", EXIT_DONE);
-    says(out, ", ends in the fault it was recorded with\n");
+    says(out, ", ends in the recorded fault\n");
     assert_int_equal(run("hash @/g --every 1000 --traceback"), EXIT_INPUT);
     says(log_text, "main.lua:2: boom\nstack traceback:\n");
     write_file("g/main.lua", "task.go(function()\n wait(1000) error('boom') end)\n");
@@ -610,7 +610,7 @@ static void test_rom_commands(void **state)
     says(out, "\nrom ");
     runs("unpack @/g.rom @/un", EXIT_DONE);
     runs("unpack @/g.rom @/un", EXIT_INPUT);
-    says(log_text, "is already there");
+    says(log_text, "already exists");
     runs("--version", EXIT_DONE);
     says(out, "curtain " CURTAIN_VERSION " (core ");
     says(out, ", Lua 5.4.");

@@ -148,7 +148,7 @@ static void test_refused(void **state)
         p[at] ^= 1;
     }
     bytes_put32(p + 8, 2);
-    refused(p, n, "compressed in format 2, which is not known (this program reads 1)");
+    refused(p, n, "unknown compression format 2 (this program reads 1)");
     repair_compressed(p, n);
     bytes_put32(p + 28, 1);
     bytes_put32(p + 12, hash_crc32(p + 16, n - 16));
@@ -158,21 +158,21 @@ static void test_refused(void **state)
         bytes_put32(p + 16, sizes[i]);
         repair_compressed(p, n);
         snprintf(why, sizeof why,
-                 "%zu bytes long, but its header says %u are in it: expected 1 to %d, and at most %d times as many as "
-                 "the file has",
+                 "%zu bytes long, but its header says %u when decompressed: expected 1 to %d, and at most %d times the "
+                 "file's size",
                  n, sizes[i], COMPRESSED_MOST, COMPRESSED_TIMES);
         refused(p, n, why);
     }
     bytes_put32(p + 16, SIZE);
     bytes_put32(p + 24, bytes_get32(p + 24) + 1);
     repair_compressed(p, n);
-    refused(p, n, "damaged: what is in it is not what was compressed");
+    refused(p, n, "damaged: decompressed data has a wrong checksum");
     bytes_put32(p + 24, bytes_get32(p + 24) - 1);
     const uint32_t near[] = { SIZE - 1, 1 };
     for (int i = 0; i < 2; i++) {
         bytes_put32(p + 16, near[i]);
         repair_compressed(p, n);
-        refused(p, n, "damaged: what is in it is not what was compressed");
+        refused(p, n, "damaged: decompressed data has a wrong checksum");
     }
     free(p);
 }

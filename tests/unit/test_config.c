@@ -144,11 +144,11 @@ static void what_is_not_right_is_refused(void **state)
     char *large = malloc(CONFIG_BYTES);
 
     (void)state;
-    refused("scael = 3\n", 10, ":1: no setting is called \"scael\"");
-    refused("mute = no\n\0", 11, ":2: not a line of text");
+    refused("scael = 3\n", 10, ":1: unknown setting \"scael\"");
+    refused("mute = no\n\0", 11, ":2: expected a line of text");
     assert_non_null(large);
     memset(large, '\n', CONFIG_BYTES);
-    refused(large, CONFIG_BYTES, ": would be larger than 65536 bytes");
+    refused(large, CONFIG_BYTES, ": the file would be larger than 65536 bytes");
     free(large);
 }
 
@@ -314,7 +314,7 @@ static void the_file(void **state)
     assert_int_equal(c.volume, 90);
     write_file("musik = 60 # so\n");
     assert_false(config_save(&c, err, sizeof err));
-    says(":1: no setting is called \"musik\"");
+    says(":1: unknown setting \"musik\"");
     file_is("musik = 60 # so\n");
     write_file("\xef\xbb\xbfmusic = 60\n"); /* a byte order mark, as editors of Windows write */
     assert_true(config_load(&c, err, sizeof err));

@@ -456,7 +456,7 @@ static void test_order(void **state)
     refused(n - (to - from), "CRC");
     n = file_bytes();
     file[n] = 0;
-    refused(n + 1, "has 1 bytes after its end");
+    refused(n + 1, "1 extra bytes after its end");
     demo_free(&w.demo);
 }
 
@@ -471,28 +471,28 @@ static void test_nonsense(void **state)
     size_t end = record_at(4 + PADS) + 8; /* behind the points */
     refused(0, "not a demo");
     refused(7, "not a demo");
-    refused(8, "cut short in its header");
+    refused(8, "truncated header");
     refused_with(n, 0, 'X', "not a demo");
-    refused_with(n, 4, 9, "demo format 9, this build reads 2");
-    refused_with(n, record_at(0), 'S', "damaged (no header)");
-    refused_with(n, record_at(1), 'X', "damaged (kind or size)");
-    refused_with(n, record_at(2), 'H', "damaged (a second header)");
-    refused_with(n, head + 21, 'A', "damaged (header)"); /* the game's id */
-    refused_with(n, head + 21, 27, "damaged (header)");
+    refused_with(n, 4, 9, "demo format 9; this build reads 2");
+    refused_with(n, record_at(0), 'S', "(no header)");
+    refused_with(n, record_at(1), 'X', "(kind or size)");
+    refused_with(n, record_at(2), 'H', "(second header)");
+    refused_with(n, head + 21, 'A', "(header)"); /* the game's id */
+    refused_with(n, head + 21, 27, "(header)");
     refused_with(n, head + 20, 200, "damaged");
-    refused_with(n, first + 4, 1, "damaged (number of frames)");
-    refused_with(n, first + 6, 0, "damaged (number of frames)");
-    refused_with(n, second, 1, "damaged (frames out of order)");
-    refused_with(n, second + 4, 61, "damaged (number of frames)");
-    refused_with(n, second + 4, 59, "damaged (pads)");
-    refused_with(n, second + 5, 0, "damaged (pads)");
-    refused_with(n, second + 6, 2, "damaged (frames out of order)");
-    refused_with(n, second + 6, 0, "damaged (size)");
-    refused_with(n, second + 8, 0, "damaged (pads)");
-    refused_with(n, second + 9, 0xff, "damaged (pads)");  /* a run far longer than the second */
-    refused_with(n, second + 11, 0x80, "damaged (pads)"); /* a button that is none */
-    refused_with(n, end, 99, "damaged (end mark)");
-    refused_with(n, end + 4, FAULT_LOOP + 1, "damaged (end mark)");
+    refused_with(n, first + 4, 1, "(number of frames)");
+    refused_with(n, first + 6, 0, "(number of frames)");
+    refused_with(n, second, 1, "(frames out of order)");
+    refused_with(n, second + 4, 61, "(number of frames)");
+    refused_with(n, second + 4, 59, "(pads)");
+    refused_with(n, second + 5, 0, "(pads)");
+    refused_with(n, second + 6, 2, "(frames out of order)");
+    refused_with(n, second + 6, 0, "(size)");
+    refused_with(n, second + 8, 0, "(pads)");
+    refused_with(n, second + 9, 0xff, "(pads)");  /* a run far longer than the second */
+    refused_with(n, second + 11, 0x80, "(pads)"); /* a button that is none */
+    refused_with(n, end, 99, "(end mark)");
+    refused_with(n, end + 4, FAULT_LOOP + 1, "(end mark)");
     refused_with(n, end + 4, FAULT_SCRIPT, "the end does not match the track");
     demo_free(&w.demo);
 }
@@ -530,9 +530,9 @@ static void test_checksum_lies(void **state)
     record(&w, &start, 100);
     for (int i = 1; i <= 3; i++)
         for (size_t k = 0; k < sizeof by / sizeof by[0]; k++)
-            refused(resize(i, by[k]), "damaged (size)");
+            refused(resize(i, by[k]), "(size)");
     size_t n = file_bytes();
-    refused_with(n, find("script"), 'S', "damaged (no part script)");
+    refused_with(n, find("script"), 'S', "(no script part)");
     refused_with(n, find("script") - 1, 5, "damaged");
     demo_free(&w.demo);
 }
@@ -573,12 +573,12 @@ static void test_practice(void **state)
     size_t n = file_bytes(), at = practice_at();
     assert_int_equal(file[at], 99);
     assert_int_equal(file[at + 5], PRACTICE_REGISTERS);
-    refused_with(n, at, 100, "damaged (header)");
-    refused_with(n, at + 3, 0x80, "damaged (header)");
-    refused_with(n, at + 4, 2, "damaged (header)");
+    refused_with(n, at, 100, "(header)");
+    refused_with(n, at + 3, 0x80, "(header)");
+    refused_with(n, at + 4, 2, "(header)");
     refused_with(n, at + 5, PRACTICE_REGISTERS + 1, "damaged");
     refused_with(n, at + 5, PRACTICE_REGISTERS - 1, "damaged");
-    refused_with(n, at + 7, 31, "damaged (header)"); /* a register's name */
+    refused_with(n, at + 7, 31, "(header)"); /* a register's name */
     refused_with(n, at + 6, 32, "damaged");
     demo_free(&d);
     demo_free(&w.demo);
@@ -733,12 +733,12 @@ static void test_marker_lies(void **state)
         at++;
     assert_int_equal(file[record_at(at + 1)], 'M');
     size_t first = record_at(at) + 8, second = record_at(at + 1) + 8;
-    refused_with(n, first, 15, "damaged (a moment)");  /* later than the next */
-    refused_with(n, second, 6, "damaged (a moment)");  /* earlier than the one before */
-    refused_with(n, second, 61, "damaged (a moment)"); /* before its frame is there */
-    refused_with(n, second + 4, MARKER_KINDS, "damaged (a moment)");
+    refused_with(n, first, 15, "(moment)");  /* later than the next */
+    refused_with(n, second, 6, "(moment)");  /* earlier than the one before */
+    refused_with(n, second, 61, "(moment)"); /* before its frame is there */
+    refused_with(n, second + 4, MARKER_KINDS, "(moment)");
     refused_with(n, second + 5, 32, "damaged");
-    refused_with(n, second + 6, 31, "damaged (size)");
+    refused_with(n, second + 6, 31, "(size)");
     refused_with(n, record_at(1), 'M', "damaged"); /* before the first second */
     file[4] = 2;
     refused(n, "damaged");
@@ -774,7 +774,7 @@ static void test_values(void **state)
     }
     size_t n = file_bytes(), value = record_at(3) + 8 + 4 + 1 + 1 + strlen("normal");
     assert_int_equal(bytes_get32(file + value), 1);
-    refused_with(n, value, 0, "damaged (a moment)");
+    refused_with(n, value, 0, "(moment)");
     refused(resize(3, -1), "damaged");
     refused(resize(4, 1), "damaged");
     demo_free(&d);
@@ -800,14 +800,14 @@ static void test_lang(void **state)
         demo_free(&w.demo);
     }
     size_t n = file_bytes(), at = find(langs[3]);
-    refused_with(n, at, 31, "damaged (header)");
-    refused_with(n, at + 14, 127, "damaged (header)");
+    refused_with(n, at, 31, "(header)");
+    refused_with(n, at + 14, 127, "(header)");
     refused_with(n, at - 1, 16, "damaged");
     static const char bad[] = { '\n', 127, (char)0xe9 };
     for (size_t i = 0; i < sizeof bad; i++) {
         start.lang[1] = bad[i];
         assert_null(board_power(ram, ram_size, &rom, &start, err, sizeof err));
-        assert_non_null(strstr(err, "a language: expected printable ASCII"));
+        assert_non_null(strstr(err, "language: expected printable ASCII"));
     }
 }
 
@@ -852,7 +852,7 @@ static void test_many_parts(void **state)
         size_t n = file_bytes(), mask = record_at(2) + 8 + 8 + 6, bytes = (size_t)(parts + 7) / 8;
         if (parts % 8)
             refused_with(n, mask + bytes - 1, file[mask + bytes - 1] | 0x80, "damaged");
-        refused_with(n, find("script") - 1 - 1, 65, "damaged (the number of parts)");
+        refused_with(n, find("script") - 1 - 1, 65, "(the number of parts)");
     }
 }
 
@@ -903,7 +903,7 @@ static void test_old_format(void **state)
         assert_int_equal(demo_differs(&d, f, hashes) & 1, 1);
     }
     assert_false(demo_save(&d, path, err, sizeof err)); /* it says too little for the newest format */
-    assert_non_null(strstr(err, "no prints of every part"));
+    assert_non_null(strstr(err, "no checksums of every part"));
     demo_free(&d);
 }
 
@@ -954,11 +954,11 @@ static void test_nvram_lies(void **state)
     assert_true(demo_end(&w, b));
     size_t n = file_bytes(), coded = record_at(1) - 4 - 16, size = coded - 4; /* 8 runs, 2 bytes each */
     assert_int_equal(bytes_get32(file + size), 1000);
-    refused_with(n, size, 0xe7, "damaged (nvram)");
-    refused_with(n, size, 0xe9, "damaged (nvram)");
-    refused_with(n, size + 2, 1, "damaged (nvram)");
-    refused_with(n, coded, 200, "damaged (nvram)");
-    refused_with(n, coded + 14, 127, "damaged (nvram)");
+    refused_with(n, size, 0xe7, "(nvram)");
+    refused_with(n, size, 0xe9, "(nvram)");
+    refused_with(n, size + 2, 1, "(nvram)");
+    refused_with(n, coded, 200, "(nvram)");
+    refused_with(n, coded + 14, 127, "(nvram)");
     demo_free(&w.demo);
 }
 
@@ -1561,9 +1561,9 @@ static void test_fits(void **state)
     assert_true(demo_fits(&d, &cart, err, sizeof err));
     assert_null(demo_doubt(&d, &cart, buf, sizeof buf));
     d.game_hash++;
-    assert_string_equal(demo_doubt(&d, &cart, buf, sizeof buf), "recorded on another build");
+    assert_string_equal(demo_doubt(&d, &cart, buf, sizeof buf), "recorded with another game version");
     d.core += 6;
-    assert_non_null(strstr(demo_doubt(&d, &cart, buf, sizeof buf), "recorded on core version"));
+    assert_non_null(strstr(demo_doubt(&d, &cart, buf, sizeof buf), "recorded with core version"));
     d.id[0] = 'z';
     assert_false(demo_fits(&d, &cart, err, sizeof err));
     assert_non_null(strstr(err, "another game"));

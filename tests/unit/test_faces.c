@@ -111,41 +111,41 @@ static void test_bdf_refused(void **state)
 {
     (void)state;
     memset(&set, 0xff, sizeof set);
-    refused("", "line 0: expected STARTFONT, so it is no BDF");
-    refused("\x89PNG", "line 1: expected STARTFONT, so it is no BDF");
+    refused("", "line 0: expected STARTFONT: not a BDF file");
+    refused("\x89PNG", "line 1: expected STARTFONT: not a BDF file");
     refused(HEAD, "line 9: the file ends without ENDFONT");
     refused(HEAD "ENDFONT", "line 10: no characters");
     refused("STARTFONT 2.1\nFONT_ASCENT many\n",
             "line 2: expected 1 numbers from -32768 to 32767, got \"FONT_ASCENT many\"");
     refused("STARTFONT 2.1\nFONT_ASCENT 7\nSTARTCHAR A\n",
-            "line 3: the head has no FONT_DESCENT, and no FONTBOUNDINGBOX");
-    refused("STARTFONT 2.1\nMETRICSSET 1\n", "line 2: a font for lines that run down is not read");
+            "line 3: the header has no FONT_DESCENT and no FONTBOUNDINGBOX");
+    refused("STARTFONT 2.1\nMETRICSSET 1\n", "line 2: vertical fonts are not supported");
     refused("STARTFONT 2.3\nSIZE 9 75 75 3\n", "line 2: pixels of 3 bits; expected 1, 2, 4 or 8");
-    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: pixels of 2 bits, but of 4 before");
+    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: pixels of 2 bits, but earlier 4");
     refused("STARTFONT 2.1\nFONT_ASCENT 0\nFONT_DESCENT 0\nSTARTCHAR A\n",
-            "line 4: a line of 0 px (ascent 0, descent 0); expected 1 to 128");
-    refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends within a character");
+            "line 4: line height 0 px (ascent 0, descent 0); expected 1 to 128");
+    refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends inside a character");
     refused(HEAD "STARTCHAR A\nENCODING 1114112\n",
             "line 11: expected 1 numbers from -1 to 1114111, got \"ENCODING 1114112\"");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: a BITMAP without ENCODING and BBX before it");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: BITMAP without ENCODING and BBX before it");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9 0\nBBX 65 1 0 0\nBITMAP\n",
-            "line 14: a character of 65x1 px; expected at most 64 each way");
+            "line 14: character of 65x1 px; expected at most 64 in each direction");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 -1 0 0\n",
-            "line 12: a character of 8x-1 px; expected at most 64 each way");
+            "line 12: character of 8x-1 px; expected at most 64 in each direction");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 1 0 500\nBITMAP\n00\n",
-            "line 14: U+0041 lies too far from the line");
+            "line 14: U+0041 is too far from the line");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 9 1 0 0\nBITMAP\n00\n",
             "line 15: expected a row of 4 hexadecimal digits, got \"00\"");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 2 0 0\nBITMAP\n00\n",
-            "line 15: the file ends within a BITMAP");
-    refused(HEAD LETTER_A LETTER_A "ENDFONT", "U+0041 is there twice");
+            "line 15: the file ends inside a BITMAP");
+    refused(HEAD LETTER_A LETTER_A "ENDFONT", "duplicate character U+0041");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 1 1 0 0\nBITMAP\n80\n",
-            "line 13: U+0041 has no DWIDTH, and the head has none");
+            "line 13: U+0041 has no DWIDTH, and the header has none");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH -4 0\nBBX 1 1 0 0\nBITMAP\n80\n",
             "line 14: U+0041: DWIDTH -4 0; expected 0 to 128, and 0");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 1\nBBX 1 1 0 0\nBITMAP\n80\n",
             "line 14: U+0041: DWIDTH 4 1; expected 0 to 128, and 0");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 0\nENDCHAR\n", "line 13: a character without BITMAP");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 0\nENDCHAR\n", "line 13: character without BITMAP");
 }
 
 #define BOX               "FONTBOUNDINGBOX 4 7 0 -2\n"
@@ -211,9 +211,9 @@ static void test_bdf_charset(void **state)
                              DOT("x", "177")),
                      177);
     assert_int_equal(code_in("FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-jisx0201.1976-0\n", DOT("x", "65")), 0);
-    assert_non_null(strstr(err, "line 3: the font's characters are JISX0201.1976-0; expected ISO10646-1 (Unicode), "));
+    assert_non_null(strstr(err, "line 3: characters in JISX0201.1976-0; expected ISO10646-1 (Unicode), "));
     assert_int_equal(code_by("ISO8859", "", DOT("x", "65")), 0);
-    assert_non_null(strstr(err, "the font's characters are ISO8859; expected "));
+    assert_non_null(strstr(err, "characters in ISO8859; expected "));
     assert_int_equal(code_by("ISO8859", "6", DOT("x", "65")), 0);
     assert_int_equal(code_by("JISX0208.1983", "0", DOT("x", "65")), 0);
 }
@@ -294,7 +294,7 @@ static void test_cells(void **state)
         }
     f = (struct faces){ 0 };
     assert_false(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
-    assert_string_equal(err, "8x3 pixels have room for 2 cells of 4x3; `chars` has 3 characters");
+    assert_string_equal(err, "8x3 pixels hold 2 cells of 4x3, but `chars` has 3 characters");
     font.chars[3] = '\0';
     assert_true(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
     assert_true(f.n == 2 && f.height == 3 && f.list[0].code == 0xe9 && f.list[0].w == 2 && f.list[0].advance == 3);
@@ -342,7 +342,7 @@ static void test_lump(void **state)
     spoilt(2, 1, "its header is out of range");
     spoilt(4, 9, "its header is out of range");
     spoilt(7, 9, "its header is out of range");
-    spoilt(8, 66, "glyph 1 is not in the order of codes");
+    spoilt(8, 66, "glyph 1 is not in ascending order");
     spoilt(12, 39, "glyph 0 is out of range");
     spoilt(12, 72, "glyph 0 is out of range");
     spoilt(15, 1, "glyph 0 is out of range");

@@ -160,7 +160,7 @@ static void bad_bindings_change_nothing(void **state)
     keys_defaults(&k);
     was = k;
     assert_false(keys_bind(&k, "p3.fire", "z", err, sizeof err));
-    assert_string_equal(err, "no action is called \"p3.fire\"");
+    assert_string_equal(err, "unknown action \"p3.fire\"");
     static const char *const bad[] = {
         "zz",   "f13",        "f0",         "kp10", "key3",   "key256",
         "pad.", "pad5.south", "pad0.south", "pad",  "alt+",   "alt+pad.south",
@@ -172,7 +172,7 @@ static void bad_bindings_change_nothing(void **state)
     }
     assert_true(keys_bind(&k, "p1.fire", "a b c d e f", err, sizeof err));
     assert_false(keys_bind(&k, "p1.fire", "a b c d e f g", err, sizeof err));
-    assert_string_equal(err, "p1.fire: \"g\" is one switch too many");
+    assert_string_equal(err, "p1.fire: \"g\" is one key too many");
     assert_true(keys_bind(&k, "p1.fire", "none", err, sizeof err));
     assert_int_equal(k.code[4][0], 0);
 }
@@ -241,7 +241,7 @@ static void bad_settings(void **state)
     char longline[CONFIG_LINE + 8];
     (void)state;
 #define REFUSE(text, want) refuse(text, sizeof text - 1, want)
-    REFUSE("volume = 5\nscael = 3\n", "x.conf:2: no setting is called \"scael\"");
+    REFUSE("volume = 5\nscael = 3\n", "x.conf:2: unknown setting \"scael\"");
     REFUSE("volume = 101", "x.conf:1: volume: expected a number from 0 to 100, got \"101\"");
     REFUSE("\n\nscale = 2x", "x.conf:3: scale: expected a number from 0 to 16, got \"2x\"");
     REFUSE("scale =", "x.conf:1: scale: expected a number from 0 to 16, got \"\"");
@@ -256,11 +256,11 @@ static void bad_settings(void **state)
     REFUSE("panels = 1", "x.conf:1: panels: expected over or beside, got \"1\"");
     REFUSE("run_ahead = 2", "x.conf:1: run_ahead: expected a number from 0 to 1, got \"2\"");
     REFUSE("hello", "x.conf:1: expected name = value, got \"hello\"");
-    REFUSE("= 4", "x.conf:1: no setting is called \"\"");
-    REFUSE("p1.fire = q qq", "x.conf:1: p1.fire: no switch is called \"qq\"");
-    REFUSE("mute = yes\nvol\0ume = 1", "x.conf:2: not a line of text");
+    REFUSE("= 4", "x.conf:1: unknown setting \"\"");
+    REFUSE("p1.fire = q qq", "x.conf:1: p1.fire: unknown key or button \"qq\"");
+    REFUSE("mute = yes\nvol\0ume = 1", "x.conf:2: expected a line of text");
     memset(longline, 'a', sizeof longline);
-    refuse(longline, sizeof longline, "x.conf:1: not a line of text");
+    refuse(longline, sizeof longline, "x.conf:1: expected a line of text");
 }
 
 /* The first switch of an action, as it would be written. */
@@ -454,7 +454,7 @@ static void switches_are_added_and_dropped(void **state)
     assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
     assert_false(keys_add(&k, "p1.bomb", switch_code("7"), err, sizeof err));
-    assert_string_equal(err, "p1.bomb has 6 switches, which is all it can have");
+    assert_string_equal(err, "Player 1 Bomb already has 6 keys, the most it can have");
     for (int i = 1; i < 7; i++)
         keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
     keys_text(&k, "p1.bomb", text, sizeof text);

@@ -73,20 +73,20 @@ static void test_refused(void **state)
     static char text[WORDS_TEXT + 64];
 
     (void)state;
-    REFUSED("a = b\nHello", "lang/de.txt:2: expected text = words, got \"Hello\"");
-    REFUSED("a\\= b", "lang/de.txt:1: expected text = words, got \"a\\= b\"");
-    REFUSED("a =", "lang/de.txt:1: expected words behind the =");
+    REFUSED("a = b\nHello", "lang/de.txt:2: expected text = translation, got \"Hello\"");
+    REFUSED("a\\= b", "lang/de.txt:1: expected text = translation, got \"a\\= b\"");
+    REFUSED("a =", "lang/de.txt:1: expected a translation after the =");
     REFUSED("\n= a", "lang/de.txt:2: expected a text before the =");
-    REFUSED("a = \\q", "lang/de.txt:1: \\q is no escape (there are \\n \\= \\# \\\\ and \\ before a blank)");
-    REFUSED("a = b\\", "lang/de.txt:1: \\ is no escape (there are \\n \\= \\# \\\\ and \\ before a blank)");
-    REFUSED("a = b\xff", "lang/de.txt:1: expected UTF-8, got the byte 255");
-    REFUSED("a = \xed\xa0\x80", "lang/de.txt:1: expected UTF-8, got the byte 237");
-    REFUSED("a = b\0c", "lang/de.txt:1: the control character U+0000");
-    REFUSED("a = \xc2\x85", "lang/de.txt:1: the control character U+0085");
-    REFUSED("b = 1\na = 2\n\nb = 3", "lang/de.txt:4: \"b\" stands in line 1 already");
+    REFUSED("a = \\q", "lang/de.txt:1: unknown escape \\q (escapes are \\n \\= \\# \\\\ and \\ before a space)");
+    REFUSED("a = b\\", "lang/de.txt:1: unknown escape \\ (escapes are \\n \\= \\# \\\\ and \\ before a space)");
+    REFUSED("a = b\xff", "lang/de.txt:1: expected UTF-8, got byte 255");
+    REFUSED("a = \xed\xa0\x80", "lang/de.txt:1: expected UTF-8, got byte 237");
+    REFUSED("a = b\0c", "lang/de.txt:1: control character U+0000");
+    REFUSED("a = \xc2\x85", "lang/de.txt:1: control character U+0085");
+    REFUSED("b = 1\na = 2\n\nb = 3", "lang/de.txt:4: duplicate \"b\", first in line 1");
     memset(text, 'x', sizeof text);
     memcpy(text, "a = ", 4);
-    refused(text, 4 + WORDS_TEXT, "lang/de.txt:1: a text of 1024 bytes; one has 1023 at most");
+    refused(text, 4 + WORDS_TEXT, "lang/de.txt:1: text of 1024 bytes, expected at most 1023");
     assert_true(lang_read(&l, text, 3 + WORDS_TEXT, "lang/de.txt", err, sizeof err));
     lang_close(&l);
 }
@@ -132,19 +132,19 @@ static void test_lump(void **state)
     size = lang_make(&l, &lump);
     bad = malloc(size);
     assert_int_equal(size, 4 + 16 + 2 + 3 + 2 + 2);
-    lump_refused(lump, 3, "3 bytes are not 0 texts");
-    lump_refused(lump, 19, "19 bytes are not 2 texts");
-    lump_refused(lump, size - 1, "28 bytes are not 2 texts");
+    lump_refused(lump, 3, "3 bytes are not 0 translations");
+    lump_refused(lump, 19, "19 bytes are not 2 translations");
+    lump_refused(lump, size - 1, "28 bytes are not 2 translations");
     for (uint32_t k = 0; k < 4; k++) {
         memcpy(bad, lump, size);
         bytes_put32(bad + 4 + 4 * k, (uint32_t)size);
-        lump_refused(bad, size, k < 2 ? "text 0 is not in it" : "text 1 is not in it");
+        lump_refused(bad, size, k < 2 ? "translation 0 is missing" : "translation 1 is missing");
         bytes_put32(bad + 4 + 4 * k, 19);
-        lump_refused(bad, size, k < 2 ? "text 0 is not in it" : "text 1 is not in it");
+        lump_refused(bad, size, k < 2 ? "translation 0 is missing" : "translation 1 is missing");
     }
     memcpy(bad, lump, size);
     bytes_put32(bad + 12, bytes_get32(bad + 4));
-    lump_refused(bad, size, "text 1 is not in byte order");
+    lump_refused(bad, size, "translation 1 is not in byte order");
     free(bad);
     free(lump);
     lang_close(&l);

@@ -148,7 +148,7 @@ static void opens_at_the_end(void **state)
     (void)state;
     log_open(&l, &s);
     draw();
-    assert_string_equal(screens_top(&s)->text(&l), "Nothing was printed yet.");
+    assert_string_equal(screens_top(&s)->text(&l), "No messages yet.");
     poll_with(&(struct plat_input){ .focus = true, .mouse_x = -1, .mouse_y = -1, .wheel = 1 });
     screens_close(&s);
     for (int i = 0; i < 100; i++) {

@@ -303,7 +303,7 @@ static bool fault_order(const struct call *c)
 
 static bool quoted_fraction(const struct call *c)
 {
-    return of(c, "string.format") && !c->ours.ok && says(&c->ours, "(%q takes whole numbers only)");
+    return of(c, "string.format") && !c->ours.ok && says(&c->ours, "(%q accepts whole numbers only)");
 }
 
 static bool quoted_float(const struct call *c)
@@ -382,7 +382,7 @@ static bool pairs_order(const struct call *c)
 static bool pairs_refused(const struct call *c)
 {
     return of(c, "pairs") && !c->ours.ok &&
-           (says(&c->ours, "cannot be visited in a fixed order") || says(&c->ours, "__pairs is not supported") ||
+           (says(&c->ours, "have no fixed order") || says(&c->ours, "__pairs is not supported") ||
             says(&c->ours, "bad argument #1 to 'pairs' (table expected"));
 }
 
@@ -435,8 +435,8 @@ static bool pcall_fault(const struct call *c)
 static bool metatable_refused(const struct call *c)
 {
     return of(c, "setmetatable") && c->stock.ok && !c->ours.ok &&
-           (says(&c->ours, "setmetatable: a metatable may not have __") ||
-            says(&c->ours, "setmetatable: __call must be a function"));
+           (says(&c->ours, "is not allowed in a metatable") ||
+            says(&c->ours, "setmetatable: __call: expected a function"));
 }
 
 static bool metatable_of_texts(const struct call *c)
@@ -447,7 +447,8 @@ static bool metatable_of_texts(const struct call *c)
 static bool load_refused(const struct call *c)
 {
     return of(c, "load") && both(c) && strncmp(c->ours.values.s, "nil; ", 5) == 0 &&
-           (says(&c->ours, "the operator ^ is not available") || says(&c->ours, "the name __"));
+           (says(&c->ours, "operator ^ is not available") || says(&c->ours, "__gc is not available") ||
+            says(&c->ours, "__mode is not available"));
 }
 
 static bool load_mode(const struct call *c)

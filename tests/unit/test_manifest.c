@@ -245,16 +245,15 @@ static void test_derived(void **state)
 static void test_unknown_names(void **state)
 {
     (void)state;
-    entry_refused("board = { bulets = 1 }", "board.bulets: unknown name (did you mean \"bullets\"?)");
-    entry_refused("titel = 'x'", "titel: unknown name (did you mean \"title\"?)");
-    entry_refused("zebra = 1, muzak = 2", "muzak: unknown name");
-    entry_refused("screen = { width = 1 }", "screen.width: unknown name");
-    entry_refused("field = { margins = 1 }", "field.margins: unknown name (did you mean \"margin\"?)");
-    entry_refused("sheets = { a = { file = 'a', banks = 1 } }",
-                  "sheets.a.banks: unknown name (did you mean \"bank\"?)");
+    entry_refused("board = { bulets = 1 }", "board.bulets: unknown key (did you mean \"bullets\"?)");
+    entry_refused("titel = 'x'", "titel: unknown key (did you mean \"title\"?)");
+    entry_refused("zebra = 1, muzak = 2", "muzak: unknown key");
+    entry_refused("screen = { width = 1 }", "screen.width: unknown key");
+    entry_refused("field = { margins = 1 }", "field.margins: unknown key (did you mean \"margin\"?)");
+    entry_refused("sheets = { a = { file = 'a', banks = 1 } }", "sheets.a.banks: unknown key (did you mean \"bank\"?)");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { orb = { sheet = 's', w = 1, h = 1, frame = 2 } }",
-                  "sprites.orb.frame: unknown name (did you mean \"frames\"?)");
-    entry_refused("dip = { n = { min = 1, max = 2, def = 1 } }", "dip.n.def: unknown name");
+                  "sprites.orb.frame: unknown key (did you mean \"frames\"?)");
+    entry_refused("dip = { n = { min = 1, max = 2, def = 1 } }", "dip.n.def: unknown key");
     entry_refused("1", "manifest: expected only names as keys, got 1");
     entry_refused("board = { [2.5] = 1 }", "board: expected only names as keys, got 2.5");
     entry_refused("board = { [7.5] = 1, [true] = 1, [6.5] = 1, [2.5] = 1, [5.5] = 1, [4.5] = 1, [3.5] = 1 }",
@@ -281,7 +280,7 @@ static void test_sounds(void **state)
     assert_int_equal(r->m.sound, 0);
     free(r);
     entry_refused("sounds = { a = { mml = 'c', volum = 1 } }",
-                  "sounds.a.volum: unknown name (did you mean \"volume\"?)");
+                  "sounds.a.volum: unknown key (did you mean \"volume\"?)");
     entry_refused("sounds = { a = {} }", "sounds.a: expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or "
                                          "mml=\"...\"");
     entry_refused("sounds = { a = { mml = 'c', volume = 2 } }",
@@ -310,12 +309,12 @@ static void test_recordings(void **state)
     assert_true(r->art.markers[t->first_marker + 1].beat == 8.5);
     free(r);
     entry_refused("music = { a = { file = 'a.mml', tempo = 100 } }",
-                  "music.a: tempo: is for recordings (.wav, .ogg, .flac); MML says it itself");
+                  "music.a: tempo: only for samples (.wav, .ogg, .flac); MML has its own commands for it");
     entry_refused("music = { a = { file = 'a.ogg', tempo = 9 } }",
                   "music.a.tempo: expected a number from 10 to 600, got 9");
     entry_refused("music = { a = { file = 'a.ogg', loop = { 1, 2 } } }",
                   "music.a.loop: expected only names as keys, got 1");
-    entry_refused("music = { a = { file = 'a.ogg', loop = { begin = 1 } } }", "music.a.loop.begin: unknown name");
+    entry_refused("music = { a = { file = 'a.ogg', loop = { begin = 1 } } }", "music.a.loop.begin: unknown key");
     entry_refused("music = { a = { file = 'a.ogg', loop = 5 } }", "music.a.loop: expected a table, got 5");
     entry_refused("music = { a = { file = 'a.ogg', loop = { start = 1.5 } } }",
                   "music.a.loop: expected whole numbers of frames (or unit=\"seconds\")");
@@ -323,7 +322,7 @@ static void test_recordings(void **state)
                   "music.a.loop: unit: expected \"frames\" or \"seconds\", got \"beats\"");
     entry_refused("music = { a = { file = 'a.ogg', markers = { up = -1 } } }",
                   "music.a.markers.up: expected a number from 0 to 1048576, got -1");
-    entry_refused("sounds = { a = { file = 'a.ogg', tempo = 100 } }", "sounds.a.tempo: unknown name");
+    entry_refused("sounds = { a = { file = 'a.ogg', tempo = 100 } }", "sounds.a.tempo: unknown key");
 }
 
 /* "a.b.c" as "a = { b = { c = v } }". */
@@ -365,10 +364,10 @@ static void test_numbers(void **state)
                   "sprites.a.sizes[1]: expected a whole number from 1 to 1000, got 1001");
     entry_refused(
         "sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 50, 50 } } }",
-        "sprites: two are named a_50, one of them by its size");
+        "sprites: two sprites are named a_50, one of them because of its size");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { a_7 = { sheet = 's', w = 1, h = 1 },\n"
                   "  a = { sheet = 's', w = 1, h = 1, sizes = { 7 } } }",
-                  "sprites: two are named a_7, one of them by its size");
+                  "sprites: two sprites are named a_7, one of them because of its size");
     entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");
@@ -404,14 +403,13 @@ static void test_lists(void **state)
     entry_refused("extends = { 1, 2, 3, 4, 5, 6, 7, 8, 9 }", "extends: expected at most 8 entries, got 9");
     entry_refused("extends = { 1, x = 2 }", "extends: expected a list");
     entry_refused("difficulties = {}", "difficulties: expected at least one word");
-    entry_refused("difficulties = { 'a', 'a' }", "difficulties[2]: \"a\" stands here twice");
+    entry_refused("difficulties = { 'a', 'a' }", "difficulties[2]: duplicate \"a\"");
     entry_refused("difficulties = { 'a b' }",
                   "difficulties[1]: expected a word of letters, digits, _ and -, got \"a b\"");
     entry_refused("difficulties = { 1 }", "difficulties[1]: expected a word, got 1");
     entry_refused("difficulties = { 'abcdefghijklmnop' }",
                   "difficulties[1]: expected a word of at most 15 bytes, got \"abcdefghijklmnop\"");
-    entry_refused("difficulties = { 'easy' }, difficulty = 'hard'",
-                  "difficulty: \"hard\" is not one of the difficulties");
+    entry_refused("difficulties = { 'easy' }, difficulty = 'hard'", "difficulty: \"hard\" is not in difficulties");
 }
 
 static void test_dip_errors(void **state)
@@ -450,7 +448,7 @@ static void test_art_errors(void **state)
                   "icon: expected a file inside the folder (letters, digits, _ - . /), got \"../a.png\"");
     entry_refused("palettes = { a = 'x/../y' }",
                   "palettes.a: expected a file inside the folder (letters, digits, _ - . /), got \"x/../y\"");
-    entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is that of `palette`");
+    entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is already used by `palette`");
     entry_refused("blends = 'add'", "blends: expected a table, got \"add\"");
     entry_refused("blends = { 'add' }", "blends: expected only names as keys, got 1");
     entry_refused("blends = { ['a b'] = 'add' }", "blends: \"a b\": expected a name of letters, digits, _ - . and /");
@@ -465,14 +463,14 @@ static void test_art_errors(void **state)
     entry_refused("blends = { a = { mix = 0 } }", "blends.a.mix: expected a whole number from 1 to 99, got 0");
     entry_refused("blends = { a = { mix = 100 } }", "blends.a.mix: expected a whole number from 1 to 99, got 100");
     entry_refused("blends = { a = { mix = 2.5 } }", "blends.a.mix: expected a whole number from 1 to 99, got 2.5");
-    entry_refused("blends = { a = { mix = 50, of = 1 } }", "blends.a.of: unknown name");
-    entry_refused("blends = { a = { mixx = 50 } }", "blends.a.mixx: unknown name (did you mean \"mix\"?)");
+    entry_refused("blends = { a = { mix = 50, of = 1 } }", "blends.a.of: unknown key");
+    entry_refused("blends = { a = { mixx = 50 } }", "blends.a.mixx: unknown key (did you mean \"mix\"?)");
     entry_refused("sheets = { a = 'x.png' }", "sheets.a: expected a table, got \"x.png\"");
     entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\" (or .ase, .aseprite)");
     entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",
                   "sheets.a.bank: expected a whole number from 0 to 15, got 16");
-    entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected a sheet's name, got nil");
-    entry_refused("sprites = { a = { sheet = 'b', w = 1, h = 1 } }", "sprites.a.sheet: \"b\" is not one of the sheets");
+    entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected the name of a sheet, got nil");
+    entry_refused("sprites = { a = { sheet = 'b', w = 1, h = 1 } }", "sprites.a.sheet: \"b\" is not in sheets");
     entry_refused("sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', h = 1 } }",
                   "sprites.a.w: expected a whole number from 1 to 1024, got nil");
     entry_refused(
@@ -530,7 +528,7 @@ static void test_palette_of_a_sheet(void **state)
     assert_string_equal(r->art.maps[0].palette, "dusk");
     free(r);
     entry_refused("palettes = { dusk = 'd.png' }, sheets = { a = { file = 'a.png', palette = 'dawn' } }",
-                  "sheets.a.palette: \"dawn\" is not one of the palettes");
+                  "sheets.a.palette: \"dawn\" is not in palettes");
     entry_refused("maps = { m = { tiles = 't.png', palette = 3, rows = { { 1 } } } }",
                   "maps.m.palette: expected a palette's name, got 3");
 }
@@ -677,8 +675,7 @@ static void test_maps(void **state)
           "rom.lua: maps.sea: layer: only a .tmx has layers" },
         { "sea = { tiles = 'a.png', size = 12, rows = { { 1 } } }",
           "rom.lua: maps.sea.size: expected 8, 16 or 32, got 12" },
-        { "sea = { tiles = 'a.png', row = { { 1 } } }",
-          "rom.lua: maps.sea.row: unknown name (did you mean \"rows\"?)" },
+        { "sea = { tiles = 'a.png', row = { { 1 } } }", "rom.lua: maps.sea.row: unknown key (did you mean \"rows\"?)" },
         { "sea = { tiles = 'a.png', rows = {} }", "rom.lua: maps.sea.rows: expected at least one row" },
         { "sea = { tiles = 'a.png', rows = { { 1, 2 }, { 3 } } }",
           "rom.lua: maps.sea.rows[2]: expected 2 tiles as in the first row, got 1" },
@@ -731,11 +728,11 @@ static void test_unpack_refuses(void **state)
         assert_int_equal(manifest_unpack(bytes, 5204, &m, err, sizeof err), format == 2);
         assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
         if (format > 4)
-            assert_string_equal(err, "its format is not known");
+            assert_string_equal(err, "unknown format");
     }
     bytes[0] = 5; /* which only a game has that runs documents */
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_string_equal(err, "board.bulletml: 0, which a manifest of format 4 says");
+    assert_string_equal(err, "board.bulletml: 0 in a manifest of format 4");
     r->m.bulletml = 300;
     assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
@@ -814,15 +811,15 @@ static void test_check(void **state)
     SPOILED(m.n_difficulties = 4, words);
     SPOILED(m.n_difficulties = 2, words);
     SPOILED(memcpy(m.difficulties[1], m.difficulties[0], MAX_WORD), words);
-    SPOILED(m.difficulty = 3, "difficulty: not one of the difficulties");
-    SPOILED(m.difficulty = -1, "difficulty: not one of the difficulties");
+    SPOILED(m.difficulty = 3, "difficulty: not in difficulties");
+    SPOILED(m.difficulty = -1, "difficulty: not in difficulties");
     SPOILED(m.n_dips = 17, "dip: expected at most 16 switches");
     SPOILED(m.n_dips = -1, "dip: expected at most 16 switches");
     SPOILED(m.n_dips = 4, "dip: expected names of 1 to 15 letters, digits, _ or -");
     SPOILED(m.n_dips = 2, "dip: unused switches are not zero");
     SPOILED(m.dips[15].value_name[3][3] = 1, "dip: unused switches are not zero");
     SPOILED(m.dips[0].name[0] = ' ', "dip: expected names of 1 to 15 letters, digits, _ or -");
-    SPOILED(m.dips[0].name[0] = 'x', "dip.n: not in the order of names");
+    SPOILED(m.dips[0].name[0] = 'x', "dip.n: not in alphabetical order");
     SPOILED(m.dips[0].values = 17, coins);
     SPOILED(m.dips[0].values = -1, coins);
     SPOILED(m.dips[0].values = 1, coins);

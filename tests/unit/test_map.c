@@ -39,7 +39,7 @@ static bool load(void *context, const char *file, uint8_t **text, size_t *n, cha
             memcpy(*text, files[i][1], *n + 1);
             return true;
         }
-    snprintf(why, why_size, "there is no %s", file);
+    snprintf(why, why_size, "%s does not exist", file);
     return false;
 }
 
@@ -105,18 +105,19 @@ static void test_csv_bad(void **state)
         int first;
         const char *said;
     } bad[] = {
-        { "", 1, "m.csv: expected lines of numbers, got none" },
-        { "\n\n", 1, "m.csv: expected lines of numbers, got none" },
+        { "", 1, "m.csv: expected lines of numbers, got an empty file" },
+        { "\n\n", 1, "m.csv: expected lines of numbers, got an empty file" },
         { "1,2\n3\n", 1, "m.csv:2: 1 tiles, expected 2 as in the first line" },
-        { "1,2\n\n3,4\n", 1, "m.csv:2: an empty line amid the others" },
-        { "1;2\n", 1, "m.csv:1: expected a comma, got the byte 59" },
-        { "1,x\n", 1, "m.csv:1: expected a whole number, got the byte 120" },
-        { "1,,2\n", 1, "m.csv:1: expected a whole number, got the byte 44" },
-        { "1\n-", 1, "m.csv:2: expected a whole number, got the file's end" },
+        { "1,2\n\n3,4\n", 1, "m.csv:2: blank line between other lines" },
+        { "1;2\n", 1, "m.csv:1: expected a comma, got byte 59" },
+        { "1,x\n", 1, "m.csv:1: expected an integer, got byte 120" },
+        { "1,,2\n", 1, "m.csv:1: expected an integer, got byte 44" },
+        { "1\n-", 1, "m.csv:2: expected an integer, got the end of the file" },
         { "1,-1\n", 1,
-          "m.csv:1: expected 0 for empty or a tile from 1 on, got -1 (Tiled's CSV counts from 0: write first = 0)" },
-        { "0,-2\n", 0, "m.csv:1: expected -1 for empty or a tile from 0 on, got -2" },
-        { "9999999999\n", 1, "m.csv:1: expected 0 for empty or a tile from 1 on, got 9999999999" },
+          "m.csv:1: expected 0 for empty or a tile number from 1 on, got -1 (Tiled's CSV counts from 0: add first = "
+          "0)" },
+        { "0,-2\n", 0, "m.csv:1: expected -1 for empty or a tile number from 0 on, got -2" },
+        { "9999999999\n", 1, "m.csv:1: expected 0 for empty or a tile number from 1 on, got 9999999999" },
     };
     struct map_cells c;
 
@@ -216,7 +217,7 @@ static void test_tmx_infinite(void **state)
     assert_false(tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("0", "0", "1,0,0,0")
                                             CHUNK("9000", "0", "1,0,0,0") "</data>") "</map>",
                      "", &c));
-    assert_string_equal(err, "m.tmx:1: the layer's tiles cover 9001x1, expected at most 2048 each way");
+    assert_string_equal(err, "m.tmx:1: the layer covers 9001x1 tiles, expected at most 2048 in each direction");
 }
 
 /* What stands in a .tsx counts as if it were in the map. */
@@ -297,107 +298,107 @@ static void test_tmx_bad(void **state)
     static const struct {
         const char *text, *layer, *said;
     } bad[] = {
-        { "", "", "m.tmx: there is no <map>: not a map of Tiled's" },
+        { "", "", "m.tmx: no <map>: not a Tiled map" },
         { "words", "", "m.tmx:1: expected <, got text" },
-        { "<tileset/>", "", "m.tmx: there is no <map>: not a map of Tiled's" },
-        { HEAD "</map>", "", "m.tmx: there is no layer of tiles" },
-        { HEAD LAYER("b", CSV("0,0,0,0,0,0")) "</map>", "a", "m.tmx: there is no layer of tiles \"a\" (there is b)" },
+        { "<tileset/>", "", "m.tmx: no <map>: not a Tiled map" },
+        { HEAD "</map>", "", "m.tmx: no tile layer" },
+        { HEAD LAYER("b", CSV("0,0,0,0,0,0")) "</map>", "a", "m.tmx: no tile layer \"a\" (the map has b)" },
         { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("b", "") "</map>", "",
-          "m.tmx:5: a second layer of tiles: say in rom.lua which, layer = \"NAME\"" },
-        { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("a", "") "</map>", "a", "m.tmx:5: a second layer of that name" },
+          "m.tmx:5: second tile layer; choose one in rom.lua with layer = \"NAME\"" },
+        { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("a", "") "</map>", "a", "m.tmx:5: second layer with this name" },
         { "<map orientation=\"isometric\">", "",
-          "m.tmx:1: <map> orientation=\"isometric\" is not read, expected \"orthogonal\"" },
+          "m.tmx:1: <map> orientation=\"isometric\" is not supported, expected \"orthogonal\"" },
         { "<map infinite=\"2\">", "", "m.tmx:1: <map> infinite: expected a whole number from 0 to 1, got 2" },
         { "<map backgroundcolor=\"#ff8000\">", "",
-          "m.tmx:1: <map> backgroundcolor=\"#ff8000\" is not read; clear it in Tiled's Map Properties" },
-        { "<map skewx=\"4\">", "", "m.tmx:1: <map> skewx=\"4\" is not read, expected \"0\"" },
-        { "<map future=\"1\">", "", "m.tmx:1: <map> future=\"1\" is not read" },
+          "m.tmx:1: <map> backgroundcolor=\"#ff8000\" is not supported; clear it in Tiled's Map Properties" },
+        { "<map skewx=\"4\">", "", "m.tmx:1: <map> skewx=\"4\" is not supported, expected \"0\"" },
+        { "<map future=\"1\">", "", "m.tmx:1: <map> future=\"1\" is not supported" },
         { "\n<map width=\"0\">", "", "m.tmx:2: <map> width: expected a whole number from 1 to 2048, got 0" },
         { "<map width=\"3\" height=\"x\">", "",
           "m.tmx:1: <map> height: expected a whole number from 1 to 2048, got x" },
         { "<map width=\"3\">", "", "m.tmx:1: <map> height: expected a whole number from 1 to 2048, got nothing" },
         { "<map width=\"3\" height=\"3\" tilewidth=\"16\" tileheight=\"8\">", "",
           "m.tmx:1: tiles of 16x8 px, expected 8x8, 16x16 or 32x32" },
-        { HEAD "<future/>", "", "m.tmx:4: <future> is not read" },
+        { HEAD "<future/>", "", "m.tmx:4: <future> is not supported" },
         { HEAD "<imagelayer/>", "",
-          "m.tmx:4: a layer that is an image is not read; hide it, or say in rom.lua which layer to read, layer = "
-          "\"NAME\"" },
+          "m.tmx:4: image layers are not supported; hide it, or choose a layer in rom.lua with layer = \"NAME\"" },
         { HEAD "<objectgroup>\n<object gid=\"3\"/>", "",
-          "m.tmx:5: an object that is a tile is not read; put the tile on the layer" },
+          "m.tmx:5: tile objects are not supported; put the tile on the layer" },
         { HEAD "<objectgroup><object template=\"a.tx\"/>", "",
-          "m.tmx:4: an object of a template is not read; detach it in Tiled" },
-        { HEAD "<objectgroup><object><text>hi</text>", "", "m.tmx:4: an object that is text is not read" },
-        { HEAD "<group offsety=\"-3\">", "", "m.tmx:4: <group> offsety=\"-3\" is not read, expected \"0\"" },
+          "m.tmx:4: template objects are not supported; detach it in Tiled" },
+        { HEAD "<objectgroup><object><text>hi</text>", "", "m.tmx:4: text objects are not supported" },
+        { HEAD "<group offsety=\"-3\">", "", "m.tmx:4: <group> offsety=\"-3\" is not supported, expected \"0\"" },
         { HEAD "<layer width=\"3\" height=\"2\" offsetx=\"4\">", "",
-          "m.tmx:4: <layer> offsetx=\"4\" is not read, expected \"0\"" },
+          "m.tmx:4: <layer> offsetx=\"4\" is not supported, expected \"0\"" },
         { HEAD "<layer width=\"3\" height=\"2\" opacity=\"0.5\">", "",
-          "m.tmx:4: <layer> opacity=\"0.5\" is not read, expected \"1\"" },
+          "m.tmx:4: <layer> opacity=\"0.5\" is not supported, expected \"1\"" },
         { HEAD "<layer width=\"3\" height=\"2\" visible=\"0\">", "",
-          "m.tmx:4: <layer> visible=\"0\" is not read, expected \"1\"" },
+          "m.tmx:4: <layer> visible=\"0\" is not supported, expected \"1\"" },
         { HEAD "<layer width=\"3\" height=\"2\" parallaxx=\"0.5\">", "",
-          "m.tmx:4: <layer> parallaxx=\"0.5\" is not read, expected \"1\"" },
+          "m.tmx:4: <layer> parallaxx=\"0.5\" is not supported, expected \"1\"" },
         { HEAD "<layer width=\"3\" height=\"2\" parallaxy=\"2\">", "",
-          "m.tmx:4: <layer> parallaxy=\"2\" is not read, expected \"1\"" },
+          "m.tmx:4: <layer> parallaxy=\"2\" is not supported, expected \"1\"" },
         { HEAD "<layer width=\"3\" height=\"2\" mode=\"multiply\">", "",
-          "m.tmx:4: <layer> mode=\"multiply\" is not read, expected \"normal\"" },
+          "m.tmx:4: <layer> mode=\"multiply\" is not supported, expected \"normal\"" },
         { HEAD "<layer width=\"3\" height=\"2\" tintcolor=\"#ff0000\">", "",
-          "m.tmx:4: <layer> tintcolor=\"#ff0000\" is not read, expected \"#ffffff\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" x=\"1\">", "", "m.tmx:4: <layer> x=\"1\" is not read, expected \"0\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" future=\"1\">", "", "m.tmx:4: <layer> future=\"1\" is not read" },
+          "m.tmx:4: <layer> tintcolor=\"#ff0000\" is not supported, expected \"#ffffff\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" x=\"1\">", "",
+          "m.tmx:4: <layer> x=\"1\" is not supported, expected \"0\"" },
+        { HEAD "<layer width=\"3\" height=\"2\" future=\"1\">", "", "m.tmx:4: <layer> future=\"1\" is not supported" },
         { HEAD "<layer width=\"2\" height=\"2\">", "",
           "m.tmx:4: <layer> width: expected a whole number from 3 to 3, got 2" },
-        { HEAD LAYER("a", "<future/>"), "", "m.tmx:4: <future> of a layer is not read" },
-        { HEAD "<layer width=\"3\" height=\"2\"/>", "", "m.tmx:4: a layer without <data>" },
-        { HEAD LAYER("a", CSV("0,0,0,0,0,0") "<data/>"), "", "m.tmx:4: a second <data>" },
+        { HEAD LAYER("a", "<future/>"), "", "m.tmx:4: <future> of a layer is not supported" },
+        { HEAD "<layer width=\"3\" height=\"2\"/>", "", "m.tmx:4: layer without <data>" },
+        { HEAD LAYER("a", CSV("0,0,0,0,0,0") "<data/>"), "", "m.tmx:4: second <data>" },
         /* tilesets, once the layer has a tile of them */
         { TILESET(" tilewidth=\"32\" tileheight=\"32\"", ""), "",
           "m.tmx:1: tiles of 32x32 px, expected those of the map, 16x16" },
-        { TILESET(" future=\"1\"", ""), "", "m.tmx:1: <tileset> future=\"1\" is not read" },
+        { TILESET(" future=\"1\"", ""), "", "m.tmx:1: <tileset> future=\"1\" is not supported" },
         { TILESET("", "\n<tileoffset x=\"4\" y=\"0\"/>"), "",
-          "m.tmx:2: <tileoffset> x=\"4\" is not read, expected \"0\"" },
-        { TILESET("", "<future/>"), "", "m.tmx:1: <future> of a tileset is not read" },
+          "m.tmx:2: <tileoffset> x=\"4\" is not supported, expected \"0\"" },
+        { TILESET("", "<future/>"), "", "m.tmx:1: <future> of a tileset is not supported" },
         { TILESET("", "<image source=\"t.png\" trans=\"ff00ff\"/>"), "",
-          "m.tmx:1: <image> trans=\"ff00ff\" is not read" },
+          "m.tmx:1: <image> trans=\"ff00ff\" is not supported" },
         { TILESET("", "<image format=\"png\"><data/></image>"), "",
-          "m.tmx:1: <image> without a source: a picture in the file is not read" },
+          "m.tmx:1: <image> without a source: embedded pictures are not supported" },
         { TILESET("", "<tile id=\"0\">\n<animation/></tile>"), "",
-          "m.tmx:2: an animated tile is not read; remove its animation" },
+          "m.tmx:2: animated tiles are not supported; remove the animation" },
         { TILESET("", "<tile id=\"0\"><image source=\"0.png\"/></tile>"), "",
-          "m.tmx:1: a collection of images is not read; put the tiles on one picture" },
-        { TILESET("", "<tile id=\"0\" width=\"8\"/>"), "", "m.tmx:1: <tile> width=\"8\" is not read" },
+          "m.tmx:1: image collections are not supported; put the tiles on one picture" },
+        { TILESET("", "<tile id=\"0\" width=\"8\"/>"), "", "m.tmx:1: <tile> width=\"8\" is not supported" },
         { TILESET(" tilecount=\"0\" spacing=\"x\"", ""), "",
           "m.tmx:1: <tileset> spacing: expected a whole number from 0 to 1024, got x" },
         { HEAD "<tileset firstgid=\"4\" tilecount=\"2\"/>" LAYER("a", CSV("1,4,5,6,0,0")), "",
-          "m.tmx:4: tile 6 is of no tileset: that at m.tmx:4 has 2 tiles" },
+          "m.tmx:4: tile 6 does not belong to a tileset: the one at m.tmx:4 has 2 tiles" },
         { HEAD "<tileset source=\"t.tsx\"/>", "",
           "m.tmx:4: <tileset> firstgid: expected a whole number from 1 to 268435456, got nothing" },
-        { HEAD "<tileset firstgid=\"4\" source=\"no.tsx\"/>", "", "m.tmx:4: there is no no.tsx" },
+        { HEAD "<tileset firstgid=\"4\" source=\"no.tsx\"/>", "", "m.tmx:4: no.tsx does not exist" },
         { HEAD "<tileset firstgid=\"4\" source=\"other.tsx\"/>", "", "other.tsx:1: expected <, got text" },
         { HEAD "<tileset firstgid=\"4\" source=\"map.tsx\"/>", "",
           "map.tsx:1: expected <tileset>; save the tileset in Tiled as .tsx" },
         { HEAD "<tileset firstgid=\"4\" source=\"../t.tsx\"/>", "",
-          "m.tmx:4: tileset \"../t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+          "m.tmx:4: tileset \"../t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
         { HEAD "<tileset firstgid=\"4\" source=\"a/../../t.tsx\"/>", "",
-          "m.tmx:4: tileset \"a/../../t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+          "m.tmx:4: tileset \"a/../../t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
         { HEAD "<tileset firstgid=\"4\" source=\"/t.tsx\"/>", "",
-          "m.tmx:4: tileset \"/t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+          "m.tmx:4: tileset \"/t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
         { HEAD "<tileset firstgid=\"4\" source=\"C:\\t.tsx\"/>", "",
-          "m.tmx:4: tileset \"C:\\t.tsx\" is outside of the game's folder; put it there, or embed it in the map" },
+          "m.tmx:4: tileset \"C:\\t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
         { HEAD "<tileset firstgid=\"4\" source=\"shifted.tsx\"/>" LAYER("a", CSV("0,4,0,0,0,0")), "",
-          "shifted.tsx:2: <tileoffset> y=\"-6\" is not read, expected \"0\"" },
+          "shifted.tsx:2: <tileoffset> y=\"-6\" is not supported, expected \"0\"" },
         { "<map width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"><layer width=\"1\" height=\"1\"><data "
           "encoding=\"csv\">1"
           "</data>",
-          "", "m.tmx:1: tile 1 is of no tileset" },
+          "", "m.tmx:1: tile 1 does not belong to a tileset" },
         /* data */
         { HEAD LAYER("a", "<data encoding=\"base64\" compression=\"zstd\">KLUv</data>"), "",
-          "m.tmx:4: data compressed by zstd is not read; in Tiled's Map Properties, set Tile Layer Format to CSV" },
+          "m.tmx:4: zstd compression is not supported; in Tiled's Map Properties, set Tile Layer Format to CSV" },
         { HEAD LAYER("a", "<data encoding=\"csv\" compression=\"zlib\">"), "",
-          "m.tmx:4: data is compressed, but not in base64" },
+          "m.tmx:4: compressed data must be base64" },
         { HEAD LAYER("a", "<data encoding=\"hex\">"), "",
-          "m.tmx:4: <data> encoding=\"hex\" is not read, expected \"csv\"" },
-        { HEAD LAYER("a", PACKED("", "AQ=A")), "", "m.tmx:4: this is not base64" },
-        { HEAD LAYER("a", PACKED("", "AQ*A")), "", "m.tmx:4: this is not base64" },
+          "m.tmx:4: <data> encoding=\"hex\" is not supported, expected \"csv\"" },
+        { HEAD LAYER("a", PACKED("", "AQ=A")), "", "m.tmx:4: invalid base64" },
+        { HEAD LAYER("a", PACKED("", "AQ*A")), "", "m.tmx:4: invalid base64" },
         { HEAD LAYER("a", PACKED("", "AQAAAA==")), "", "m.tmx:4: 4 bytes of tiles, expected 24" },
         { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcAAAA2QA1A==")), "",
           "m.tmx:4: the data does not decompress to 6 tiles" },
@@ -418,37 +419,38 @@ static void test_tmx_bad(void **state)
         { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYg")), "",
           "m.tmx:4: the data does not decompress to 6 tiles" },
         { HEAD LAYER("a", CSV("1,2")), "", "m.tmx:4: 2 tiles, expected 6 (3x2)" },
-        { HEAD LAYER("a", CSV("1,2,3,4,5,6,7")), "", "m.tmx:4: more tiles than 6" },
-        { HEAD LAYER("a", CSV("1,2\n,,3")), "", "m.tmx:5: expected a tile's number" },
+        { HEAD LAYER("a", CSV("1,2,3,4,5,6,7")), "", "m.tmx:4: more than 6 tiles" },
+        { HEAD LAYER("a", CSV("1,2\n,,3")), "", "m.tmx:5: expected a tile number" },
         { HEAD LAYER("a", CSV("1 2")), "", "m.tmx:4: expected a comma between tiles" },
-        { HEAD LAYER("a", CSV("4294967296")), "", "m.tmx:4: expected a tile's number, got 4294967296" },
-        { HEAD LAYER("a", CSV("268435457")), "", "m.tmx:4: expected a tile's number, got 268435457" },
-        { HEAD LAYER("a", CSV("1,2,3,4,5,6<tile/>")), "", "m.tmx:4: <tile> among the tiles is not read" },
+        { HEAD LAYER("a", CSV("4294967296")), "", "m.tmx:4: expected a tile number, got 4294967296" },
+        { HEAD LAYER("a", CSV("268435457")), "", "m.tmx:4: expected a tile number, got 268435457" },
+        { HEAD LAYER("a", CSV("1,2,3,4,5,6<tile/>")), "", "m.tmx:4: <tile> among the tiles is not supported" },
         { HEAD LAYER("a", "<data><chunk/></data>"), "", "m.tmx:4: expected <tile gid=\"...\"/>, got <chunk>" },
-        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: </layer> closes nothing, expected </data" },
-        { HEAD "<layer width=\"3\" height=\"2\"><data>", "", "m.tmx:4: the file ends within <data>" },
+        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: </layer> has no opening tag, expected </data" },
+        { HEAD "<layer width=\"3\" height=\"2\"><data>", "", "m.tmx:4: the file ends inside <data>" },
         { ENDLESS LAYER("a", "<data encoding=\"csv\">0</data>"), "", "m.tmx:1: expected <, got text" },
         /* XML */
         { "<map", "", "m.tmx:1: a tag without its >" },
         { "<map width>", "", "m.tmx:1: <map>: expected an attribute, name=\"value\"" },
         { "<map width=3>", "", "m.tmx:1: <map>: expected a value in quotes" },
-        { "<map\nwidth=\"3>", "", "m.tmx:2: a value has no end, expected \"" },
+        { "<map\nwidth=\"3>", "", "m.tmx:2: a value without an end, expected \"" },
         { "<map a=\"1\" a=\"2\">", "", "m.tmx:1: <map> has a twice" },
-        { "<map a=\"<\">", "", "m.tmx:1: <map> a: a value with \"<\"; is its closing quote missing?" },
-        { "<map a=\"a&b\">", "", "m.tmx:1: \"&b\" is not a character reference; write a plain & as &amp;" },
-        { "<map a=\"&#xd800;\">", "", "m.tmx:1: \"&#xd800;\" is not a character reference; write a plain & as &amp;" },
-        { "<map a=\"&nbsp;\">", "", "m.tmx:1: \"&nbsp;\" is not a character reference; write a plain & as &amp;" },
-        { "<!-- ", "", "m.tmx:1: a comment has no end, expected -->" },
+        { "<map a=\"<\">", "", "m.tmx:1: <map> a: value contains \"<\"; is its closing quote missing?" },
+        { "<map a=\"a&b\">", "", "m.tmx:1: \"&b\" is not a character reference; write a literal & as &amp;" },
+        { "<map a=\"&#xd800;\">", "",
+          "m.tmx:1: \"&#xd800;\" is not a character reference; write a literal & as &amp;" },
+        { "<map a=\"&nbsp;\">", "", "m.tmx:1: \"&nbsp;\" is not a character reference; write a literal & as &amp;" },
+        { "<!-- ", "", "m.tmx:1: a comment without an end, expected -->" },
         { "<!DOCTYPE x [<!ENTITY a \"b\">]>", "",
-          "m.tmx:1: a <!DOCTYPE> with declarations is not read; delete the line" },
-        { "<![CDATA[ ]]>", "", "m.tmx:1: \"<![CDATA[\" is not read here" },
-        { "< >", "", "m.tmx:1: expected a name behind <" },
-        { HEAD "</map><map>", "", "m.tmx:4: a second element behind the first" },
-        { HEAD "</layer>", "", "m.tmx:4: </layer> closes nothing, expected </map" },
+          "m.tmx:1: <!DOCTYPE> with declarations is not supported; delete the line" },
+        { "<![CDATA[ ]]>", "", "m.tmx:1: \"<![CDATA[\" is not supported here" },
+        { "< >", "", "m.tmx:1: expected a name after <" },
+        { HEAD "</map><map>", "", "m.tmx:4: second root element" },
+        { HEAD "</layer>", "", "m.tmx:4: </layer> has no opening tag, expected </map" },
         { "<?xml version=\"1.0\" encoding=\"ISO-8859-2\"?><map/>", "",
-          "m.tmx:1: encoding \"ISO-8859-2\" is not read; save the file as UTF-8" },
+          "m.tmx:1: encoding \"ISO-8859-2\" is not supported; save the file as UTF-8" },
         { "<map\n name=\"\xe4\"/>", "", "m.tmx:2: byte 0xe4 is not text in UTF-8; save the file as UTF-8" },
-        { "<layer>", "", "m.tmx: there is no <map>: not a map of Tiled's" },
+        { "<layer>", "", "m.tmx: no <map>: not a Tiled map" },
     };
     struct map_cells c;
 
@@ -526,7 +528,7 @@ static void test_lump(void **state)
     free(lump);
     cell[3] = 3;
     assert_false(map_make(&c, "m.tmx", 8, picture, 5, rgb, false, &lump, &size, err, sizeof err));
-    assert_string_equal(err, "m.tmx: column 4 of row 1: tile 3, the sheet has 2 of 8x8 px");
+    assert_string_equal(err, "m.tmx: column 4, row 1: tile 3, but the sheet has 2 tiles of 8x8 px");
     cell[3] = 1;
     assert_false(map_make(&c, "m.tmx", 8, picture, 6, rgb, false, &lump, &size, err, sizeof err));
     assert_non_null(strstr(err, "is not in bank 6"));
@@ -567,7 +569,7 @@ static void test_lump_sheets(void **state)
     free(lump);
     cell[3] = 7;
     assert_false(map_make(&c, "m.tmx", 8, picture, 0, rgb, false, &lump, &size, err, sizeof err));
-    assert_string_equal(err, "m.tmx: column 4 of row 1: tile 3, the sheet has 2 of 8x8 px");
+    assert_string_equal(err, "m.tmx: column 4, row 1: tile 3, but the sheet has 2 tiles of 8x8 px");
     snprintf(c.sheet[0].place, sizeof c.sheet[0].place, "t.tsx:2");
     c.sheet[0].columns = 2;
     c.sheet[0].width = 24; /* a px less at the right is no column less */

@@ -491,8 +491,8 @@ static void fails(struct bed *t, const char *line, const char *want)
 /* A line that is typed while the game runs may name a module that the ROM does not have. */
 static void test_not_here(void **state)
 {
-    const char *missing = "undeclared global \"pattern\" (not in this ROM: the library's modules are packed when a "
-                          "script names them)";
+    const char *missing =
+        "undeclared global \"pattern\" (not packed in this ROM; a library module is packed if a script names it)";
     char out[EVAL_TEXT];
 
     (void)state;
@@ -501,10 +501,10 @@ static void test_not_here(void **state)
              "  sprites = { a = { sheet = 's', w = 2, h = 1 } } }");
     put_sheet("s.png", (const char *const[]){ "ab" }, 2, 1);
     const char *const lines[][2] = { { "pattern.ring { x = 1, y = 1 }", missing },
-                                     { "bullet.sweep { x = 1, y = 1 }", "bullet.sweep: not in this ROM" },
+                                     { "bullet.sweep { x = 1, y = 1 }", "bullet.sweep: not packed in this ROM" },
                                      { "pattrn.ring { x = 1, y = 1 }", "undeclared global \"pattrn\"" },
                                      { "enemy.spawn { kind = 'fly', path = {} }",
-                                       "enemy.spawn: path: expected a route (what path.def returned)" } };
+                                       "enemy.spawn: path: expected a route (from path.def)" } };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         struct bed t = bed_open("enemy.def('fly', { sprite = 'a', hp = 5, hit = { circle = 1 } })");
         fails(&t, lines[i][0], lines[i][1]);
@@ -703,8 +703,8 @@ static void test_foreign_colour(void **state)
     put_game(art_manifest);
     put_palette("p.png");
     put_sheet("art/s.png", (const char *const[]){ "........", ".aaaaaa.", ".aaaa#a." }, 8, 3);
-    refused("art/s.png: pixel 5,2: colour #ff00aa is not in bank 3 (--nearest takes the nearest; "
-            "match = \"index\" in rom.lua goes by the places in the palette of an indexed picture)");
+    refused("art/s.png: pixel 5,2: colour #ff00aa is not in bank 3 (use --nearest for the nearest colour, or match = "
+            "\"index\" in rom.lua to use the indices of an indexed picture)");
     image = packed(true);
     assert_int_equal(sprite(&image.rom, "two").pix[3 * 8 + 1], 0x3f); /* #30003f is nearest to #ff00aa */
     rom_image_free(&image);
@@ -758,14 +758,13 @@ static void test_maps(void **state)
     put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/two.tsx'/>"
                                   "<tileset firstgid='11' source='../sets/one.tsx'/>",
                                   "1,12"));
-    refused("sets/two.tsx:1: the map has tiles of art/two.png; add it to `tiles` of map \"m\" in rom.lua");
+    refused("sets/two.tsx:1: the map uses tiles of art/two.png; add it to `tiles` of map \"m\" in rom.lua");
     put_game("return { palette = 'p.png', maps = { m = { tiles = { 'art/one.png', 'art/two.png' }, bank = 3,"
              "  file = 'maps/m.tmx' } } }");
-    refused(
-        "art/two.png: pixel 6,7: colour #ff00aa is not in bank 3 (--nearest takes the nearest; match = \"index\" in "
-        "rom.lua goes by the places in the palette of an indexed picture)");
+    refused("art/two.png: pixel 6,7: colour #ff00aa is not in bank 3 (use --nearest for the nearest colour, or match = "
+            "\"index\" in rom.lua to use the indices of an indexed picture)");
     put_sheet("art/two.png", two, 8, 7);
-    refused("maps/m.tmx: map \"m\": column 1 of row 1: tile 1, the sheet has 0 of 8x8 px");
+    refused("maps/m.tmx: map \"m\": column 1, row 1: tile 1, but the sheet has 0 tiles of 8x8 px");
     put_sheet("art/two.png", (const char *const[]){ two[0], two[0], two[0], two[0], two[0], two[0], two[0], two[0] }, 8,
               8);
     image = packed(false);
@@ -777,9 +776,9 @@ static void test_maps(void **state)
     refused("sets/one.tsx:1: the tileset has 3 columns, but art/one.png has 2; open the map in Tiled with that picture "
             "and save it");
     put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/three.tsx'/>", "1,0"));
-    refused("maps/m.tmx:2: there is no sets/three.tsx");
+    refused("maps/m.tmx:2: sets/three.tsx does not exist");
     put_game("return { maps = { m = { tiles = { 'a.png', 'b.png' }, rows = { { 1 } } } } }");
-    refused("rom.lua: maps.m: tiles: only a .tmx has tiles of several pictures");
+    refused("rom.lua: maps.m: tiles: only a .tmx can use tiles of several pictures");
 }
 
 static uint8_t at(const struct sprite *s, int i, int x, int y)
@@ -924,36 +923,36 @@ static void test_font(void **state)
     rom_image_free(&image);
     argb[3] = 0xff123456;
     put_picture("font.png", argb, 128, 16);
-    refused("font.png: pixel 3,0: colour #123456 is not in bank 0 (--nearest takes the nearest; "
-            "match = \"index\" in rom.lua goes by the places in the palette of an indexed picture)");
+    refused("font.png: pixel 3,0: colour #123456 is not in bank 0 (use --nearest for the nearest colour, or match = "
+            "\"index\" in rom.lua to use the indices of an indexed picture)");
     put_picture("font.png", argb, 120, 16);
-    refused("font.png: 120x16 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row");
+    refused("font.png: 120x16 pixels, expected 128 x 8 to 112: cells of 8x8, 16 per row");
     put_picture("font.png", argb, 128, 12);
-    refused("font.png: 128x12 pixels, expected 128 x 8 to 112: cells of 8x8, 16 a row");
+    refused("font.png: 128x12 pixels, expected 128 x 8 to 112: cells of 8x8, 16 per row");
 }
 
 static void test_art_errors(void **state)
 {
     (void)state;
     put_game("return { palette = 'art/p.png' }");
-    refused("rom.lua:1: there is no art/p.png");
+    refused("rom.lua:1: art/p.png does not exist");
     put_game("return {\n -- font = 'art/p.png'\n font = 'art/p.pngx', palette =\n\"art/p.png\" }");
-    refused("rom.lua:4: there is no art/p.png");
+    refused("rom.lua:4: art/p.png does not exist");
     put_game("return {\n palette = 'art/' .. 'p.png' }");
-    refused("rom.lua: there is no art/p.png");
+    refused("rom.lua: art/p.png does not exist");
     put_game("return { palette = 'art/p.png' }");
     put_text("art/p.png", "not a picture");
     assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
     assert_int_equal(strncmp(err, "art/p.png: ", 11), 0);
     put_sheet("art/p.png", (const char *const[]){ "ab" }, 2, 1);
-    refused("art/p.png: 2x1 pixels, expected 16x16: a row a bank, a column a shade");
+    refused("art/p.png: 2x1 pixels, expected 16x16: one row per bank, one column per shade");
     put_game("return { sheets = { s = { file = 's.png' } }, sprites = {"
              "  a = { sheet = 's', x = 1, w = 1, h = 1, frames = 2 } } }");
     put_sheet("s.png", (const char *const[]){ ".." }, 2, 1);
-    refused("s.png: sprite \"a\": 2 frames of 1x1 at 1,0 are not inside the sheet's 2x1 pixels");
+    refused("s.png: sprite \"a\": 2 frames of 1x1 at 1,0 do not fit the sheet of 2x1 pixels");
     put_game("return { sheets = { s = { file = 's.png' } }, sprites = {"
              "  a = { sheet = 's', y = 1, w = 1, h = 1 } } }");
-    refused("s.png: sprite \"a\": 1 frames of 1x1 at 0,1 are not inside the sheet's 2x1 pixels");
+    refused("s.png: sprite \"a\": 1 frames of 1x1 at 0,1 do not fit the sheet of 2x1 pixels");
 }
 
 static void test_too_large_turned(void **state)
@@ -965,7 +964,7 @@ static void test_too_large_turned(void **state)
     put_sheet("s.png", (const char *const[]){ "aa" }, 2, 1);
     assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
     assert_non_null(strstr(err, "s.png: sprite \"a\": 200"));
-    assert_non_null(strstr(err, " pixels when turned, expected at most 1024 each way"));
+    assert_non_null(strstr(err, " pixels when rotated, expected at most 1024 in each direction"));
 }
 
 static void test_too_large(void **state)
@@ -1008,13 +1007,13 @@ static void test_errors(void **state)
     (void)state;
     refused("rom.lua: no such file");
     put_text("rom.lua", "return { bord = {} }");
-    refused("rom.lua: bord: unknown name (did you mean \"board\"?)");
+    refused("rom.lua: bord: unknown key (did you mean \"board\"?)");
     put_text("rom.lua", "return {}");
-    refused("rom.lua: entry: there is no main.lua");
+    refused("rom.lua: entry: main.lua does not exist");
     put_text("main.lua", "x = = 1");
     refused("main.lua:1: unexpected symbol near '='");
     put_text("main.lua", "\n\nx = 2^3");
-    refused("main.lua:3: the operator ^ is not available (results differ between machines); use x*x or math.sqrt");
+    refused("main.lua:3: operator ^ is not available (results differ between machines); use x*x or math.sqrt");
     put_text("main.lua", "return 1");
     put_text("stages/one.lua", "for");
     refused("stages/one.lua:1: <name> expected near <eof>");
@@ -1023,16 +1022,17 @@ static void test_errors(void **state)
     refused("stages/my stage.lua: expected a name of letters, digits, _ - and . only");
     remove(in_dir("stages/my stage.lua"));
     put_text("stages/One.lua", "");
-    refused("stages/One.lua and stages/one.lua are one file where case does not count");
+    refused("stages/One.lua and stages/one.lua differ only in upper and lower case, which is the same file on some "
+            "systems");
     remove(in_dir("stages/One.lua"));
     put_text("stages/Nul.x.lua", "");
-    refused("stages/Nul.x.lua: Windows cannot have a file of that name");
+    refused("stages/Nul.x.lua: not a valid file name on Windows");
     remove(in_dir("stages/Nul.x.lua"));
     put_text("com4/x.txt", "");
-    refused("com4/x.txt: Windows cannot have a file of that name");
+    refused("com4/x.txt: not a valid file name on Windows");
     remove(in_dir("com4/x.txt"));
     put_text("a/b/c/d/e/f/g/h/i/x.lua", "");
-    refused("a/b/c/d/e/f/g/h/i: more than 8 folders deep");
+    refused("a/b/c/d/e/f/g/h/i: folders nested deeper than 8");
     snprintf(want, sizeof want, "%s/none: no such folder", dir);
     strcat(dir, "/none");
     refused(want);
@@ -1048,7 +1048,7 @@ static void test_long_name(void **state)
     memset(name + 7, 'n', 120);
     strcpy(name + 127, ".lua");
     put_text(name, "return 1");
-    snprintf(want, sizeof want, "%s: the name is too long", name);
+    snprintf(want, sizeof want, "%s: name too long", name);
     refused(want);
 }
 
@@ -1169,7 +1169,7 @@ static void test_unpack(void **state)
         assert_file(name, &l);
     }
     assert_false(pack_unpack(&image.rom, out, err, sizeof err));
-    assert_non_null(strstr(err, ": is already there"));
+    assert_non_null(strstr(err, ": already exists"));
     rom_image_free(&image);
 }
 
@@ -1192,7 +1192,7 @@ static void test_unpack_refuses(void **state)
         struct lump lumps[] = { { "aaa", (const uint8_t *)"x", 1 }, { names[i], (const uint8_t *)"x", 1 } };
         struct rom_image image = loose(lumps, 2);
         assert_false(pack_unpack(&image.rom, out, err, sizeof err));
-        assert_non_null(strstr(err, "\" is not a file's name inside a folder"));
+        assert_non_null(strstr(err, "\" is not a file name inside a folder"));
         assert_int_equal(plat_size(in_dir("out/lumps/aaa")), -1); /* nothing was written */
         rom_image_free(&image);
     }
@@ -1200,7 +1200,7 @@ static void test_unpack_refuses(void **state)
                             { "gfx/between", NULL, 0 },
                             { "script/main.lua", (const uint8_t *)"y", 1 } };
     struct rom_image image = loose(twice, 3);
-    snprintf(want, sizeof want, "two lumps would become the file main.lua");
+    snprintf(want, sizeof want, "two lumps would be written to main.lua");
     assert_false(pack_unpack(&image.rom, out, err, sizeof err));
     assert_string_equal(err, want);
     rom_image_free(&image);

@@ -136,7 +136,7 @@ static void test_cut(void **state)
 
     (void)state;
     for (size_t n = 0; n < size; n++)
-        refused(file, n, n < 8 ? "not a PNG" : "cut short");
+        refused(file, n, n < 8 ? "not a PNG" : "truncated");
     free(file);
 }
 
@@ -152,7 +152,7 @@ static void test_damage(void **state)
         file[i] ^= 1;
     }
     file[33 + 8 + 5] ^= 4; /* a colour */
-    refused(file, size, "byte 33 has a wrong CRC");
+    refused(file, size, "wrong CRC in the chunk at byte 33");
     free(file);
 }
 
@@ -171,7 +171,7 @@ static void test_huge(void **state)
     be32(file + 16, 8192);
     be32(file + 20, 8192);
     be32(file + 29, hash_crc32(file + 12, 17));
-    refused(file, size, "8192 x 8192 pixels is too large");
+    refused(file, size, "PNG too large: 8192 x 8192 pixels");
     be32(file + 16, 0xffffffff);
     be32(file + 29, hash_crc32(file + 12, 17));
     refused(file, size, "too large");
@@ -342,10 +342,10 @@ static void test_short_palette(void **state)
     free(file);
     raw[6] = 2;
     file = make(&k, raw, sizeof raw, palette, 2, &size);
-    refused(file, size, "pixel 1,1 has palette index 2, but the PNG's palette ends with 1");
+    refused(file, size, "pixel 1,1 has palette index 2, but the last colour of the PNG's palette is 1");
     free(file);
     file = make(&k, raw, sizeof raw, palette, 0, &size);
-    refused(file, size, "without a palette");
+    refused(file, size, "but no palette");
     free(file);
 }
 

@@ -117,7 +117,7 @@ static void test_wav_lengths(uint8_t *p, size_t n)
     memcpy(p + n, "an end of another program", 25);
     assert_true(wav_read(p, n + 25, &out, err, sizeof err) && out.n == 600);
     pcm_free(&out);
-    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes runs past the end of the file");
+    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes is longer than the file");
 }
 
 static void test_wav(void **state)
@@ -149,18 +149,18 @@ static void test_wav(void **state)
     pcm_free(&out);
     n = make_wav(p, 1, 16, 44100, 600);
     wav_refuses(p, 8, "expected a WAV file (RIFF, WAVE)");
-    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes runs past the end of the file");
+    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes is longer than the file");
     test_wav_lengths(p, n);
-    wav_refuses(p, 36, "it has no chunk \"data\"");
+    wav_refuses(p, 36, "no chunk \"data\"");
     p[20] = 2;
     wav_refuses(p, n, "expected PCM samples (format 1, or 3: floats), got format 2");
     n = make_wav(p, 3, 16, 44100, 600);
-    wav_refuses(p, n, "expected one channel or two, got 3");
+    wav_refuses(p, n, "expected one or two channels, got 3");
     make_wav(p, 1, 12, 44100, 600);
     bytes_put32(p + 4, UINT32_MAX);
     wav_refuses(p, n, "expected samples of 8, 16, 24 or 32 bits, got 12");
     n = make_wav(p, 1, 16, 400000, 600);
-    wav_refuses(p, n, "expected 4000 to 384000 frames a second, got 400000");
+    wav_refuses(p, n, "expected a sample rate of 4000 to 384000 Hz, got 400000");
 }
 
 /* How far below the one is what differs from the other, in dB. */
@@ -321,12 +321,12 @@ static void test_missing(void **state)
     assert_true(library_open(LIBRARY_SNDFILE, &here, 1));
     assert_false(library_open(LIBRARY_SNDFILE, &nowhere, 1));
     assert_false(library_missing(LIBRARY_OPENMPT, err, sizeof err));
-    assert_string_equal(err, "libopenmpt, which reads tracker modules, is missing (Debian: libopenmpt0)");
+    assert_string_equal(err, "libopenmpt, which reads tracker modules, is not installed (Debian package: libopenmpt0)");
     assert_false(without_open(LIBRARY_SNDFILE, &here, 1));
     assert_false(without_missing(LIBRARY_SNDFILE, err, sizeof err));
-    assert_string_equal(err, "this curtain was built without shared libraries; libsndfile reads OGG and FLAC");
+    assert_string_equal(err, "this build does not load shared libraries; libsndfile reads OGG and FLAC");
     without_about(LIBRARY_EXPAT, err, sizeof err);
-    assert_string_equal(err, "this curtain was built without shared libraries; libexpat reads BulletML");
+    assert_string_equal(err, "this build does not load shared libraries; libexpat reads BulletML");
 }
 
 /* ---- ADPCM ---- */
@@ -527,9 +527,9 @@ static void test_loops(void **state)
     assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_NONE }, err, sizeof err) && p.loop == -1);
     pcm_free(&p);
     refused(&(struct art_loop){ LOOP_GIVEN, false, 1000, 0 },
-            "its loop, from frame 1000 up to 1000, is not within its 1000");
+            "the loop from frame 1000 to 1000 is not inside its 1000 frames");
     refused(&(struct art_loop){ LOOP_GIVEN, true, 0.01, 0.5 },
-            "its loop, from frame 100 up to 5100, is not within its 1000");
+            "the loop from frame 100 to 5100 is not inside its 1000 frames");
 }
 
 static void test_flaws(void **state)
@@ -662,7 +662,7 @@ static void test_music(void **state)
     p.n = 44100;
     p.loop = -1;
     assert_false(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_string_equal(err, "marker \"drop\", at beat 5, lies behind its end, at beat 2.00");
+    assert_string_equal(err, "marker \"drop\", at beat 5, is after the end, at beat 2.00");
     about.n_markers = 0;
     assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
     assert_string_equal(events(tune.data, -1, 96000), "0.0 ");
@@ -744,10 +744,10 @@ static void test_cut_pages(void **state)
     for (last = n - 4; memcmp(data + last, "OggS", 4) != 0;)
         last--;
     assert_false(recording_read("reel.ogg", data, last, &own_loop, &p, err, sizeof err));
-    assert_string_equal(err, "it ends before its last page");
+    assert_string_equal(err, "truncated before its last page");
     data[last - 1] ^= 1;
     assert_false(recording_read("reel.ogg", data, n, &own_loop, &p, err, sizeof err));
-    assert_non_null(strstr(err, "is damaged: its checksum is another"));
+    assert_non_null(strstr(err, ": wrong checksum"));
     free(data);
 }
 

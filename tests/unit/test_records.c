@@ -91,9 +91,9 @@ static void test_damage(void **state)
     } bad[] = {
         { "", "line 1: empty" },
         { "practice 2\n", "line 1: expected \"practice 1\"" },
-        { "practice 1", "line 1: cut short" },
+        { "practice 1", "line 1: truncated" },
         { "1 1 a b\n", "line 1: expected \"practice 1\"" },
-        { "practice 1\n1 1 easy one", "line 2: cut short" },
+        { "practice 1\n1 1 easy one", "line 2: truncated" },
         { "practice 1\n1\n", NULL },
         { "practice 1\n1 2\n", NULL },
         { "practice 1\n1 2 easy\n", NULL },
@@ -106,10 +106,10 @@ static void test_damage(void **state)
         { "practice 1\n1x 2 easy one\n", NULL },
         { "practice 1\n1 2 sixteenletters16 one\n", NULL },
         { "practice 1\n1 2 easy 0123456789012345678901234567890123456789012345678901234567890123\n", NULL },
-        { "practice 1\n1 2 easy one\n# x\n1 3 easy one\n", "line 4: a second record of this piece" },
-        { "practice 1\n1 2 easy o\tne\n", "line 2: not a line of text" },
-        { "practice 1\n\xc3\xa4\n", "line 2: not a line of text" },
-        { "practice 1\r\n", "line 1: not a line of text" },
+        { "practice 1\n1 2 easy one\n# x\n1 3 easy one\n", "line 4: second record of this section" },
+        { "practice 1\n1 2 easy o\tne\n", "line 2: expected a line of text" },
+        { "practice 1\n\xc3\xa4\n", "line 2: expected a line of text" },
+        { "practice 1\r\n", "line 1: expected a line of text" },
     };
     struct records r;
     char err[128], line[100];
@@ -123,7 +123,7 @@ static void test_damage(void **state)
         assert_null(r.line);
     }
     assert_false(records_read(&r, "practice 1\n1 \0 easy one\n", 24, err, sizeof err));
-    assert_string_equal(err, "line 2: not a line of text");
+    assert_string_equal(err, "line 2: expected a line of text");
 }
 
 static void test_long_lines(void **state)

@@ -539,7 +539,7 @@ static void hit_refused(struct cart_hit hit, const char *name, uint32_t size, co
 static void test_cart_hits(void **state)
 {
     enum { PX = 65536, FAR = 8191 * PX };
-    static const char bad[] = "lump \"hit/orb\": is not a hit shape";
+    static const char bad[] = "lump \"hit/orb\": not a hitbox";
     const struct cart_hit good[] = { { 1, 1, { { 3 * PX, 0, 0, 0 } } },
                                      { 1, 1, { { FAR, 0, 0, 0 } } },
                                      { 2, 1, { { 3 * PX, FAR, 0, 0 } } },
@@ -571,7 +571,7 @@ static void test_cart_hits(void **state)
         hit_refused(wrong[i], "hit/orb", CART_HIT, bad);
     hit_refused(good[0], "hit/orb", CART_HIT - 1, bad);
     hit_refused(good[0], "hit/orb", CART_HIT + 1, bad);
-    hit_refused(good[0], "hit/other", CART_HIT, "lump \"hit/other\": there is no such sprite");
+    hit_refused(good[0], "hit/other", CART_HIT, "lump \"hit/other\": no such sprite");
 }
 
 static void test_cart_without_font(void **state)

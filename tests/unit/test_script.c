@@ -11,9 +11,9 @@
 #include "../../src/board/script.h"
 #include "../../src/board/std.h"
 
-#define POWER "the operator ^ is not available (results differ between machines); use x*x or math.sqrt"
-#define GC    "the name __gc is not available (when it would run differs between machines)"
-#define MODE  "the name __mode is not available (what it keeps differs between machines)"
+#define POWER "operator ^ is not available (results differ between machines); use x*x or math.sqrt"
+#define GC    "__gc is not available (finalizers run at different times on different machines)"
+#define MODE  "__mode is not available (weak tables hold different entries on different machines)"
 
 /* Scans a copy of exactly the text's size, so that a sanitizer sees any read beyond it. */
 static bool scan(const char *text, size_t n, int *line, const char **what)
@@ -195,7 +195,7 @@ static void test_check(void **state)
     checked("\n\nx = 2 ^ 2", "stages/one.lua:3: " POWER);
     checked("x = {\n__gc = 1 }", "stages/one.lua:2: " GC);
     checked("x = \n= 1", "stages/one.lua:2: unexpected symbol near '='");
-    checked("\x1bLua", "stages/one.lua:1: compiled Lua, expected text");
+    checked("\x1bLua", "stages/one.lua:1: expected Lua source, got compiled Lua");
     checked("return 1\n[[a\nb]]", "stages/one.lua:3: <eof> expected near '[[a b]]'");
 }
 
@@ -206,8 +206,8 @@ static void test_end(void **state)
     checked("do\n  x = 1\n", "stages/one.lua:3: expected `end` to close `do` at line 1, got the end of the file");
     checked("if x then y = 1", "stages/one.lua:1: expected `end` to close `if` at line 1, got the end of the file");
     checked("function f()\n  if a then\n    b()\nend\nlocal x = 2\n",
-            "stages/one.lua:6: expected `end` to close `function` at line 1, got the end of the file; by the "
-            "indentation it is `if` at line 2 that has none");
+            "stages/one.lua:6: expected `end` to close `function` at line 1, got the end of the file; the indentation "
+            "suggests `if` at line 2");
     checked("run(function()\n\twhile f(function() return 'end' end) do -- end\n\t\tx()\nend)\n",
             "stages/one.lua:4: expected `end` to close `while` at line 2, got ')'");
     checked("player.def('p', { run = function(p)\n  if x[y(1)] then\n    z()\n  end\n})\n",

@@ -397,7 +397,7 @@ static void a_crash_is_told(void **state)
     dies(SIGFPE, tell, "user:reports/game-3.txt", "died of SIGFPE");
     dies(SIGILL, tell, "user:reports/game-4.txt", "died of SIGILL");
     dies(SIGBUS, tell, "user:reports/game-5.txt", "died of SIGBUS");
-    snprintf(want, sizeof want, "curtain: crashed (SIGBUS); a report is in %s/curtain/reports/game-5.txt\n", home);
+    snprintf(want, sizeof want, "curtain: crashed (SIGBUS); report: %s/curtain/reports/game-5.txt\n", home);
     assert_true(plat_load("said", text, sizeof text - 1) > 0);
     assert_string_equal(text, want);
     dies(SIGABRT, tell_and_fall, "user:reports/game-6.txt", "SIGABRT");

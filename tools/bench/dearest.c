@@ -65,7 +65,7 @@ static const char DOCUMENT[] =
 
 const struct dearest DEAREST[] = {
     { "`bullet.meet`: 60,000 bullets and 60,000 at one point",
-      "bullet.meet: 60000 bullets",
+      "bullet.meet: too much work in one frame (60000 bullets",
       2,
       WORK_LIMIT,
       { .bullets = 120000,
@@ -75,7 +75,7 @@ const struct dearest DEAREST[] = {
         "}) " GO("fill(60000, { x = 120, y = 160, kind = 'orb', speed = 0.0001, tag = 'a' }) "
                  "fill(60000, { x = 120, y = 160, kind = 'orb', speed = 0.0001, tag = 'b' })") } },
     { "`bullet.meet`: a million bullets of four circles each that reach past each other",
-      "bullet.meet: 500000 bullets",
+      "bullet.meet: too much work in one frame (500000 bullets",
       2,
       WORK_LIMIT,
       { .bullets = 1000000,
@@ -85,7 +85,7 @@ const struct dearest DEAREST[] = {
                                   "fill(500000, { x = 120, y = 160, kind = 'orb', speed = 0.0001, tag = 'a' }) "
                                   "fill(500000, { x = 150, y = 160, kind = 'orb', speed = 0.0001, tag = 'b' })") } },
     { "65,536 shots that cancel, and a million bullets",
-      "shots that hit bullets: 65536 shots and 1000000 bullets",
+      "shots that hit bullets: too much work in one frame (65536 shots, 1000000 bullets)",
       2,
       WORK_LIMIT,
       { .bullets = 1000000,
@@ -95,7 +95,7 @@ const struct dearest DEAREST[] = {
                                   "fill(" MILLION ", { x = 20, y = 20, kind = 'orb', speed = 0.0001 }) "
                                   "fill(65536, { x = 300, y = 200, kind = 'axe', speed = 0.0001, fire = 'shot' })") } },
     { "65,536 shots that cancel, each among a million bullets of four circles",
-      "shots that hit bullets: 65536 shots and 1000000 bullets",
+      "shots that hit bullets: too much work in one frame (65536 shots, 1000000 bullets)",
       2,
       WORK_LIMIT,
       { .bullets = 1000000,
@@ -105,7 +105,7 @@ const struct dearest DEAREST[] = {
                                   "fill(" MILLION ", { x = 100, y = 100, kind = 'orb', speed = 0.0001 }) "
                                   "fill(65536, { x = 130, y = 100, kind = 'axe', speed = 0.0001, fire = 'shot' })") } },
     { "4,096 enemies that block, and a million bullets",
-      "enemies that block: 4096 enemies and 1000000 bullets",
+      "enemies that block bullets: too much work in one frame (4096 enemies, 1000000 bullets)",
       2,
       WORK_LIMIT,
       { .bullets = 1000000,
@@ -113,14 +113,14 @@ const struct dearest DEAREST[] = {
         .script = FILL TARGET "bullet.def('orb', { sprite = 'd8', hit = { circle = 3 } }) " WIDE_ENEMIES(
             ", blocks = true") GO(SPAWN "fill(" MILLION ", { x = 120, y = 100, kind = 'orb', speed = 0.0001 })") } },
     { "65,536 shots, and 4,096 enemies of four circles",
-      "shots that hit enemies: 65536 shots and 4096 enemies",
+      "shots that hit enemies: too much work in one frame (65536 shots, 4096 enemies)",
       2,
       WORK_LIMIT,
       { .manifest = wide_pools,
         .script = FILL TARGET "shot.def('axe', { sprite = 'd8', hit = " WIDE " }) " WIDE_ENEMIES("")
             GO(SPAWN "fill(65536, { x = 130, y = 100, kind = 'axe', speed = 0.0001, fire = 'shot' })") } },
     { "65,536 shots that pierce everything, and 4,096 enemies",
-      "shots that hit enemies: 65536 shots and 4096 enemies",
+      "shots that hit enemies: too much work in one frame (65536 shots, 4096 enemies)",
       2,
       WORK_LIMIT,
       { .manifest = wide_pools,
@@ -129,7 +129,7 @@ const struct dearest DEAREST[] = {
                         "enemy.def('wall', { sprite = 'd8', hit = { circle = 9 }, touch = false, hp = 1000000 }) " GO(
                             SPAWN "fill(65536, { x = 102, y = 100, kind = 'axe', speed = 0.0001, fire = 'shot' })") } },
     { "4,096 lasers of players, and 4,096 enemies",
-      "lasers: 4096 lasers and 4096 enemies",
+      "laser hits: too much work in one frame (4096 lasers, 4096 enemies)",
       2,
       WORK_LIMIT,
       { .manifest = wide_pools,
@@ -138,7 +138,7 @@ const struct dearest DEAREST[] = {
             GO(SPAWN "for i = 1, 4096 do laser.beam { kind = 'ray', x = 115, y = 115, dir = 45, length = 20, warn = 0, "
                      "grow = 0, hold = forever } end") } },
     { "a million bullets, each with a motion program of named steps",
-      "motion programs: ",
+      "motions: ",
       2,
       WORK_LIMIT,
       { .bullets = 1000000,
@@ -148,7 +148,7 @@ const struct dearest DEAREST[] = {
                         "local m = motion.def { { loop = 400, { turn = 'v' }, { turn = 'v' } } } " GO(
                             "fill(" MILLION ", { x = 20, y = 20, kind = 'orb', speed = 0.0001, motion = m })") } },
     { "65,536 shots that aim at the nearest of 4,096 enemies 400 times",
-      "motion programs: ",
+      "motions: ",
       2,
       WORK_LIMIT,
       { .manifest = wide_pools,
@@ -185,7 +185,7 @@ const struct dearest DEAREST[] = {
         .script = TARGET "bullet.def('orb', { sprite = 'd8', hit = { circle = 3 } }) " GO(
             "bullet.ml { name = 'doc', kind = 'orb', x = 120, y = 100, rank = 0.5 }") } },
     { "tasks that start each other",
-      "endless loop",
+      "infinite loop",
       2,
       WORK_LIMIT,
       { .bullets = 64,
@@ -200,7 +200,7 @@ const struct dearest DEAREST[] = {
         .script = TARGET
         "local function stay() while true do wait(1) end end " GO("for i = 1, 65530 do task.go(stay) end") } },
     { "a loop of `aim` of 65,536 shots with 4,096 enemies",
-      "endless loop",
+      "infinite loop",
       2,
       WORK_LIMIT,
       { .manifest = wide_pools,
@@ -208,7 +208,7 @@ const struct dearest DEAREST[] = {
             GO(SPAWN "fill(65536, { x = 130, y = 130, kind = 'axe', speed = 0.0001, fire = 'shot' }) "
                      "while true do shot.group():aim() end") } },
     { "a loop of `query.near` of 200,000 bullets",
-      "endless loop",
+      "infinite loop",
       2,
       WORK_LIMIT,
       { .bullets = 200000,
@@ -217,7 +217,7 @@ const struct dearest DEAREST[] = {
             "fill(200000, { x = 20, y = 20, kind = 'orb', speed = 0.0001 }) "
             "while true do query.near { what = 'bullet', x = 20, y = 20, radius = 100 } end") } },
     { "a loop of `spark.burst` of 60,000",
-      "endless loop",
+      "infinite loop",
       2,
       WORK_LIMIT,
       { .bullets = 64,
@@ -233,7 +233,7 @@ const struct dearest DEAREST[] = {
         .script = FILL TARGET "bullet.def('disc', { sprite = 'kind1', hit = 'none', blend = 'glow' }) " GO(
             "fill(26000, { x = 160, y = 120, kind = 'disc', speed = 0.0001 })") } },
     { "the picture: 65,536 bullets of 240 px, blended",
-      "the picture: bullets and shots are",
+      "drawing: too much work in one frame (mostly bullets and shots)",
       2,
       1000000,
       { .bullets = 65536,

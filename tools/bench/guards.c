@@ -17,7 +17,7 @@ static double seconds(const struct worst *w, uint64_t *rounds)
     double from = bench_now();
     *rounds = worst_run(s.b, w, &fault);
     double took = bench_since(from);
-    if (!fault || !strstr(fault, "endless loop"))
+    if (!fault || !strstr(fault, "infinite loop"))
         report_fail(report_string("%s: %s", w->what, fault ? fault : "it ended"));
     scene_close(&s);
     return took / 1e9 * ((double)WORK_LIMIT / WORST_LIMIT);

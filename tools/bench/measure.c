@@ -130,7 +130,7 @@ void bench_say_clock(void)
 {
     if (looks.n)
         report_text("Clock rate during this section: a step of a chain of additions took %s ns in the median of %s "
-                    "samples, %s to %s in 90 % of them.",
+                    "samples, %s to %s in 90 %% of them.",
                     report_string("%s", report_figure(samples_median(&looks))), report_count(looks.n),
                     report_string("%s", report_figure(samples_quantile(&looks, 0.05))),
                     report_figure(samples_quantile(&looks, 0.95)));

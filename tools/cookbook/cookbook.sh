@@ -74,12 +74,12 @@ pages, fire restarts a recipe, and START closes the list so that the arrows fly 
 \`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
 
 A file returns a task \`f(e, p)\` with an enemy \`e\` and the player \`p\`. Some files return a table with that task as
-\`run\`, and other fields such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines the kinds that recipes fire and
-the ships that fly. [The guide](README.md) explains the API.
+\`run\`, and other fields such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines the kinds that recipes fire
+and the ships that fly; in your own game use the names of your kinds. [The guide](README.md) explains the API.
 
-The line below each recipe shows its cost over the first $frames frames: the maximum number of bullets and lasers at once,
-and the work per frame, on average and at most. A unit is about one Lua instruction, and a call of the engine costs 100
-or more; a frame may use 200,000,000. Flying, hits and drawing cost extra:
+The line below each recipe shows its cost over the first $frames frames: the maximum number of bullets and lasers at
+once, and the work per frame, on average and at most. A unit is about one Lua instruction, and a call of the engine
+costs 100 or more; a frame may use 200,000,000. Flying, hits and drawing cost extra:
 [the guide](guide/21-capacities.md) lists the costs. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do

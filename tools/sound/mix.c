@@ -56,15 +56,15 @@ static void plot_limiter(void)
         in[k] = -9 + k * 0.25;
         thd[k] = distortion(in[k], &peak);
     }
-    report_plot(
-        &(struct report_plot){ .file = "limiter",
-                               .title = "The limiter: overtones of a sine",
-                               .x_name = "peak, dB of full scale",
-                               .y_name = "THD, dB",
-                               .x_linear = true,
-                               .y_linear = true,
-                               .described = "Up to -6 dB the limiter adds nothing above -115 dB; beyond that overtones "
-                                            "rise to -25 dB at full scale and -14 dB at twice full scale." });
+    report_plot(&(struct report_plot){ .file = "limiter",
+                                       .title = "The limiter: overtones of a sine",
+                                       .x_name = "peak, dB of full scale",
+                                       .y_name = "THD, dB",
+                                       .x_linear = true,
+                                       .y_linear = true,
+                                       .described =
+                                           "Up to -6 dB the limiter adds nothing above -115 dB; beyond that overtones "
+                                           "rise to -25 dB at full scale and -14 dB at twice full scale." });
     report_plot_line("THD", true, in, thd, POINTS);
     report_plot_end();
 }

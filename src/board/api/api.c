@@ -162,9 +162,9 @@ static int call(lua_State *L)
 
     vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !b->vm.loading)
-        return api_error(L, e->name, "only while scripts load");
+        return api_error(L, e->name, "can only be called while scripts load");
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
-        return api_error(L, e->name, "call it with a colon, on a thing");
+        return api_error(L, e->name, "call it with a colon on a thing");
     const struct api_entry *fire;
     int n = api_arguments_planned(L, f, v, &fire);
     if (e->flags & API_CHANGES) {
@@ -185,7 +185,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
 
     vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
-        return api_error(L, e->name, "only while scripts load");
+        return api_error(L, e->name, "can only be called while scripts load");
     const struct api_entry *fire;
     int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
     for (int i = 0; i < all; i++)
@@ -222,7 +222,7 @@ int api_sys_check(lua_State *L)
     const struct api_entry *e = api_find(luaL_checkstring(L, 1));
 
     if (!e)
-        return vm_fault(L, FAULT_SCRIPT, "sys.check: no entry \"%s\"", lua_tostring(L, 1));
+        return vm_fault(L, FAULT_SCRIPT, "sys.check: unknown entry \"%s\"", lua_tostring(L, 1));
     lua_remove(L, 1);
     return api_checked(L, e);
 }

@@ -43,8 +43,7 @@ static int no_difficulty(lua_State *L, const struct manifest *m, const char *nam
     api_hint_begin(&near, name);
     for (int i = 0; i < m->n_difficulties; i++)
         api_hint_add(&near, m->difficulties[i]);
-    return api_error(L, "board.difficulty", "difficulty \"%s\" is not in rom.lua%s", name,
-                     api_hint_push(L, &near, "it has"));
+    return api_error(L, "board.difficulty", "unknown difficulty \"%s\"%s", name, api_hint_push(L, &near, "in rom.lua"));
 }
 
 static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
@@ -80,7 +79,7 @@ static int board_dip(lua_State *L, struct board *b, struct api_value *v)
     api_hint_begin(&near, lua_tostring(L, v[ARG_NAME].at));
     for (int i = 0; i < m->n_dips; i++)
         api_hint_add(&near, m->dips[i].name);
-    return api_error(L, "board.dip", "dip \"%s\" is not in rom.lua%s", near.word, api_hint_push(L, &near, "it has"));
+    return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", near.word, api_hint_push(L, &near, "in rom.lua"));
 }
 
 static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
@@ -100,8 +99,7 @@ static int count_of(lua_State *L, struct board *b, const char *entry, int at,
         api_hint_begin(&near, lua_tostring(L, at));
         for (int i = 0; i < PARTS; i++)
             api_hint_add(&near, machine_parts[i].chip->name);
-        return api_error(L, entry, "chip \"%s\" is not one of this board%s", near.word,
-                         api_hint_push(L, &near, "it has"));
+        return api_error(L, entry, "unknown chip \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
     }
     lua_pushinteger(L, n);
     return 1;
@@ -123,7 +121,7 @@ static int board_stop(lua_State *L, struct board *b, struct api_value *v)
     const int64_t until = -v[ARG_FRAMES].i - 1;
 
     if (b->vm.loading)
-        return api_error(L, "board.stop", "nothing moves yet while scripts load");
+        return api_error(L, "board.stop", "cannot be called while scripts load");
     if (until < b->core.frozen && b->core.frozen <= 0 && !tasks_skipping(&b->tasks))
         b->core.frozen = until;
     return 0;
@@ -200,7 +198,7 @@ static int read_only(lua_State *L)
 {
     const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : NULL, *dot = key ? "." : "";
 
-    return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
+    return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read-only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
 }
 
 /* Leaves a read-only view of the table on top of the stack in its place. */

@@ -81,7 +81,7 @@ static void check_alone(lua_State *L, int boss, bool alone)
         if (alone)
             check_field(L, "boss.def", boss, &own[i]);
         else if (field(L, boss, own[i].name) != LUA_TNIL)
-            api_error(L, "boss.def", "%s: each of the cast has its own", own[i].name);
+            api_error(L, "boss.def", "%s: set it on each member of the cast instead", own[i].name);
         else
             lua_pop(L, 1);
 }
@@ -93,7 +93,7 @@ static void read_cast(struct reading *r, int list)
     const lua_Integer n = (lua_Integer)lua_rawlen(L, list);
 
     if (n < 2)
-        api_error(L, "boss.def", "cast: expected two or more, got %d", (int)n);
+        api_error(L, "boss.def", "cast: expected at least two members, got %d", (int)n);
     lua_newtable(L);
     lua_newtable(L);
     r->cast = lua_gettop(L);
@@ -103,7 +103,7 @@ static void read_cast(struct reading *r, int list)
         field(L, lua_gettop(L), "name");
         lua_pushvalue(L, -1);
         if (lua_rawget(L, r->cast) != LUA_TNIL)
-            api_error(L, "boss.def", "cast: \"%s\" is there twice", lua_tostring(L, -2));
+            api_error(L, "boss.def", "cast: duplicate name \"%s\"", lua_tostring(L, -2));
         lua_pop(L, 1);
         lua_pushboolean(L, 1);
         lua_rawset(L, r->cast);
@@ -126,9 +126,9 @@ static void no_member(struct reading *r, const char *phase, const char *what, co
         lua_pop(L, 1);
     }
     if (found)
-        api_error(L, "boss.def", "phase \"%s\": %s: nobody of the cast is \"%s\" (did you mean \"%s\"?)", phase, what,
-                  word, found);
-    api_error(L, "boss.def", "phase \"%s\": %s: nobody of the cast is \"%s\"", phase, what, word);
+        api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\" (did you mean \"%s\"?)",
+                  phase, what, word, found);
+    api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\"", phase, what, word);
 }
 
 static bool knows_member(lua_State *L, const char *key, const void *of)
@@ -161,7 +161,7 @@ static void each_of_cast(struct reading *r, int at, const char *phase, const str
     const int given = lua_gettop(L), copy = given + 1;
     if (luakeys_push_stray(L, given, knows_member, r)) {
         if (!luakeys_text(L, -1))
-            api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value }, by names of the cast", phase,
+            api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value } with names from the cast", phase,
                       p->name);
         no_member(r, phase, p->name, luakeys_text(L, -1));
     }
@@ -207,7 +207,7 @@ static void check_bonus(lua_State *L, int at, const char *id)
         return;
     }
     if (lua_tointeger(L, -1) > number(L, at, "bonus"))
-        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is more than the bonus, %d", id, (int)lua_tointeger(L, -1),
+        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is greater than bonus (%d)", id, (int)lua_tointeger(L, -1),
                   (int)number(L, at, "bonus"));
     lua_pop(L, 1);
 }
@@ -260,9 +260,9 @@ static void read_cut_in(struct reading *r, int at, const char *id)
     const bool face = read_portrait(r, at), asked = is_true(L, at, "cut_in");
 
     if (asked && !face)
-        api_error(L, "boss.def", "phase \"%s\": cut_in: the boss has no portrait (portrait = a sprite)", id);
+        api_error(L, "boss.def", "phase \"%s\": cut_in requires a portrait (portrait = SPRITE)", id);
     if (asked && !is_true(L, at, "spell"))
-        api_error(L, "boss.def", "phase \"%s\": cut_in: it has no spell, whose name is shown", id);
+        api_error(L, "boss.def", "phase \"%s\": cut_in requires a spell (it shows the spell's name)", id);
     if (face && is_true(L, at, "spell") && field(L, at, "cut_in") == LUA_TNIL) {
         lua_pushboolean(L, 1);
         lua_setfield(L, at, "cut_in");
@@ -282,7 +282,7 @@ static void read_phase(struct reading *r, int i)
     const char *id = lua_tostring(L, -1);
     lua_pushvalue(L, -1);
     if (lua_rawget(L, r->ids) != LUA_TNIL)
-        api_error(L, "boss.def", "phase \"%s\" is there twice", id);
+        api_error(L, "boss.def", "duplicate phase \"%s\"", id);
     lua_pushvalue(L, -2);
     lua_pushboolean(L, 1);
     lua_rawset(L, r->ids);

@@ -37,7 +37,7 @@ const char *api_push_got(lua_State *L, int at)
         if (isnan(lua_tonumber(L, at)))
             return lua_pushliteral(L, "nan");
         if (was_handle(lua_tonumber(L, at)))
-            return lua_pushfstring(L, "%f (a thing in arithmetic? name what of it is meant, as its x)",
+            return lua_pushfstring(L, "%f (arithmetic on a thing? use one of its properties, such as x)",
                                    lua_tonumber(L, at));
         return lua_pushfstring(L, "%f", lua_tonumber(L, at));
     case LUA_TSTRING:
@@ -117,7 +117,7 @@ static lua_Integer check_end(lua_State *L, const char *entry, const struct api_p
 
     if (!whole || (double)end < p->lo || (double)end > p->hi) {
         const char *got = api_push_got(L, lua_gettop(L));
-        api_error(L, entry, "%s: expected %s, got %s as its %s", p->name, what, got, i == 1 ? "first" : "last");
+        api_error(L, entry, "%s: expected %s, got %s as the %s", p->name, what, got, i == 1 ? "first" : "last");
     }
     lua_pop(L, 1);
     return end;
@@ -132,11 +132,11 @@ static void check_span(lua_State *L, const char *entry, const struct api_param *
     if (lua_type(L, at) != LUA_TTABLE)
         expected(L, entry, p, at, what);
     if (lua_rawlen(L, at) > 2)
-        api_error(L, entry, "%s: expected %s, got %d of them", p->name, what, (int)lua_rawlen(L, at));
+        api_error(L, entry, "%s: expected %s, got %d values", p->name, what, (int)lua_rawlen(L, at));
     lua_Integer first = check_end(L, entry, p, at, 1, what), last = check_end(L, entry, p, at, 2, what);
     if (first > last)
-        api_error(L, entry, "%s: %d is after %d (did you mean { %d, %d }?)", p->name, (int)first, (int)last, (int)last,
-                  (int)first);
+        api_error(L, entry, "%s: first %d is greater than last %d (did you mean { %d, %d }?)", p->name, (int)first,
+                  (int)last, (int)last, (int)first);
 }
 
 static void check_dir(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -179,12 +179,14 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
     v->i = v->whole ? v->bits : 0;
     if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
         return;
-    if (!strcmp(p->name, "self"))
-        api_error(L, entry, "call it with a colon, on what it is of, and not on %s", api_push_got(L, at));
+    if (!strcmp(p->name, "self")) {
+        const char *type = lua_pushlstring(L, entry, strcspn(entry, ":"));
+        api_error(L, entry, "self: expected %s, got %s (call it with a colon)", type, api_push_got(L, at));
+    }
     for (int k = 1; k < HANDLES; k++)
         if (mask == 1u << k)
             expected(L, entry, p, at, api_thing_names[k]);
-    expected(L, entry, p, at, mask & 1 << H_TASK ? "a thing, a task or a scope" : "a thing that is somewhere");
+    expected(L, entry, p, at, mask & 1 << H_TASK ? "a thing, a task or a scope" : "a thing with a position");
 }
 
 static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
@@ -213,7 +215,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
         api_error(L, entry, "%s: " API_OFF, p->name, line);
     const char *other = (int)what < KIND_NOUNS ? kind_elsewhere(L, lua_tostring(L, at)) : NULL;
     if (other)
-        api_error(L, entry, "%s \"%s\" is not declared (%s \"%s\" is)", noun, lua_tostring(L, at), other,
+        api_error(L, entry, "unknown %s \"%s\" (found %s \"%s\")", noun, lua_tostring(L, at), other,
                   lua_tostring(L, at));
     struct api_hint near;
     api_hint_begin(&near, lua_tostring(L, at));
@@ -222,7 +224,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
         if (known) /* NULL: a row that belongs to another kind, as its cloud or a picture */
             api_hint_add(&near, known);
     }
-    api_error(L, entry, "%s \"%s\" is not declared%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "there is"));
+    api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "declared"));
 }
 
 static void check_sprite(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -231,15 +233,15 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
     const char *found = NULL;
     int best = EDIT_FAR;
 
-    check_type(L, entry, p, at, LUA_TSTRING, "a sprite's name");
+    check_type(L, entry, p, at, LUA_TSTRING, "a sprite name");
     v->i = cart_find_sprite(cart, lua_tostring(L, at));
     if (v->i >= 0)
         return;
     for (int i = 0; i < cart->sprites; i++)
         api_suggest_nearer(lua_tostring(L, at), cart_sprite_name(cart, i), &best, &found);
     if (!found)
-        api_error(L, entry, "sprite \"%s\" is not in rom.lua", lua_tostring(L, at));
-    api_error(L, entry, "sprite \"%s\" is not in rom.lua (did you mean \"%s\"?)", lua_tostring(L, at), found);
+        api_error(L, entry, "unknown sprite \"%s\" (declare it in rom.lua)", lua_tostring(L, at));
+    api_error(L, entry, "unknown sprite \"%s\" (did you mean \"%s\"?)", lua_tostring(L, at), found);
 }
 
 static void check_face(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -247,15 +249,14 @@ static void check_face(lua_State *L, const char *entry, const struct api_param *
     const struct cart *cart = &vm_board(L)->cart;
     struct api_hint near;
 
-    check_type(L, entry, p, at, LUA_TSTRING, "a font's name");
+    check_type(L, entry, p, at, LUA_TSTRING, "a font name");
     v->i = cart_find_face(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
     api_hint_begin(&near, lua_tostring(L, at));
     for (int i = 0; i < cart->faces; i++)
         api_hint_add(&near, cart_face_name(cart, i));
-    api_error(L, entry, "font \"%s\" is not in rom.lua's fonts%s", lua_tostring(L, at),
-              api_hint_push(L, &near, "it has"));
+    api_error(L, entry, "unknown font \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
 }
 
 static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -263,14 +264,14 @@ static void check_blend(lua_State *L, const char *entry, const struct api_param 
     const struct cart *cart = &vm_board(L)->cart;
     struct api_hint near;
 
-    check_type(L, entry, p, at, LUA_TSTRING, "a blend's name");
+    check_type(L, entry, p, at, LUA_TSTRING, "a blend name");
     v->i = cart_find_blend(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
     api_hint_begin(&near, lua_tostring(L, at));
     for (int i = 0; i < cart->blends; i++)
         api_hint_add(&near, cart_blend_name(cart, i));
-    api_error(L, entry, "blend \"%s\" is not in rom.lua%s", lua_tostring(L, at), api_hint_push(L, &near, "it has"));
+    api_error(L, entry, "unknown blend \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
 }
 
 static void check_map(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -278,14 +279,14 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
     const struct cart *cart = &vm_board(L)->cart;
     struct api_hint near;
 
-    check_type(L, entry, p, at, LUA_TSTRING, "a map's name");
+    check_type(L, entry, p, at, LUA_TSTRING, "a map name");
     v->i = cart_find_map(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
     api_hint_begin(&near, lua_tostring(L, at));
     for (int i = 0; i < cart->maps; i++)
         api_hint_add(&near, cart_map_name(cart, i));
-    api_error(L, entry, "map \"%s\" is not in rom.lua%s", lua_tostring(L, at), api_hint_push(L, &near, "it has"));
+    api_error(L, entry, "unknown map \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
 }
 
 /* A name of rom.lua's `list`; the number of its place, or 0. */
@@ -293,10 +294,10 @@ static void check_tune(lua_State *L, const char *entry, const struct api_param *
 {
     const struct cart *cart = &vm_board(L)->cart;
     const bool sound = p->type == A_SOUND;
-    const char *found = NULL, *list = sound ? "sounds" : "music";
+    const char *found = NULL, *noun = sound ? "sound" : "music";
     int best = EDIT_FAR;
 
-    check_type(L, entry, p, at, LUA_TSTRING, sound ? "a sound's name" : "the name of a piece of music");
+    check_type(L, entry, p, at, LUA_TSTRING, sound ? "a sound name" : "a music name");
     const char *name = lua_tostring(L, at);
     v->i = (sound ? cart_find_sound(cart, name) : cart_find_tune(cart, name)) + 1;
     if (v->i > 0)
@@ -304,10 +305,10 @@ static void check_tune(lua_State *L, const char *entry, const struct api_param *
     for (int i = 0; i < (sound ? cart->sounds : cart->tunes); i++)
         api_suggest_nearer(name, sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
     if ((sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
-        api_error(L, entry, "\"%s\" is not in rom.lua's %s: it is in its %s", name, list, sound ? "music" : "sounds");
+        api_error(L, entry, "unknown %s \"%s\" (it is in `%s` in rom.lua)", noun, name, sound ? "music" : "sounds");
     if (!found)
-        api_error(L, entry, "\"%s\" is not in rom.lua's %s", name, list);
-    api_error(L, entry, "\"%s\" is not in rom.lua's %s (did you mean \"%s\"?)", name, list, found);
+        api_error(L, entry, "unknown %s \"%s\" (declare it in rom.lua)", noun, name);
+    api_error(L, entry, "unknown %s \"%s\" (did you mean \"%s\"?)", noun, name, found);
 }
 
 const char *const api_layers[LAYERS] = { "back", "middle", "front", "over" };
@@ -387,13 +388,12 @@ static void check_motion(lua_State *L, const char *entry, const struct api_param
     if (handle_is(h) && handle_kind(h) == H_MOTION) {
         v->i = handle_gen(h) ? handle_slot(h) + 1 : 0;
         if (v->i > vm_board(L)->motions.s.live)
-            expected(L, entry, p, at, "a motion that motion.def returned");
+            expected(L, entry, p, at, "a motion from motion.def");
         return;
     }
     if (lua_type(L, at) != LUA_TSTRING)
         expected(L, entry, p, at,
-                 lua_istable(L, at) ? "a motion (write motion.def { ... }) or a motion's name"
-                                    : "a motion or a motion's name");
+                 lua_istable(L, at) ? "a motion (motion.def { ... }) or a motion name" : "a motion or a motion name");
     check_name(L, entry, p, at, v, N_MOTION, "motion");
     v->i = v->i == NO_MOTION ? 0 : v->i + 1;
 }
@@ -413,7 +413,7 @@ static void check_lua_type(lua_State *L, const char *entry, const struct api_par
         const char *what;
     } types[] = { [A_FUNC] = { LUA_TFUNCTION, "a function" },
                   [A_TABLE] = { LUA_TTABLE, "a table" },
-                  [A_ROUTE] = { LUA_TTABLE, "a route (what path.def returned)" } };
+                  [A_ROUTE] = { LUA_TTABLE, "a route (from path.def)" } };
 
     (void)v;
     check_type(L, entry, p, at, types[p->type].type, types[p->type].what);
@@ -587,22 +587,22 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     struct api_hint near;
 
     if (lua_type(L, -1) != LUA_TSTRING)
-        api_error(L, e->name, "expected named arguments ({ name = value }), got one at %s", api_push_got(L, -1));
+        api_error(L, e->name, "expected named arguments ({ name = value }), got key %s", api_push_got(L, -1));
     const char *name = lua_tostring(L, -1);
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
     if (fire == api_fire[FIRES_BULLETS] && api_search_param(api_fire[FIRES_SHOTS], NULL, name) >= 0)
-        api_error(L, e->name, "%s is an argument of shots (did you mean to add fire = \"shot\"?)", name);
+        api_error(L, e->name, "%s requires a shot (did you forget fire = \"shot\"?)", name);
     if (api_step_word(name) && api_search_param(e, fire, "motion") >= 0)
         api_error(L, e->name,
-                  "unknown argument \"%s\" (it is of a motion's steps: motion = motion.def { { %s = ... } })", name,
+                  "unknown argument \"%s\" (it is a step of a motion: motion = motion.def { { %s = ... } })", name,
                   name);
     api_hint_begin(&near, name);
     for (int i = e->plain; i < api_param_count(e, fire); i++)
         api_hint_add(&near, api_param_at(e, fire, i)->name);
     for (int k = 0; k < api_values(b, values); k++)
         api_hint_add(&near, api_names_at(b, values, k));
-    api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "it takes"));
+    api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "arguments"));
 }
 
 /* What a call takes. */
@@ -686,7 +686,7 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
     if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
         const int self = (e->flags & API_METHOD) != 0, most = e->plain + (named > 0) - self, got = top - self;
         if (named > 0 && e->plain == self && lua_type(L, self + 1) != LUA_TTABLE)
-            api_error(L, e->name, "expected a table of named arguments, %s { ... }, got %d arguments", e->name, got);
+            api_error(L, e->name, "expected a table of named arguments (%s { ... }), got %d arguments", e->name, got);
         if (most == 0)
             api_error(L, e->name, "expected no arguments, got %d", got);
         api_error(L, e->name, "expected at most %d argument%s, got %d", most, most == 1 ? "" : "s", got);
@@ -702,7 +702,8 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         else if (!lua_isnil(L, at)) {
             const char *got = api_push_got(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s%s", got,
-                      runs_bare(L) ? " (a task's function gets its owner first: write function(e) ... end)" : "");
+                      runs_bare(L) ? " (a task passes its owner as the first argument: write function(e) ... end)"
+                                   : "");
         }
     } else if (top < e->plain)
         lua_settop(L, e->plain);

@@ -106,11 +106,11 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
 static int read_only(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     if (api_push_method(L, kind, name))
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s is a verb: call it with a colon, as thing:%s(...)", t->name, name,
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s is a method; call it with a colon, thing:%s(...)", t->name, name,
                         name);
     lua_pop(L, 1);
     if (api_property(t, name) || (may_die((enum handle_kind)kind) && !strcmp(name, "alive")))
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s is read only", t->name, name);
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s is read-only", t->name, name);
     return no_property(L, t, kind, name);
 }
 
@@ -167,7 +167,7 @@ static int get_value(lua_State *L, struct board *b, const struct api_thing *t, i
     if (k == NO_SLOT)
         return no_property(L, t, (int)kind, name);
     if (handle_kind_group(kind))
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read of a group (only count can)", t->name, name);
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only count can)", t->name, name);
     if (board_there(b, h))
         lua_pushnumber(L, fx_to_double(api_value_column(b, api_value_names_of(kind), k)[handle_slot(h)]));
     else
@@ -222,8 +222,8 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
     for (size_t i = 0; i < sizeof switched / sizeof *switched; i++)
         if (switched[i].name[0] == name[0] && switched[i].of >> kind & 1 && !strcmp(switched[i].name, name) &&
             !(pool(b, kind)->groups & SLOTS_GROUP(switched[i].group)))
-            vm_fault(L, FAULT_SCRIPT, "%s: %s is off in this game: write board = { %s = true } in rom.lua", t->name,
-                     name, switched[i].word);
+            vm_fault(L, FAULT_SCRIPT, "%s: %s is disabled; add `%s = true` to `board` in rom.lua", t->name, name,
+                     switched[i].word);
 }
 
 /* Of a thing that is there, and of a player's properties that last. */
@@ -251,7 +251,7 @@ static int get_property(lua_State *L)
     if (!handle_is(h))
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     if (lua_type(L, 2) != LUA_TSTRING)
-        return vm_fault(L, FAULT_SCRIPT, "%s has no property of type %s", api_thing_names[handle_kind(h)],
+        return vm_fault(L, FAULT_SCRIPT, "%s: expected a property name, got a %s", api_things[handle_kind(h)]->name,
                         luaL_typename(L, 2));
     const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_things[handle_kind(h)];

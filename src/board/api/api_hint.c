@@ -26,13 +26,13 @@ void api_hint_add(struct api_hint *h, const char *name)
         h->long_ = true;
 }
 
-const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *has)
+const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label)
 {
     if (h->found)
         return lua_pushfstring(L, " (did you mean \"%s\"?)", h->found);
     if (h->n == 0)
-        return lua_pushfstring(L, " (%s none)", has);
-    return h->long_ ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s %s)", has, h->list);
+        return lua_pushfstring(L, " (%s: none)", label);
+    return h->long_ ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
 }
 
 /* ---- globals ---- */
@@ -102,14 +102,14 @@ void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f)
     struct api_hint near;
 
     if (lua_type(L, -1) != LUA_TSTRING)
-        api_error(L, entry, "expected named arguments ({ name = value }), got one at %s", api_push_got(L, -1));
+        api_error(L, entry, "expected named arguments ({ name = value }), got key %s", api_push_got(L, -1));
     const char *key = lua_tostring(L, -1);
     api_hint_begin(&near, key);
     for (int i = 0; i < f->n; i++)
         api_hint_add(&near, key_of(&f->params[i]));
     for (int k = 0; f->values != NAME_LISTS && k < api_values(vm_board(L), f->values); k++)
         api_hint_add(&near, api_names_at(vm_board(L), f->values, k));
-    api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &near, "it takes"));
+    api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &near, "arguments"));
 }
 
 void api_read_fields(lua_State *L, const char *entry, const char *where, const struct api_fields *f, int at,

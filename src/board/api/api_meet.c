@@ -25,14 +25,14 @@ static void check_meet(lua_State *L, const struct bullets *s, const struct api_v
     const char *entry = "bullet.meet";
 
     if (!(s->s.groups & SLOTS_GROUP(GROUP_MEET)))
-        api_error(L, entry, "meet is off in this game: write board = { meet = true } in rom.lua");
+        api_error(L, entry, "disabled; add `meet = true` to `board` in rom.lua");
     if (!v[ARG_CLEAR].i && !v[ARG_ON_MEET].given)
-        api_error(L, entry, "expected clear or on_meet: without them nothing comes of it");
+        api_error(L, entry, "expected clear or on_meet (without them a meeting has no effect)");
     for (int p = ARG_SPARK; p <= ARG_ALL; p++)
         if (v[p].given && !v[ARG_CLEAR].i)
-            api_error(L, entry, "%s: only with clear", api_meet_params[p].name);
+            api_error(L, entry, "%s: requires clear", api_meet_params[p].name);
     if (s->meets == MAX_MEETS)
-        api_error(L, entry, "a game declares at most %d pairs of tags", MAX_MEETS);
+        api_error(L, entry, "too many pairs of tags (at most %d)", MAX_MEETS);
 }
 
 int api_meet(lua_State *L, struct board *b, struct api_value *v)
@@ -44,8 +44,8 @@ int api_meet(lua_State *L, struct board *b, struct api_value *v)
     uint16_t first = api_tag(L, "bullet.meet", v[ARG_FIRST].at), second = api_tag(L, "bullet.meet", v[ARG_SECOND].at);
     for (uint32_t i = 0; i < n; i++)
         if (s->meet_first[i] == first && s->meet_second[i] == second)
-            api_error(L, "bullet.meet", "\"%s\" and \"%s\" are declared already", lua_tostring(L, v[ARG_FIRST].at),
-                      lua_tostring(L, v[ARG_SECOND].at));
+            api_error(L, "bullet.meet", "tags \"%s\" and \"%s\" are already declared as a pair",
+                      lua_tostring(L, v[ARG_FIRST].at), lua_tostring(L, v[ARG_SECOND].at));
     s->meet_first[n] = first;
     s->meet_second[n] = second;
     s->meet_spark[n] = v[ARG_SPARK].given ? (uint16_t)(v[ARG_SPARK].i + 1) : 0;

@@ -54,7 +54,7 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
 void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
 {
     if (api_names_find(L, what, name) != NO_SLOT)
-        api_error(L, entry, "%s kind \"%s\" is declared already", nouns[what], name);
+        api_error(L, entry, "%s%s \"%s\" is already declared", nouns[what], what < N_MOTION ? " kind" : "", name);
     if (index != NO_MOTION)
         make_room(L, what, (uint32_t)index + 1);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
@@ -163,7 +163,7 @@ uint16_t api_tag(lua_State *L, const char *entry, int at)
     i = (int)vm_board(L)->names[N_TAG].n;
     i = i ? i : 1; /* 0: no tag */
     if (i > 4095)
-        api_error(L, entry, "tag: \"%s\" is one tag too many: a run has at most 4095 different ones", tag);
+        api_error(L, entry, "tag: too many tags (at most 4095 in a run), got \"%s\"", tag);
     api_names_declare(L, N_TAG, entry, tag, i);
     return (uint16_t)i;
 }

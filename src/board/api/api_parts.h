@@ -147,7 +147,7 @@ void api_hint_begin(struct api_hint *h, const char *word);
 void api_hint_add(struct api_hint *h, const char *name);
 
 /* Pushes " (did you mean "x"?)", or else " (HAS a, b, c)", or nothing where they are many. */
-const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *has);
+const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label);
 
 /* What a table of settings may hold: values for n parameters (a key is what is behind the last dot of a name), and
  * declared values (NAME_LISTS: none). */

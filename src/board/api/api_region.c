@@ -31,15 +31,15 @@ static enum api_region_shape shape_given(lua_State *L, const char *entry, const 
          line = any_given(v, REGION_TO_X, LINE_WORDS);
 
     if (circle + box + line > 1)
-        api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got words of %s",
+        api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got arguments of %s",
                   !box      ? "a circle and a line"
                   : !line   ? "a circle and a box"
                   : !circle ? "a box and a line"
                             : "all three");
     if (box && !all_given(v, REGION_W, BOX_WORDS))
-        api_error(L, entry, "shape: w and h go together, got %s alone", v[REGION_W].given ? "w" : "h");
+        api_error(L, entry, "shape: expected both w and h, got only %s", v[REGION_W].given ? "w" : "h");
     if (line && !all_given(v, REGION_TO_X, LINE_WORDS))
-        api_error(L, entry, "shape: to_x, to_y and width go together, got no %s",
+        api_error(L, entry, "shape: expected all of to_x, to_y and width, got no %s",
                   !v[REGION_TO_X].given   ? "to_x"
                   : !v[REGION_TO_Y].given ? "to_y"
                                           : "width");
@@ -51,7 +51,7 @@ bool api_region(lua_State *L, struct board *b, const char *entry, const struct a
     *r = (struct api_region){ .shape = shape_given(L, entry, v) };
     if (r->shape == REGION_ALL) {
         if (any_given(v, 0, PLACE_PARAMS))
-            api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got a place alone");
+            api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got only a place");
         return true;
     }
     if (!api_place(L, b, entry, v, &r->x, &r->y))

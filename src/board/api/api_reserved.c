@@ -55,14 +55,18 @@ static const struct {
     size_t room; /* of struct manifest: an int32_t, 0: off */
     const char *line;
 } optional[] = {
-    { "item items on.take sys.drop", offsetof(struct manifest, items), "board = { items = 512 }" },
-    { "text.line", offsetof(struct manifest, lines), "board = { lines = 32 }" },
-    { "laser lasers", offsetof(struct manifest, lasers), "board = { lasers = 64 }" },
-    { "laser.curve", offsetof(struct manifest, curve_points), "board = { curve_points = 2048 }" },
-    { "option", offsetof(struct manifest, options), "board = { options = 16 }" },
-    { "bullet.ml bullet.documents bulletml", offsetof(struct manifest, bulletml), "board = { bulletml = 1024 }" },
-    { "bg layer plane", offsetof(struct manifest, bg), "maps = { ... }" },
-    { "sound music", offsetof(struct manifest, sound), "sounds = { ... } or music = { ... }" },
+    { "item items on.take sys.drop", offsetof(struct manifest, items),
+      "items are disabled; add `items = 512` to `board`" },
+    { "text.line", offsetof(struct manifest, lines), "text lines are disabled; add `lines = 32` to `board`" },
+    { "laser lasers", offsetof(struct manifest, lasers), "lasers are disabled; add `lasers = 64` to `board`" },
+    { "laser.curve", offsetof(struct manifest, curve_points),
+      "curved lasers are disabled; add `curve_points = 2048` to `board`" },
+    { "option", offsetof(struct manifest, options), "options are disabled; add `options = 16` to `board`" },
+    { "bullet.ml bullet.documents bulletml", offsetof(struct manifest, bulletml),
+      "BulletML is disabled; add `bulletml = 1024` to `board`" },
+    { "bg layer plane", offsetof(struct manifest, bg), "backgrounds are disabled; add `maps = { ... }`" },
+    { "sound music", offsetof(struct manifest, sound),
+      "sound is disabled; add `sounds = { ... }` or `music = { ... }`" },
 };
 
 const char *api_off(const struct manifest *m, const char *name)

@@ -57,7 +57,7 @@ static int rng_pick(lua_State *L, struct board *b, struct api_value *v)
     uint64_t n = lua_rawlen(L, v[ARG_LIST].at);
 
     if (!n)
-        return api_error(L, "rng.pick", "the list is empty");
+        return api_error(L, "rng.pick", "list: expected at least one element");
     lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)draw(b, n) + 1);
     return 1;
 }

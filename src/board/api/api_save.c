@@ -64,7 +64,8 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
         keep.type = NV_TEXT;
         s = lua_tolstring(L, v[ARG_VALUE].at, &keep.length);
         if (keep.length > NV_STRING)
-            return api_error(L, "save.set", "value: a string of at most %d bytes, got %d", NV_STRING, (int)keep.length);
+            return api_error(L, "save.set", "value: expected a string of at most %d bytes, got %d", NV_STRING,
+                             (int)keep.length);
         memcpy(keep.text, s, keep.length);
         break;
     case LUA_TBOOLEAN:

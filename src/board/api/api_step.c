@@ -89,9 +89,9 @@ static void unknown(lua_State *L, const struct reader *r, const struct api_field
 
     for (size_t i = 0; key && i < sizeof places / sizeof *places; i++)
         if (!strcmp(key, places[i]))
-            api_error(L, DEF, "step %d: emit: %s: it fires from where the bullet is, and takes no place", r->step, key);
+            api_error(L, DEF, "step %d: emit: %s is not allowed (emit fires from the bullet's position)", r->step, key);
     if (key && !strcmp(key, "each"))
-        api_error(L, DEF, "step %d: emit: each: a program runs without Lua; give what it fires a motion", r->step);
+        api_error(L, DEF, "step %d: emit: each is not allowed (a motion runs without Lua; use motion)", r->step);
     snprintf(where, sizeof where, "%s: step %d: emit", DEF, r->step);
     api_refuse_key(L, where, fields);
 }
@@ -149,16 +149,16 @@ static void check_pattern(lua_State *L, const struct reader *r, int pattern)
 
     for (int k = E_SPREAD; k <= E_WIDTH; k++) {
         if (r->v[k].given && k != patterns[pattern].size)
-            api_error(L, DEF, "step %d: emit: %s is no setting of %s", r->step, api_emit_params[k].name, name);
+            api_error(L, DEF, "step %d: emit: %s does not apply to pattern %s", r->step, api_emit_params[k].name, name);
         if (!r->v[k].given && k == patterns[pattern].size)
-            api_error(L, DEF, "step %d: emit: %s needs %s", r->step, name, api_emit_params[k].name);
+            api_error(L, DEF, "step %d: emit: pattern %s requires %s", r->step, name, api_emit_params[k].name);
     }
     if (pattern == EMIT_ONE && r->v[E_N].given)
-        api_error(L, DEF, "step %d: emit: n is no setting of one (did you leave out pattern?)", r->step);
+        api_error(L, DEF, "step %d: emit: n does not apply to pattern one (did you forget pattern?)", r->step);
     if (pattern != EMIT_ONE && !r->v[E_N].given)
-        api_error(L, DEF, "step %d: emit: %s needs n", r->step, name);
+        api_error(L, DEF, "step %d: emit: pattern %s requires n", r->step, name);
     if (r->shots && r->v[E_DELAY].given)
-        api_error(L, DEF, "step %d: emit: delay is of bullets; shots fly at once", r->step);
+        api_error(L, DEF, "step %d: emit: delay does not apply to shots", r->step);
 }
 
 static void read_skip(lua_State *L, const struct api_value *v, struct motion_emit *e)
@@ -293,7 +293,7 @@ static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *
     lua_pushinteger(L, 0);
     lua_call(L, 4, 2);
     if (!fx_from_double(lua_tonumber(L, -2), x) || !fx_from_double(lua_tonumber(L, -1), y))
-        api_error(L, DEF, "step %d: path: it leaves the world", step);
+        api_error(L, DEF, "step %d: path: the route leaves the world", step);
     lua_pop(L, 2);
 }
 
@@ -333,7 +333,7 @@ bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step
     char message[80];
 
     luaL_checkstack(L, 16, NULL);
-    snprintf(message, sizeof message, "step %d: path: expected a route (what path.def returned)", step);
+    snprintf(message, sizeof message, "step %d: path: expected a route (from path.def)", step);
     api_push_routes(L, DEF, at->route, message);
     lua_getfield(L, -1, "place");
     if (!at->i) {

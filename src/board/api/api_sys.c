@@ -189,7 +189,7 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
     int n = lua_gettop(L) - 1;
 
     if (!events_emit(b, L, name, n))
-        return api_error(L, "sys.emit", "no event \"%s\"", name);
+        return api_error(L, "sys.emit", "unknown event \"%s\"", name);
     return 0;
 }
 
@@ -207,7 +207,7 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
             return board_add_marker(b, (enum board_marker_kind)k, lua_tostring(L, v[M_NAME].at), of, title,
                                     (int32_t)v[M_VALUE].i),
                    0;
-    return api_error(L, "sys.mark", "no mark \"%s\"", lua_tostring(L, v[M_KIND].at));
+    return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
 /* Nor does this. */
@@ -530,7 +530,7 @@ static const struct api_param turn_of[] = { PARAM("task", A_THING, REQ, 1 << H_T
 static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
-        return api_error(L, "sys.turn", "only a task can give one its turn");
+        return api_error(L, "sys.turn", "only a task can run another task");
     if (board_alive(b, v[0].i) && handle_slot(v[0].i) != (uint32_t)b->tasks.current)
         tasks_turn(b, L, handle_slot(v[0].i));
     return 0;
@@ -730,7 +730,7 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
         }
         return 1;
     }
-    return api_error(L, "sys.kinds", "no kinds of \"%s\"", lua_tostring(L, v[ARG_NAME].at));
+    return api_error(L, "sys.kinds", "unknown kinds \"%s\"", lua_tostring(L, v[ARG_NAME].at));
 }
 
 static int sys_players(lua_State *L, struct board *b, struct api_value *v)
@@ -809,7 +809,7 @@ static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
     const char *from = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
 
     if (!from || n != text_bytes(f))
-        return api_error(L, "sys.text_back", "expected what sys.keep_text returned");
+        return api_error(L, "sys.text_back", "expected a value from sys.keep_text");
     vm_charge(L, n / 64);
     memcpy(f->code, from, cells);
     memcpy(f->bank, from + cells, cells);

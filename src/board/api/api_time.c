@@ -20,7 +20,7 @@ int api_pass_wait(lua_State *L, struct board *b)
         return 0;
     if (!lists || !lua_isyieldable(L))
         return api_error(L, "wait",
-                         "more than %d waits on the way to a mark: does it wait for what is passed over there?",
+                         "more than %d waits while skipping to a mark (waiting for something that is skipped?)",
                          MAX_SKIPS);
     tasks_stop(b, (uint32_t)b->tasks.current);
     return lua_yield(L, 0);
@@ -33,7 +33,7 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     if (!lua_isyieldable(L))
         return api_error(
             L, "wait",
-            "cannot wait inside a function that C calls (bullet.each and its like, a sort, a gsub, a <close>)");
+            "cannot wait inside a callback from C (bullet.each, table.sort, string.gsub, <close> and the like)");
     if (b->tasks.flags[b->tasks.current] & TASK_SKIPS) {
         if (b->music.passes)
             vm_charge(L, sound_pass_wait(b, v[ARG_FRAMES].i));
@@ -93,7 +93,7 @@ static int task_stop(lua_State *L, struct board *b, struct api_value *v)
     if ((int32_t)slot != b->tasks.current)
         return 0;
     if (!lua_isyieldable(L))
-        return api_error(L, "task.stop", "cannot stop itself inside a function that C calls");
+        return api_error(L, "task.stop", "cannot stop itself inside a callback from C");
     return lua_yield(L, 0);
 }
 

@@ -115,9 +115,10 @@ static void check_room(lua_State *L, const struct board *b, int kind, const char
     if (n < room[kind])
         return;
     if (n == MAX_VALUES)
-        api_error(L, DEF, "\"%s\" is one too many: there are at most %d of %s", name, MAX_VALUES,
+        api_error(L, DEF, "\"%s\": too many values (at most %d for %s)", name, MAX_VALUES,
                   api_thing_names[things[kind]]);
-    api_error(L, DEF, "\"%s\" needs room in rom.lua: board = { values = { %s = %d } }", name, words[kind], n + 1);
+    api_error(L, DEF, "\"%s\": too few value columns; set `values = { %s = %d }` in `board` in rom.lua", name,
+              words[kind], n + 1);
 }
 
 static int value_def(lua_State *L, struct board *b, struct api_value *v)
@@ -130,10 +131,10 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
     if (!is_word(name))
         api_error(L, DEF, "name: expected a word of letters, digits and _, got \"%s\"", name);
     if (taken(L, kind, name))
-        api_error(L, DEF, "\"%s\" is taken by a property or a verb of %s, or an argument of %s%s", name,
+        api_error(L, DEF, "\"%s\" is already a property or a method of %s, or an argument of %s%s", name,
                   api_thing_names[things[kind]], makers[kind], kind == 0 ? " or a pattern" : "");
     if (api_names_find(L, names, name) != NO_SLOT)
-        api_error(L, DEF, "\"%s\" is declared already", name);
+        api_error(L, DEF, "\"%s\" is already declared", name);
     check_room(L, b, kind, name);
     api_names_declare(L, names, DEF, name, k);
     if (kind == 2)

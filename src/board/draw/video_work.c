@@ -195,13 +195,13 @@ bool video_fits(const struct board *b, uint64_t most, struct video_work *out)
         const char *what, *instead;
         uint64_t (*work)(const struct board *b);
     } parts[] = {
-        { "bullets and shots", "lower board.bullets in rom.lua", bullets_and_shots },
-        { "sparks", "lower board.sparks in rom.lua", sparks },
-        { "items", "lower board.items in rom.lua", items },
-        { "enemies", "lower board.enemies in rom.lua", enemies },
-        { "sprites", "lower board.sprites in rom.lua", sprites },
-        { "lines of text", "lower board.lines in rom.lua", lines },
-        { "lasers", "lower board.lasers in rom.lua", lasers },
+        { "bullets and shots", "lower `board.bullets` in rom.lua", bullets_and_shots },
+        { "sparks", "lower `board.sparks` in rom.lua", sparks },
+        { "items", "lower `board.items` in rom.lua", items },
+        { "enemies", "lower `board.enemies` in rom.lua", enemies },
+        { "sprites", "lower `board.sprites` in rom.lua", sprites },
+        { "lines of text", "lower `board.lines` in rom.lua", lines },
+        { "lasers", "lower `board.lasers` in rom.lua", lasers },
     };
     uint64_t largest = 0;
 

@@ -149,8 +149,8 @@ bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe)
 static void too_much(struct board *b, const char *what, uint32_t n)
 {
     board_too_much(b,
-                   "lasers: %u lasers and %u %s are too many to test in one frame; lower board.lasers or board.%s in "
-                   "rom.lua, or make curves shorter",
+                   "laser hits: too much work in one frame (%u lasers, %u %s); lower `board.lasers` or `board.%s` in "
+                   "rom.lua or make curves shorter",
                    b->lasers.s.live, n, what, what);
 }
 

@@ -130,8 +130,8 @@ static uint32_t count_tagged(const struct bullets *s, uint16_t tag)
 static void too_much(const struct crowd *c)
 {
     board_too_much(c->b,
-                   "bullet.meet: %u bullets of tag \"%s\" and %u of tag \"%s\" are too many to test in one frame; "
-                   "lower board.bullets in rom.lua, or give fewer bullets these tags",
+                   "bullet.meet: too much work in one frame (%u bullets tagged \"%s\", %u tagged \"%s\"); lower "
+                   "`board.bullets` in rom.lua or give fewer bullets these tags",
                    count_tagged(c->s, c->first), api_names_at(c->b, N_TAG, c->first), count_tagged(c->s, c->tag),
                    api_names_at(c->b, N_TAG, c->tag));
 }

@@ -300,12 +300,12 @@ static void too_much(struct board *b, bool blocks)
 {
     if (blocks)
         board_too_much(b,
-                       "enemies that block: %u enemies and %u bullets are too many to test in one frame; lower "
-                       "board.enemies or board.bullets in rom.lua",
+                       "enemies that block bullets: too much work in one frame (%u enemies, %u bullets); lower "
+                       "`board.enemies` or `board.bullets` in rom.lua",
                        b->enemies.s.live, b->bullets.s.live);
     board_too_much(b,
-                   "shots that hit enemies: %u shots and %u enemies are too many to test in one frame; lower "
-                   "board.shots or board.enemies in rom.lua",
+                   "shots that hit enemies: too much work in one frame (%u shots, %u enemies); lower "
+                   "`board.shots` or `board.enemies` in rom.lua",
                    b->shots.s.live, b->enemies.s.live);
 }
 

@@ -41,8 +41,8 @@ static void add_work(struct board *b, uint64_t work)
 {
     if (!board_work(b, work))
         board_too_much(b,
-                       "shots that hit bullets: %u shots and %u bullets are too many to test in one frame; lower "
-                       "board.shots or board.bullets in rom.lua, or fire fewer shots that cancel",
+                       "shots that hit bullets: too much work in one frame (%u shots, %u bullets); lower "
+                       "`board.shots` or `board.bullets` in rom.lua or fire fewer shots that cancel",
                        b->shots.s.live, b->bullets.s.live);
 }
 

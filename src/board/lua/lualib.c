@@ -157,11 +157,11 @@ static void open_errors(lua_State *L)
 
 /* ---- metatables ---- */
 
-static void refuse_field(lua_State *L, int metatable, const char *name, const char *what)
+static void refuse_field(lua_State *L, int metatable, const char *name, const char *where)
 {
     lua_pushstring(L, name);
     if (lua_rawget(L, metatable) != LUA_TNIL)
-        luaL_error(L, "%s may not have %s", what, name);
+        luaL_error(L, "%s%s is not allowed in a metatable", where, name);
     lua_pop(L, 1);
 }
 
@@ -171,7 +171,7 @@ static void refuse_call(lua_State *L, int metatable, const char *where)
     lua_pushliteral(L, "__call");
     int type = lua_rawget(L, metatable);
     if (type != LUA_TNIL && type != LUA_TFUNCTION)
-        luaL_error(L, "%s__call must be a function, got a %s", where, lua_typename(L, type));
+        luaL_error(L, "%s__call: expected a function, got a %s", where, lua_typename(L, type));
     lua_pop(L, 1);
 }
 
@@ -198,8 +198,8 @@ static int base_setmetatable(lua_State *L)
         return luaL_error(L, "cannot change a protected metatable");
     lua_settop(L, 2);
     if (type == LUA_TTABLE) {
-        refuse_field(L, 2, "__gc", "setmetatable: a metatable");
-        refuse_field(L, 2, "__mode", "setmetatable: a metatable");
+        refuse_field(L, 2, "__gc", "setmetatable: ");
+        refuse_field(L, 2, "__mode", "setmetatable: ");
         refuse_call(L, 2, "setmetatable: ");
         remember_metatable(L);
     }
@@ -214,8 +214,8 @@ void lualib_check_metatables(lua_State *L)
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        refuse_field(L, lua_gettop(L), "__gc", "a metatable in use");
-        refuse_field(L, lua_gettop(L), "__mode", "a metatable in use");
+        refuse_field(L, lua_gettop(L), "__gc", "");
+        refuse_field(L, lua_gettop(L), "__mode", "");
         refuse_call(L, lua_gettop(L), "");
     }
     lua_pop(L, 1);

@@ -467,7 +467,7 @@ static void push_iterator(lua_State *L)
 
     vm_charge(L, 8 + k.n * 3);
     if (k.refused)
-        luaL_error(L, "pairs: key of type %s cannot be visited in a fixed order", k.refused);
+        luaL_error(L, "pairs: keys of type %s have no fixed order", k.refused);
     if (k.n == 0) {
         lua_pushcfunction(L, next_nothing);
     } else if (!k.texts && k.first == 1 && (lua_Unsigned)k.last == k.n) {

@@ -163,7 +163,7 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
 {
     char text[32];
 
-    luaL_argcheck(L, fabs(v) < 0x1p63 && v == floor(v), arg, "%q takes whole numbers only");
+    luaL_argcheck(L, fabs(v) < 0x1p63 && v == floor(v), arg, "%q accepts whole numbers only");
     snprintf(text, sizeof text, "%.1f", v);
     lua_pushstring(L, text);
 }

@@ -13,10 +13,9 @@
 #include "../../base/heap.h"
 #include "../../base/host.h"
 
-static const char no_power[] =
-    "the operator ^ is not available (results differ between machines); use x*x or math.sqrt";
-static const char no_gc[] = "the name __gc is not available (when it would run differs between machines)";
-static const char no_mode[] = "the name __mode is not available (what it keeps differs between machines)";
+static const char no_power[] = "operator ^ is not available (results differ between machines); use x*x or math.sqrt";
+static const char no_gc[] = "__gc is not available (finalizers run at different times on different machines)";
+static const char no_mode[] = "__mode is not available (weak tables hold different entries on different machines)";
 
 struct scan {
     struct cursor at;
@@ -429,8 +428,7 @@ static void explain_end(const char *text, size_t n, char *err, size_t err_size)
     if (line == 0)
         return;
     if (lacks != NULL && lacks->line != line)
-        snprintf(hint, sizeof hint, "; by the indentation it is `%s` at line %d that has none", lacks->word,
-                 lacks->line);
+        snprintf(hint, sizeof hint, "; the indentation suggests `%s` at line %d", lacks->word, lacks->line);
     snprintf(at, err_size - (size_t)(at - err), "expected `end` to close `%s` at line %d, got %s%s", word, line, near,
              hint);
 }
@@ -468,7 +466,7 @@ bool script_compile(const char *text, size_t n, const char *chunk, void *work, s
     struct host host;
 
     if (n > 0 && text[0] == LUA_SIGNATURE[0]) {
-        snprintf(err, err_size, "%s:1: compiled Lua, expected text", chunk + 1);
+        snprintf(err, err_size, "%s:1: expected Lua source, got compiled Lua", chunk + 1);
         return false;
     }
     host_enter(&host);

@@ -15,7 +15,7 @@ enum tag { TAG_NIL, TAG_FALSE, TAG_TRUE, TAG_WHOLE, TAG_NUMBER, TAG_TEXT, TAG_TA
 static void put(lua_State *L, struct values *v, const void *bytes, size_t n)
 {
     if (n > v->room - v->n)
-        luaL_error(L, "more values than a test can take: %d bytes", (int)v->room);
+        luaL_error(L, "values too large for a test (at most %d bytes)", (int)v->room);
     if (n)
         memcpy(v->bytes + v->n, bytes, n);
     v->n += n;
@@ -68,7 +68,7 @@ static void put_value(lua_State *L, struct values *v, int idx, int depth);
 static void put_table(lua_State *L, struct values *v, int idx, int depth)
 {
     if (depth == VALUES_DEEP)
-        luaL_error(L, "a table more than %d tables deep", VALUES_DEEP);
+        luaL_error(L, "tables nested more than %d deep", VALUES_DEEP);
     luaL_checkstack(L, 8, NULL);
     api_fill(L, idx);
     put_tag(L, v, TAG_TABLE);

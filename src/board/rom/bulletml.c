@@ -161,21 +161,21 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
     struct ml m;
 
     if (size < ML_HEADER || bytes_get32(data) != ML_MAGIC)
-        return err_set(err, err_size, "it is no program of a BulletML document");
+        return err_set(err, err_size, "not the program of a BulletML document");
     if (bytes_get32(data + 4) > 1)
-        return err_set(err, err_size, "its form is not known");
+        return err_set(err, err_size, "unknown format");
     const uint64_t need = layout(&m, data);
     if (m.tops > ML_MAX_TOPS || m.labels > ML_MAX_LABELS || m.numbers > ML_MAX_NUMBERS || m.words > ML_MAX_WORDS ||
         m.steps > ML_MAX_WORDS || m.bytes > ML_MAX_TEXT)
-        return err_set(err, err_size, "it is larger than a program may be");
+        return err_set(err, err_size, "larger than a program may be");
     if (need != size)
         return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, need);
     if (!steps_ok(&m))
-        return err_set(err, err_size, "a value of its program is none");
+        return err_set(err, err_size, "its program has an invalid value");
     if (!commands_ok(&m))
-        return err_set(err, err_size, "a command of its program is none");
+        return err_set(err, err_size, "its program has an invalid command");
     if (!tables_ok(&m))
-        return err_set(err, err_size, "its tops or labels are not in it");
+        return err_set(err, err_size, "its top actions or labels are out of range");
     return true;
 }
 

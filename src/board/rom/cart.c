@@ -356,11 +356,11 @@ static bool open_hits(struct cart *c, char *err, size_t err_size)
     for (int i = 0; i < n; i++) {
         rom_lump(c->rom, first + i, &l);
         if (cart_find_sprite(c, l.name + strlen("hit/")) < 0)
-            return err_set(err, err_size, "lump \"%s\": there is no such sprite", l.name);
+            return err_set(err, err_size, "lump \"%s\": no such sprite", l.name);
         if (l.size == CART_HIT)
             read_hit(l.data, &h);
         if (l.size != CART_HIT || !hit_ok(&h))
-            return err_set(err, err_size, "lump \"%s\": is not a hit shape", l.name);
+            return err_set(err, err_size, "lump \"%s\": not a hitbox", l.name);
     }
     return true;
 }
@@ -434,10 +434,10 @@ static bool check_map(const struct lump *l, char *err, size_t err_size)
         whole = whole && m.solid[bytes_get16(m.cells + 2 * i)];
     }
     if (whole != m.whole)
-        return err_set(err, err_size, "lump \"%s\": it says wrongly whether it has holes", l->name);
+        return err_set(err, err_size, "lump \"%s\": wrong flag for empty cells", l->name);
     for (int i = 0; i < m.tiles; i++)
         if (!tile_ok(&m, i))
-            return err_set(err, err_size, "lump \"%s\": tile %d is not what the map says of it", l->name, i);
+            return err_set(err, err_size, "lump \"%s\": tile %d does not match the map's flags", l->name, i);
     return true;
 }
 
@@ -489,14 +489,14 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     char why[128];
 
     if (n > CART_MAX_TUNES)
-        return err_set(err, err_size, "%d pieces of music or sounds, expected at most %d", n, CART_MAX_TUNES);
+        return err_set(err, err_size, "%d pieces of music and sounds, expected at most %d", n, CART_MAX_TUNES);
     for (int i = 0; i < n; i++) {
         rom_lump(c->rom, first + i, &l);
         if (!tune_open(l.data, l.size, why, sizeof why))
             return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
         const struct tune t = tune_of(l.data);
         if (tune_streams(&t) && !stream_ok(c, &l, t.sides))
-            return err_set(err, err_size, "lump \"%s\": its samples, lump wave/%s, are not there or not good", l.name,
+            return err_set(err, err_size, "lump \"%s\": samples (lump wave/%s) are missing or damaged", l.name,
                            strchr(l.name, '/') + 1);
     }
     return true;

@@ -28,8 +28,8 @@ size_t compressed_size(const void *data, size_t size, char *err, size_t err_size
     }
     const uint32_t plain = bytes_get32(p + 16);
     if (bytes_get32(p + 8) != FORMAT)
-        err_set(err, err_size, "compressed in format %" PRIu32 ", which is not known (this program reads %d)",
-                bytes_get32(p + 8), FORMAT);
+        err_set(err, err_size, "unknown compression format %" PRIu32 " (this program reads %d)", bytes_get32(p + 8),
+                FORMAT);
     else if (bytes_get32(p + 20) != size)
         err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
     else if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))
@@ -38,8 +38,8 @@ size_t compressed_size(const void *data, size_t size, char *err, size_t err_size
         err_set(err, err_size, "reserved header bytes are not zero");
     else if (plain == 0 || plain > COMPRESSED_MOST || plain / COMPRESSED_TIMES > size)
         err_set(err, err_size,
-                "%zu bytes long, but its header says %" PRIu32 " are in it: expected 1 to %d, and at most %d times as "
-                "many as the file has",
+                "%zu bytes long, but its header says %" PRIu32
+                " when decompressed: expected 1 to %d, and at most %d times the file's size",
                 size, plain, COMPRESSED_MOST, COMPRESSED_TIMES);
     else
         return plain;
@@ -56,7 +56,7 @@ bool compressed_read(const void *data, size_t size, void *out, char *err, size_t
     if (lzma_read(p + COMPRESSED_HEADER, size - COMPRESSED_HEADER, out, plain) &&
         hash_crc32(out, plain) == bytes_get32(p + 24))
         return true;
-    return err_set(err, err_size, "damaged: what is in it is not what was compressed");
+    return err_set(err, err_size, "damaged: decompressed data has a wrong checksum");
 }
 
 void compressed_seal(uint8_t *out, size_t size, const void *rom, size_t rom_size)

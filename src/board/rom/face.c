@@ -59,14 +59,14 @@ static bool glyph_ok(const struct face *f, uint32_t i, size_t size)
 bool face_open(struct face *f, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
     if (size < FACE_HEAD)
-        return err_set(err, err_size, "%zu bytes are no font", size);
+        return err_set(err, err_size, "%zu bytes are not a font", size);
     *f = face_of(data);
     if (f->height < 1 || f->height > FACE_HEIGHT || bytes_get16(data + 2) != 0 || f->n > FACE_MAX ||
         size - FACE_HEAD < (size_t)f->n * FACE_GLYPH)
         return err_set(err, err_size, "its header is out of range");
     for (uint32_t i = 0; i < f->n; i++) {
         if (i > 0 && code_at(f, i) <= code_at(f, i - 1))
-            return err_set(err, err_size, "glyph %" PRIu32 " is not in the order of codes", i);
+            return err_set(err, err_size, "glyph %" PRIu32 " is not in ascending order", i);
         if (!glyph_ok(f, i, size))
             return err_set(err, err_size, "glyph %" PRIu32 " is out of range", i);
     }

@@ -222,7 +222,7 @@ static bool check_difficulties(const struct manifest *m, char *err, size_t err_s
         return err_set(err, err_size, "difficulties: expected 1 to %d different words of at most %d letters",
                        MAX_DIFFICULTIES, MAX_WORD - 1);
     if (m->difficulty < 0 || m->difficulty >= n)
-        return err_set(err, err_size, "difficulty: not one of the difficulties");
+        return err_set(err, err_size, "difficulty: not in difficulties");
     return true;
 }
 
@@ -255,7 +255,7 @@ static bool check_dips(const struct manifest *m, char *err, size_t err_size)
         if (!check_dip(&m->dips[i], err, err_size))
             return false;
         if (i > 0 && strcmp(m->dips[i - 1].name, m->dips[i].name) >= 0)
-            return err_set(err, err_size, "dip.%s: not in the order of names", m->dips[i].name);
+            return err_set(err, err_size, "dip.%s: not in alphabetical order", m->dips[i].name);
     }
     return true;
 }
@@ -392,9 +392,9 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     m->registers = MAX_REGISTERS; /* of format 3: as many as its ships could have */
     walk_manifest(&w, m, format);
     if (!w.good)
-        return err_set(err, err_size, "its format is not known");
+        return err_set(err, err_size, "unknown format");
     if (format == FORMAT && !m->bulletml)
-        return err_set(err, err_size, "board.bulletml: 0, which a manifest of format %d says", FORMAT_PLAIN);
+        return err_set(err, err_size, "board.bulletml: 0 in a manifest of format %d", FORMAT_PLAIN);
     if (!manifest_check(m, err, err_size))
         return false;
     return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");

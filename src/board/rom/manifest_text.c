@@ -228,8 +228,8 @@ static _Noreturn void bad_name(const struct at *a, const char *key, const char *
 
     path_of(a, key, path);
     if (guess == NULL)
-        bad(a->lua, path, "unknown name");
-    bad(a->lua, path, "unknown name (did you mean \"%s\"?)", guess);
+        bad(a->lua, path, "unknown key");
+    bad(a->lua, path, "unknown key (did you mean \"%s\"?)", guess);
 }
 
 static bool listed(const char *name, const char *const *names)
@@ -291,7 +291,7 @@ static int words(const struct at *a, char out[][MAX_WORD], int max)
             bad(a->lua, path, "expected a word of letters, digits, _ and -, got \"%s\"", out[i]);
         for (int j = 0; j < i; j++)
             if (strcmp(out[i], out[j]) == 0)
-                bad(a->lua, path, "\"%s\" stands here twice", out[i]);
+                bad(a->lua, path, "duplicate \"%s\"", out[i]);
     }
     return n;
 }
@@ -448,7 +448,7 @@ static void read_difficulties(const struct at *root, struct manifest *m)
     bool given = get_text(root, "difficulty", "a word", word, sizeof word);
     m->difficulty = word_index((const char(*)[MAX_WORD])m->difficulties, m->n_difficulties, word);
     if (m->difficulty < 0 && given)
-        bad(root->lua, "difficulty", "\"%s\" is not one of the difficulties", word);
+        bad(root->lua, "difficulty", "\"%s\" is not in difficulties", word);
     if (m->difficulty < 0)
         m->difficulty = 0;
 }
@@ -500,7 +500,7 @@ static void read_palettes(const struct at *root, struct art *art)
     for (int i = 0; i < art->n_palettes; i++) {
         get_file(&a, art->palettes[i].name, art->palettes[i].file);
         if (strcmp(art->palettes[i].name, "main") == 0)
-            bad(a.lua, "palettes.main", "this name is that of `palette`");
+            bad(a.lua, "palettes.main", "this name is already used by `palette`");
     }
     lua_pop(a.lua, 1);
 }
@@ -607,7 +607,7 @@ static void get_palette(const struct at *a, const struct art *art, char name[ART
     for (int i = 0; i < art->n_palettes; i++)
         if (strcmp(art->palettes[i].name, name) == 0)
             return;
-    bad(a->lua, path, "\"%s\" is not one of the palettes", name);
+    bad(a->lua, path, "\"%s\" is not in palettes", name);
 }
 
 /* cell = { w, h }, and what stands in the cells. */
@@ -618,7 +618,7 @@ static void read_cells(const struct at *a, struct art_font *f)
 
     if (!get_table(a, "cell", &cell)) {
         if (get_text(a, "chars", "characters", f->chars, sizeof f->chars))
-            bad(a->lua, a->path, "`chars` goes with `cell = { w, h }`");
+            bad(a->lua, a->path, "`chars` needs `cell = { w, h }`");
         return;
     }
     if (list(&cell, 2) != 2)
@@ -629,7 +629,7 @@ static void read_cells(const struct at *a, struct art_font *f)
     f->h = (int32_t)to_whole(a->lua, path, 1, 64);
     lua_pop(a->lua, 1);
     if (!get_text(a, "chars", "characters", f->chars, sizeof f->chars))
-        bad(a->lua, a->path, "expected `chars`, the characters of the cells in reading order");
+        bad(a->lua, a->path, "expected `chars`, the characters of the cells from left to right and top to bottom");
 }
 
 static void read_fonts(const struct at *root, struct art *art)
@@ -684,11 +684,11 @@ static int32_t sheet_index(const struct at *a, const struct art *art)
 
     path_of(a, "sheet", path);
     if (!get_text(a, "sheet", "a sheet's name", name, sizeof name))
-        bad(a->lua, path, "expected a sheet's name, got nil");
+        bad(a->lua, path, "expected the name of a sheet, got nil");
     for (int i = 0; i < art->n_sheets; i++)
         if (strcmp(art->sheets[i].name, name) == 0)
             return i;
-    bad(a->lua, path, "\"%s\" is not one of the sheets", name);
+    bad(a->lua, path, "\"%s\" is not in sheets", name);
 }
 
 static void read_origin(const struct at *a, struct art_sprite *s)
@@ -723,7 +723,7 @@ static void read_tagged(const struct at *a, struct art_sprite *s)
     get_text(a, "tag", "a tag's name", s->tag, sizeof s->tag);
     if (get(a, "frames")) {
         path_of(a, "frames", path);
-        bad(a->lua, path, "the frames of an .ase are those of its tag (tag = \"NAME\"; without one, all of them)");
+        bad(a->lua, path, "frames of an .ase come from its tag (tag = \"NAME\"; without one, all frames)");
     }
     s->frames = s->every = 0;
     get_whole(a, "w", 1, 1024, &s->w);
@@ -785,7 +785,7 @@ static void read_sprite_sizes(const struct at *a, struct art *art, const struct 
         *more = *s;
         more->percent = percent;
         if (snprintf(more->name, ART_NAME, "%s_%d", s->name, percent) >= ART_NAME)
-            bad(a->lua, path, "the name %s_%d is longer than %d bytes", s->name, percent, ART_NAME - 1);
+            bad(a->lua, path, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME - 1);
     }
     lua_pop(a->lua, 1);
 }
@@ -802,7 +802,7 @@ static void sort_sprites(lua_State *lua, struct art *art, int first)
             s[at] = s[at - 1];
         s[at] = one;
         if (at > 0 && strcmp(s[at - 1].name, one.name) == 0)
-            bad(lua, "sprites", "two are named %s, one of them by its size", one.name);
+            bad(lua, "sprites", "two sprites are named %s, one of them because of its size", one.name);
     }
 }
 
@@ -840,7 +840,7 @@ static void read_row(const struct at *rows, int i, int first, struct art *art, s
     if (n != map->cols || n == 0)
         bad(rows->lua, row.path, "expected %d tiles as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
     if (n > MAX_ART_CELLS - art->n_cells)
-        bad(rows->lua, row.path, "more than %d tiles in rom.lua: write them into a file", MAX_ART_CELLS);
+        bad(rows->lua, row.path, "more than %d tiles in rom.lua; use a map file instead", MAX_ART_CELLS);
     for (int k = 1; k <= n; k++) {
         item(&row, k, path);
         art->cells[art->n_cells++] = (uint16_t)(to_whole(rows->lua, path, first - 1, 65534) - first + 1);
@@ -916,7 +916,7 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     if (file && !tmx && !ends(map->file, ".csv"))
         bad(a->lua, a->path, "file: expected a .csv or a .tmx, got \"%s\"", map->file);
     if (map->n_tiles > 1 && !tmx)
-        bad(a->lua, a->path, "tiles: only a .tmx has tiles of several pictures");
+        bad(a->lua, a->path, "tiles: only a .tmx can use tiles of several pictures");
     if (map->layer[0] != '\0' && !tmx)
         bad(a->lua, a->path, "layer: only a .tmx has layers");
     if (map->size == 0 && !tmx)
@@ -1081,7 +1081,7 @@ static void only_of_recordings(const struct at *a)
 
     for (int i = 0; names[i]; i++)
         if (get(a, names[i]))
-            bad(a->lua, a->path, "%s: is for recordings (.wav, .ogg, .flac); MML says it itself", names[i]);
+            bad(a->lua, a->path, "%s: only for samples (.wav, .ogg, .flac); MML has its own commands for it", names[i]);
 }
 
 /* A sound's or a piece's file is a recording or MML. */

@@ -224,7 +224,7 @@ static bool push(struct work *w, uint32_t command, int32_t left, uint32_t back, 
     const uint32_t i = w->t->runner;
 
     if (w->r->depth[i] == MOST_DEPTH)
-        bulletml_fault(w->t, command, "repeats and calls stand more than 4096 deep in one another");
+        bulletml_fault(w->t, command, "repeats and calls nested more than 4096 deep");
     const int32_t k = slots_take(&f->s);
     if (k == NO_SLOT) {
         board_full(w->t->b, &f->s);
@@ -482,7 +482,7 @@ void bulletml_do(struct turn *t)
             break;
         w.at++;
         if (++n > MOST_COMMANDS)
-            bulletml_fault(t, c, "more than 100000 commands in a frame: a repeat without a wait?");
+            bulletml_fault(t, c, "more than 100000 commands in one frame (repeat without a wait?)");
         command(&w, c);
         count(&w, c);
     }

@@ -87,12 +87,11 @@ void bulletml_too_much(const struct turn *t, uint32_t w)
 {
     const struct ml_runners *r = &t->b->ml_runners;
 
-    board_too_much(
-        t->b,
-        "bulletml/%s.xml:%d: documents have too much to do in one frame: %u runners, %llu commands and steps "
-        "of values so far; lower board.bulletml in rom.lua, or let documents wait longer",
-        cart_bulletml_name(&t->b->cart, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), r->s.live,
-        (unsigned long long)r->ran);
+    board_too_much(t->b,
+                   "bulletml/%s.xml:%d: too much BulletML work in one frame (%u runners, %llu commands and expression "
+                   "steps so far); lower `board.bulletml` in rom.lua or add waits",
+                   cart_bulletml_name(&t->b->cart, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), r->s.live,
+                   (unsigned long long)r->ran);
 }
 
 /* ---- velocities ---- */
@@ -552,8 +551,8 @@ static void count_search(struct board *b)
 
     if (!board_work(b, r->n / 2))
         board_too_much(b,
-                       "bulletml: %u documents with %u runners have too much to do in one frame; lower board.bulletml "
-                       "in rom.lua, or run fewer documents at once",
+                       "bulletml: too much work in one frame (%u documents, %u runners); lower `board.bulletml` in "
+                       "rom.lua or run fewer documents at once",
                        b->ml_roots.s.live, r->n);
 }
 

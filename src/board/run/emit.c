@@ -276,8 +276,8 @@ static void count(struct board *b, const struct volley *v, uint32_t n)
 
     if (!board_work(b, (WORK_FIRE + aims) * ((uint64_t)n + 1)))
         board_too_much(b,
-                       "motion programs: %u emits in one frame fire too much; lower board.bullets or board.shots in "
-                       "rom.lua, or let fewer bullets emit",
+                       "motions: too much work in one frame (%u emits); lower `board.bullets` or `board.shots` in "
+                       "rom.lua or let fewer bullets emit",
                        b->output->emissions.n);
 }
 

@@ -82,10 +82,9 @@ enum { AN_EVENT = 30, A_HANDLER = 10 /* work: an event, and each function that i
 static void count(struct board *b, uint64_t work)
 {
     if (!board_work(b, work))
-        board_too_much(b,
-                       "events: %u in one frame are more than their handlers can be told of; raise fewer events, or "
-                       "declare fewer handlers",
-                       b->events.n);
+        board_too_much(
+            b, "events: too many handler calls in one frame (%u events); raise fewer events or declare fewer handlers",
+            b->events.n);
 }
 
 /* Calls every handler of an event with the n values on top of the stack (popped). */

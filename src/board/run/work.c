@@ -29,6 +29,6 @@ void board_charge_picture(struct board *b)
     if (video_fits(b, vm->limit - vm->work, &w))
         board_work(b, w.work);
     else
-        board_too_much(b, "the picture: %s are too many, or too large, to draw in one frame; %s, or make them smaller",
-                       w.what, w.instead);
+        board_too_much(b, "drawing: too much work in one frame (mostly %s); %s or make them smaller", w.what,
+                       w.instead);
 }

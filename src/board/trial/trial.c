@@ -25,8 +25,8 @@ static int undeclared(lua_State *L)
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
     return vm_fault(L, FAULT_SCRIPT,
-                    "undeclared global \"%s\" (a test has Lua's own names and `test`; what a game knows, a run is "
-                    "asked for: run:eval \"%s\")",
+                    "undeclared global \"%s\" (a test sees only Lua's library and `test`; read the game's globals "
+                    "with run:eval \"%s\")",
                     name, name);
 }
 
@@ -34,8 +34,8 @@ static int no_new_global(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
-    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\": there are no new globals (write \"local %s\")", name,
-                    name);
+    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (scripts cannot create globals; write \"local %s\")",
+                    name, name);
 }
 
 static int print(lua_State *L)
@@ -87,7 +87,7 @@ static int require(lua_State *L)
         return lua_islightuserdata(L, -1) ? vm_fault(L, FAULT_SCRIPT, "require: \"%s\" requires itself", name) : 1;
     const char *text = t->host->script(t->host->context, name, &n);
     if (!text)
-        return vm_fault(L, FAULT_SCRIPT, "require: there is no tests/%s.lua", name);
+        return vm_fault(L, FAULT_SCRIPT, "require: no script tests/%s.lua", name);
     lua_pushlightuserdata(L, t);
     lua_setfield(L, 2, name);
     snprintf(path, sizeof path, "tests/%s", name);
@@ -145,14 +145,14 @@ static int run_script(lua_State *L)
 /* The guards' sentences speak of frames and of rom.lua; a test has other bounds. */
 static void reword(struct board_fault *f, const struct output *o)
 {
-    char *loop = strstr(f->message, "endless loop");
+    char *loop = strstr(f->message, "infinite loop: ");
     const size_t at = loop ? (size_t)(loop - f->message) : 0;
 
     if (f->kind == FAULT_LOOP && loop)
-        snprintf(loop, sizeof f->message - at, "endless loop: more than %d instructions in one test", TRIAL_WORK);
+        snprintf(loop, sizeof f->message - at, "infinite loop: more than %d instructions in one test", TRIAL_WORK);
     else if (f->kind == FAULT_MEMORY)
-        snprintf(f->message, sizeof f->message, "%sout of memory: a test has %d MiB%s", o->shortage, TRIAL_HEAP >> 20,
-                 o->deep ? ", deep in calls: an endless recursion?" : "");
+        snprintf(f->message, sizeof f->message, "%sout of memory (%d MiB for a test)%s", o->shortage, TRIAL_HEAP >> 20,
+                 o->deep ? " (calls nested deeply: infinite recursion?)" : "");
 }
 
 size_t trial_size(void)

@@ -40,11 +40,11 @@ static struct trial_run *check_run(lua_State *L, int idx)
     const struct run_handle *h = to_handle(L, idx);
 
     if (!h)
-        vm_fault(L, FAULT_SCRIPT, "expected a run, as test.run gives it (and run:step with a colon), got %s",
+        vm_fault(L, FAULT_SCRIPT, "expected a run from test.run (call run:step with a colon), got %s",
                  luaL_typename(L, idx));
     struct trial_run *r = &trial_of(L)->run[h->number];
     if (r->serial != h->serial)
-        vm_fault(L, FAULT_SCRIPT, "the run is over: a test keeps its last %d runs", TRIAL_RUNS);
+        vm_fault(L, FAULT_SCRIPT, "the run has ended (only the last %d runs of a test stay open)", TRIAL_RUNS);
     return r;
 }
 
@@ -60,7 +60,7 @@ int trial_newest(lua_State *L, int idx)
     if (!lua_isnoneornil(L, idx))
         return number_of(L, check_run(L, idx));
     if (t->runs == 0)
-        vm_fault(L, FAULT_SCRIPT, "there is no run yet: test.run begins one");
+        vm_fault(L, FAULT_SCRIPT, "no run yet (start one with test.run)");
     return (int)((t->runs - 1) % TRIAL_RUNS);
 }
 
@@ -163,7 +163,7 @@ static void look_for_fault(lua_State *L, const struct trial_run *r)
     const struct board_fault *fault = board_last(r->b)->fault;
 
     if (fault && !r->may_fault)
-        vm_fault(L, FAULT_SCRIPT, "the game stops at frame %d: %s", (int)board_frame(r->b), fault->message);
+        vm_fault(L, FAULT_SCRIPT, "the game stopped at frame %d: %s", (int)board_frame(r->b), fault->message);
 }
 
 /* ---- ticks ---- */
@@ -187,7 +187,7 @@ static void ask_held(lua_State *L, const struct trial_run *r)
     lua_call(L, 1, 1);
     check_run(L, 1); /* the function may have begun others */
     if (!lua_isnoneornil(L, -1) && lua_type(L, -1) != LUA_TSTRING)
-        vm_fault(L, FAULT_SCRIPT, "pads: the function is to return buttons like \"left,fire\", got %s",
+        vm_fault(L, FAULT_SCRIPT, "pads: expected the function to return buttons such as \"left,fire\", got %s",
                  luaL_typename(L, -1));
     press(L, number_of(L, r), lua_isnil(L, -1) ? "" : lua_tostring(L, -1));
     lua_pop(L, 1);
@@ -201,7 +201,7 @@ static bool tick(lua_State *L, struct trial_run *r)
     if (board_last(r->b)->fault)
         return false;
     if (t->frames == TRIAL_FRAMES)
-        vm_fault(L, FAULT_LOOP, "more than %d frames, an hour of play, in one test: does it ever end?", TRIAL_FRAMES);
+        vm_fault(L, FAULT_LOOP, "more than %d frames (an hour of play) in one test (infinite loop?)", TRIAL_FRAMES);
     ask_held(L, r);
     if (board_last(r->b)->fault) /* by the function's own doing */
         return false;
@@ -293,7 +293,7 @@ int trial_run_press(lua_State *L)
     } else if (lua_isnoneornil(L, 2) || lua_type(L, 2) == LUA_TSTRING) {
         press(L, number_of(L, r), lua_isnoneornil(L, 2) ? "" : lua_tostring(L, 2));
     } else {
-        vm_fault(L, FAULT_SCRIPT, "run:press: expected buttons like \"fire,left@60:90\" or a function, got %s",
+        vm_fault(L, FAULT_SCRIPT, "run:press: expected buttons such as \"fire,left@60:90\" or a function, got %s",
                  luaL_typename(L, 2));
     }
     return 0;
@@ -310,7 +310,7 @@ static int evaluate(lua_State *L, const char *what, bool changes)
     char err[TRIAL_ERR];
 
     if (lua_type(L, 2) != LUA_TSTRING)
-        return vm_fault(L, FAULT_SCRIPT, "%s: expected a line of Lua as a text, got %s", what, luaL_typename(L, 2));
+        return vm_fault(L, FAULT_SCRIPT, "%s: expected a line of Lua as a string, got %s", what, luaL_typename(L, 2));
     if (board_last(r->b)->fault)
         return vm_fault(L, FAULT_SCRIPT, "%s: the game has stopped: %s", what, board_last(r->b)->fault->message);
     if (!t->host->keep(t->host->context, number))
@@ -373,7 +373,7 @@ static const char *check_part(lua_State *L, const struct trial_run *r, const cha
     const char *name = luaL_checkstring(L, 2);
 
     if (board_live(r->b, name) < 0)
-        vm_fault(L, FAULT_SCRIPT, "%s: there is no part \"%s\" (curtain hash --parts names them all)", what, name);
+        vm_fault(L, FAULT_SCRIPT, "%s: unknown part \"%s\" (curtain hash --parts lists them)", what, name);
     return name;
 }
 
@@ -407,7 +407,7 @@ int trial_run_heard(lua_State *L)
     const char *name = luaL_checkstring(L, 2);
 
     if (!has_sound(r->b, name))
-        return vm_fault(L, FAULT_SCRIPT, "run:heard: the game has no sound \"%s\" (curtain sound lists them)", name);
+        return vm_fault(L, FAULT_SCRIPT, "run:heard: unknown sound \"%s\" (curtain sound lists them)", name);
     push_kept(L, r, KEPT_HEARD);
     lua_getfield(L, -1, name);
     lua_pushinteger(L, lua_tointeger(L, -1));
@@ -435,7 +435,7 @@ static void check_kind(lua_State *L, const char *kind)
         if (kinds[i] && !strcmp(kinds[i], kind))
             return;
     vm_fault(L, FAULT_SCRIPT,
-             "run:moment: there is no kind \"%s\" (there are stage mark wave boss phase death clear won lost start "
+             "run:moment: unknown kind \"%s\" (kinds: stage mark wave boss phase death clear won lost start "
              "game over row)",
              kind);
 }
@@ -519,7 +519,7 @@ static int field(lua_State *L)
         lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key);
         lua_pushvalue(L, 2);
         if (lua_rawget(L, -2) == LUA_TNIL)
-            vm_fault(L, FAULT_SCRIPT, "a run has no \"%s\" (curtain help test lists what it has)",
+            vm_fault(L, FAULT_SCRIPT, "a run has no field \"%s\" (curtain help test lists them)",
                      lua_type(L, 2) == LUA_TSTRING ? name : luaL_typename(L, 2));
     }
     return 1;
@@ -527,7 +527,7 @@ static int field(lua_State *L)
 
 static int no_field(lua_State *L)
 {
-    return vm_fault(L, FAULT_SCRIPT, "a run's fields are only read; run:exec \"...\" changes the game");
+    return vm_fault(L, FAULT_SCRIPT, "the fields of a run are read-only; change the game with run:exec \"...\"");
 }
 
 void trial_open_runs(lua_State *L)

@@ -16,7 +16,7 @@ static void wrong(lua_State *L, const char *field, const char *expected)
 static const char *text(lua_State *L, const char *field)
 {
     if (lua_type(L, -1) != LUA_TSTRING)
-        wrong(L, field, "a text");
+        wrong(L, field, "a string");
     return lua_tostring(L, -1);
 }
 
@@ -30,7 +30,7 @@ static lua_Integer whole(lua_State *L, const char *field, lua_Integer low, lua_I
         return n;
     snprintf(expected, sizeof expected, "a whole number from %lld to %lld", (long long)low, (long long)high);
     if (lua_type(L, -1) == LUA_TNUMBER)
-        vm_fault(L, FAULT_SCRIPT, "test.run: %s: %s, not %s", field, expected, lua_tostring(L, -1));
+        vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected %s, got %s", field, expected, lua_tostring(L, -1));
     wrong(L, field, expected);
     return 0;
 }
@@ -45,17 +45,17 @@ static bool truth(lua_State *L, const char *field)
 /* The table on top, { coins = "free", ships = 3 }, as "coins=free", which stay on the stack below it. */
 static int settings(lua_State *L, const char *field, const char *list[TRIAL_SETTINGS])
 {
-    static const char expected[] = "names with texts or numbers, as { name = 1 }";
+    static const char expected[] = "{ NAME = string or number }";
     const int table = lua_gettop(L);
 
     if (!lua_istable(L, table))
-        wrong(L, field, "a table like { name = value }");
+        wrong(L, field, "a table { NAME = value }");
     luaL_checkstack(L, TRIAL_SETTINGS + 8, NULL);
     const int n = api_sorted_names(L, "test.run", field, expected, table, list, TRIAL_SETTINGS);
     for (int i = 0; i < n; i++) {
         const int type = lua_getfield(L, table, list[i]);
         if (type != LUA_TSTRING && type != LUA_TNUMBER)
-            vm_fault(L, FAULT_SCRIPT, "test.run: %s.%s: expected a text or a number, got %s", field, list[i],
+            vm_fault(L, FAULT_SCRIPT, "test.run: %s.%s: expected a string or a number, got %s", field, list[i],
                      api_push_got(L, -1));
         lua_pushfstring(L, "%s=%s", list[i], lua_tostring(L, -1));
         list[i] = lua_tostring(L, -1);
@@ -94,7 +94,7 @@ static void read_pads(lua_State *L, struct trial_options *o)
 {
     o->function = lua_isfunction(L, -1);
     if (!o->function && lua_type(L, -1) != LUA_TSTRING)
-        wrong(L, "pads", "buttons like \"fire,left@60:90\" or a function");
+        wrong(L, "pads", "buttons such as \"fire,left@60:90\" or a function");
     o->start.pads = o->function ? NULL : lua_tostring(L, -1);
 }
 
@@ -151,7 +151,7 @@ static void unknown(lua_State *L, const char *name)
     api_hint_begin(&hint, name);
     for (int i = 0; i < FIELDS; i++)
         api_hint_add(&hint, fields[i].name);
-    vm_fault(L, FAULT_SCRIPT, "test.run: unknown field \"%s\"%s", name, api_hint_push(L, &hint, "there are"));
+    vm_fault(L, FAULT_SCRIPT, "test.run: unknown field \"%s\"%s", name, api_hint_push(L, &hint, "fields"));
 }
 
 static bool knows_option(lua_State *L, const char *key, const void *of)
@@ -168,7 +168,7 @@ static void check_names(lua_State *L)
     if (!luakeys_push_stray(L, 1, knows_option, NULL))
         return;
     if (!luakeys_text(L, -1))
-        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table like { stage = \"one\", frames = 600 }");
+        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table such as { stage = \"one\", frames = 600 }");
     unknown(L, luakeys_text(L, -1));
 }
 
@@ -180,9 +180,10 @@ static void check_pairs(lua_State *L, const struct trial_options *o)
     const bool own = s->stage || s->difficulty || s->lang || s->pads || s->seeded || practice || s->n_dips;
 
     if (s->demo && (own || o->function))
-        vm_fault(L, FAULT_SCRIPT, "test.run: a demo has its own start and buttons: beside demo go frames and faults");
+        vm_fault(L, FAULT_SCRIPT,
+                 "test.run: a demo has its own start and buttons; combine demo only with frames and faults");
     if (!s->stage && practice)
-        vm_fault(L, FAULT_SCRIPT, "test.run: lives, invincible and registers need stage: they are of a practice start");
+        vm_fault(L, FAULT_SCRIPT, "test.run: lives, invincible and registers require stage");
 }
 
 void trial_read_options(lua_State *L, struct trial_options *o)
@@ -193,7 +194,7 @@ void trial_read_options(lua_State *L, struct trial_options *o)
         lua_replace(L, 1);
     }
     if (!lua_istable(L, 1))
-        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table like { stage = \"one\", frames = 600 }, got %s",
+        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table such as { stage = \"one\", frames = 600 }, got %s",
                  luaL_typename(L, 1));
     check_names(L);
     for (int i = 0; i < FIELDS; i++) {

@@ -134,7 +134,7 @@ int trial_test_expect(lua_State *L)
     luaL_checkany(L, 1);
     if (!lua_toboolean(L, 1)) {
         if (lua_isnoneornil(L, 2))
-            lua_pushfstring(L, "expected what is true, got %s", lualib_tolstring(L, 1, NULL));
+            lua_pushfstring(L, "expected a true value, got %s", lualib_tolstring(L, 1, NULL));
         else
             lua_pushfstring(L, "expected: %s", lualib_tolstring(L, 2, NULL));
         fails(L);
@@ -167,7 +167,7 @@ static const char *check_name(lua_State *L, const char *what)
     const bool good = n > 0 && n < TRIAL_NAME && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_-") == n;
 
     if (!good)
-        vm_fault(L, FAULT_SCRIPT, "%s: a name has 1 to %d of the characters a-z 0-9 _ -, got \"%s\"", what,
+        vm_fault(L, FAULT_SCRIPT, "%s: name: expected 1 to %d of the characters a-z 0-9 _ -, got \"%s\"", what,
                  TRIAL_NAME - 1, name);
     return name;
 }

@@ -82,7 +82,7 @@ static enum result find_shapes(struct art_game *g, const char *path)
         return report_line(RESULT_REFUSED, "%s: %s", path, err);
     const struct board_fault *fault = board_last(g->guard.board)->fault;
     if (fault)
-        result = report_line(RESULT_REFUSED, "without hit shapes, for the scripts do not load: %s", fault->message);
+        result = report_line(RESULT_REFUSED, "hitboxes are missing: the scripts do not load: %s", fault->message);
     else
         inspect_kinds(g->guard.board, atlas_shapes_add, &g->shapes);
     add_drawn(g);
@@ -128,10 +128,10 @@ static enum result write_atlas(const struct art_game *g, const char *file)
     int w, h;
 
     if (g->cart.sprites == 0)
-        return report_line(RESULT_REFUSED, "--atlas: the game has no sprites");
+        return report_line(RESULT_REFUSED, "--atlas: this game has no sprites");
     const bool made = atlas_make(&g->cart, &g->shapes, &rgb, &w, &h);
     if (!made && h > PNG_MAX_SIDE)
-        return report_line(RESULT_REFUSED, "--atlas: %d x %d pixels are more than a PNG may have here", w, h);
+        return report_line(RESULT_REFUSED, "--atlas: %d x %d pixels is larger than a PNG may be", w, h);
     const bool packed = made && png_write_rgb(rgb, w, h, &png, &size);
     free(rgb);
     if (!packed)

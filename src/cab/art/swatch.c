@@ -80,7 +80,7 @@ static bool add_line(struct swatch *s, const char *p, size_t n, const char *file
                        gpl ? "red, green and blue from 0 to 255" : "a colour of six hexadecimal digits",
                        (int)(n < 40 ? n : 40), p);
     if (s->n == SWATCH_MOST)
-        return err_set(err, err_size, "%s:%d: more than %d colours, 15 of each bank", file, line, SWATCH_MOST);
+        return err_set(err, err_size, "%s:%d: more than %d colours, 15 in each bank", file, line, SWATCH_MOST);
     memcpy(s->rgb[s->n++], rgb, 3);
     return true;
 }
@@ -98,7 +98,7 @@ bool swatch_read(struct swatch *s, const char *text, size_t n, const char *file,
             return false;
         p = to ? to + 1 : end;
     }
-    return s->n > 0 || err_set(err, err_size, "%s: there is no colour in it", file);
+    return s->n > 0 || err_set(err, err_size, "%s: no colours", file);
 }
 
 int swatch_put(const struct swatch *s, int bank, uint8_t rgb[CART_PALETTE])

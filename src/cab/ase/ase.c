@@ -153,9 +153,9 @@ static bool check_layer(struct reader *r, const struct ase_layer *l, int type)
     if (type == LAYER_TILEMAP)
         return refuse(r, "layer \"%s\" is a tilemap: convert it to a normal layer", l->name);
     if (type == LAYER_GROUP && (l->opacity != 255 || l->blend != ASE_NORMAL))
-        return refuse(r, "group \"%s\" has an opacity or a blend mode of its own: give them to its layers", l->name);
+        return refuse(r, "group \"%s\" has its own opacity or blend mode: set them on its layers", l->name);
     if (!blend_known(l->blend))
-        return refuse(r, "layer \"%s\": blend mode \"%s\" cannot be packed: merge the layer with the one below",
+        return refuse(r, "layer \"%s\": blend mode \"%s\" is not supported: merge the layer with the one below",
                       l->name, l->blend < ASE_BLENDS ? blend_names[l->blend] : "unknown");
     return true;
 }
@@ -167,9 +167,9 @@ static bool read_layer(struct reader *r)
     const int flags = take16(r), type = take16(r), level = take16(r);
 
     if (a->n_layers == ASE_MAX_LAYERS)
-        return refuse(r, "an Aseprite file of more than %d layers", ASE_MAX_LAYERS);
+        return refuse(r, "Aseprite file with more than %d layers", ASE_MAX_LAYERS);
     if (type > LAYER_TILEMAP || level > r->level + 1 || level >= MAX_LEVEL)
-        return refuse(r, "a damaged Aseprite file: layer %d is of no known kind", a->n_layers + 1);
+        return refuse(r, "damaged Aseprite file: unknown kind of layer %d", a->n_layers + 1);
     struct ase_layer *l = more(&a->layers, a->n_layers, sizeof *l);
     if (!l)
         return no_memory(r);
@@ -198,8 +198,8 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
     if (r->past)
         return true;
     if (w < 1 || h < 1 || size > ASE_MAX_BYTES - r->bytes)
-        return refuse(r, "frame %d, layer \"%s\": a picture of %dx%d pixels is too %s", frame, a->layers[layer].name, w,
-                      h, w < 1 || h < 1 ? "small" : "large");
+        return refuse(r, "frame %d, layer \"%s\": a cel of %dx%d pixels is too %s", frame, a->layers[layer].name, w, h,
+                      w < 1 || h < 1 ? "small" : "large");
     struct ase_image *i = more(&a->images, a->n_images, sizeof *i);
     if (!i || !(i->pix = malloc(size + 1)))
         return no_memory(r);
@@ -213,7 +213,7 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
     if (!packed && left >= size)
         memcpy(i->pix, from, size);
     else if (!packed || !r->inflate(from, left, i->pix, size))
-        return refuse(r, "frame %d, layer \"%s\": its pixels are damaged", frame, a->layers[layer].name);
+        return refuse(r, "frame %d, layer \"%s\": damaged pixels", frame, a->layers[layer].name);
     return true;
 }
 
@@ -228,7 +228,7 @@ static bool find_link(struct reader *r, int layer, int frame, int *image)
                 *image = a->cels[a->frames[frame].first_cel + i].image;
                 return true;
             }
-    return refuse(r, "frame %d, layer \"%s\": its picture is linked to frame %d, which has none", a->n_frames,
+    return refuse(r, "frame %d, layer \"%s\": its cel is linked to frame %d, which has none", a->n_frames,
                   a->layers[layer].name, frame + 1);
 }
 
@@ -248,15 +248,15 @@ static bool read_cel(struct reader *r)
     if (r->past)
         return true;
     if (c.layer >= a->n_layers)
-        return refuse(r, "a damaged Aseprite file: frame %d has a picture in layer %d of %d", a->n_frames, c.layer + 1,
+        return refuse(r, "damaged Aseprite file: frame %d has a cel in layer %d of %d", a->n_frames, c.layer + 1,
                       a->n_layers);
     if (type == TILES)
         return true; /* of a layer that is not shown */
     if (type > TILES)
-        return refuse(r, "frame %d, layer \"%s\": a picture of no known kind", a->n_frames, a->layers[c.layer].name);
+        return refuse(r, "frame %d, layer \"%s\": unknown kind of cel", a->n_frames, a->layers[c.layer].name);
     for (int i = 0; i < f->cels; i++)
         if (a->cels[f->first_cel + i].layer == c.layer)
-            return refuse(r, "a damaged Aseprite file: frame %d has two pictures in layer \"%s\"", a->n_frames,
+            return refuse(r, "damaged Aseprite file: frame %d has two cels in layer \"%s\"", a->n_frames,
                           a->layers[c.layer].name);
     const bool good = type == LINKED ? find_link(r, c.layer, take16(r), &c.image)
                                      : read_image(r, c.layer, type == COMPRESSED, &c.image);
@@ -281,7 +281,7 @@ static bool read_tags(struct reader *r)
         struct ase_tag *t = a->n_tags < ASE_MAX_LIST ? more(&a->tags, a->n_tags, sizeof *t) : NULL;
         if (!t)
             return a->n_tags < ASE_MAX_LIST ? no_memory(r)
-                                            : refuse(r, "an Aseprite file of more than %d tags", ASE_MAX_LIST);
+                                            : refuse(r, "Aseprite file with more than %d tags", ASE_MAX_LIST);
         a->n_tags++;
         t->from = take16(r);
         t->to = take16(r);
@@ -302,7 +302,7 @@ static bool read_palette(struct reader *r)
     if (r->past)
         return true;
     if (size < 1 || size > MAX_PALETTE || first > last || last >= size)
-        return refuse(r, "an Aseprite file with a palette of %lu colours, expected 1 to %d", (unsigned long)size,
+        return refuse(r, "Aseprite file with a palette of %lu colours, expected 1 to %d", (unsigned long)size,
                       MAX_PALETTE);
     for (uint32_t i = first; i <= last && !r->past; i++) {
         const int named = take16(r) & 1;
@@ -349,9 +349,8 @@ static bool read_slice(struct reader *r)
     for (uint32_t i = 0; i < n && !r->past; i++) {
         struct ase_key *k = a->n_keys < ASE_MAX_LIST ? more(&a->keys, a->n_keys, sizeof *k) : NULL;
         if (!k)
-            return a->n_keys < ASE_MAX_LIST
-                       ? no_memory(r)
-                       : refuse(r, "an Aseprite file of more than %d keys of slices", ASE_MAX_LIST);
+            return a->n_keys < ASE_MAX_LIST ? no_memory(r)
+                                            : refuse(r, "Aseprite file with more than %d slice keys", ASE_MAX_LIST);
         a->n_keys++;
         memcpy(k->name, name, sizeof name);
         k->slice = r->slices;
@@ -397,7 +396,7 @@ static bool read_chunk(struct reader *r, int type)
 
 static bool cut_short(struct reader *r)
 {
-    return refuse(r, "an Aseprite file that is cut short");
+    return refuse(r, "truncated Aseprite file");
 }
 
 /* The chunks of a frame, n bytes at p. */
@@ -410,7 +409,7 @@ static bool read_chunks(struct reader *r, const uint8_t *p, size_t n, uint32_t c
             return cut_short(r);
         const uint32_t size = bytes_get32(p + at);
         if (size < CHUNK_HEADER || size > n - at)
-            return refuse(r, "a damaged Aseprite file: chunk %lu of frame %d has a wrong size", (unsigned long)i + 1,
+            return refuse(r, "damaged Aseprite file: chunk %lu of frame %d has a wrong size", (unsigned long)i + 1,
                           r->a->n_frames);
         r->p = p + at + CHUNK_HEADER;
         r->n = size - CHUNK_HEADER;
@@ -419,7 +418,7 @@ static bool read_chunks(struct reader *r, const uint8_t *p, size_t n, uint32_t c
         if (!read_chunk(r, bytes_get16(p + at + 4)))
             return false;
         if (r->past)
-            return refuse(r, "a damaged Aseprite file: chunk %lu of frame %d is too short", (unsigned long)i + 1,
+            return refuse(r, "damaged Aseprite file: chunk %lu of frame %d is too short", (unsigned long)i + 1,
                           r->a->n_frames);
         at += size;
     }
@@ -436,7 +435,7 @@ static bool read_frames(struct reader *r, const uint8_t *data, size_t n, int fra
             return cut_short(r);
         const uint32_t size = bytes_get32(data + at), now = bytes_get32(data + at + 12);
         if (bytes_get16(data + at + 4) != FRAME_MAGIC || size < FRAME_HEADER)
-            return refuse(r, "a damaged Aseprite file: frame %d has no header", f + 1);
+            return refuse(r, "damaged Aseprite file: frame %d has no header", f + 1);
         if (size > n - at)
             return cut_short(r);
         struct ase_frame *frame = more(&a->frames, a->n_frames, sizeof *frame);
@@ -466,11 +465,11 @@ static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frame
     a->h = bytes_get16(p + 10);
     const int bits = bytes_get16(p + 12);
     if (bits != 8 && bits != 16 && bits != 32)
-        return refuse(r, "an Aseprite file of %d bits a pixel, which the format does not have", bits);
+        return refuse(r, "Aseprite file with %d bits per pixel, expected 8, 16 or 32", bits);
     if (*frames < 1 || *frames > ASE_MAX_FRAMES)
-        return refuse(r, "an Aseprite file of %d frames, expected 1 to %d", *frames, ASE_MAX_FRAMES);
+        return refuse(r, "Aseprite file with %d frames, expected 1 to %d", *frames, ASE_MAX_FRAMES);
     if (a->w < 1 || a->h < 1 || a->w > ASE_MAX_SIDE || a->h > ASE_MAX_SIDE)
-        return refuse(r, "an Aseprite file of %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
+        return refuse(r, "Aseprite file of %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
                       ASE_MAX_SIDE);
     a->depth = bits / 8;
     a->clear = a->depth == 1 ? p[28] : 0;
@@ -486,8 +485,8 @@ static bool finish(struct reader *r)
 
     for (int i = 0; i < a->n_tags; i++)
         if (a->tags[i].from > a->tags[i].to || a->tags[i].to >= a->n_frames)
-            return refuse(r, "tag \"%s\" has frames %d to %d, but there are %d", a->tags[i].name, a->tags[i].from + 1,
-                          a->tags[i].to + 1, a->n_frames);
+            return refuse(r, "tag \"%s\" has frames %d to %d, but the file has %d", a->tags[i].name,
+                          a->tags[i].from + 1, a->tags[i].to + 1, a->n_frames);
     for (int i = 0; i < a->n_cels; i++) {
         const struct ase_layer *l = &a->layers[a->cels[i].layer];
         a->mixed = a->mixed || (l->shown && (l->blend != ASE_NORMAL || l->opacity != 255 || a->cels[i].opacity != 255));

@@ -132,7 +132,7 @@ static void describe(const struct document *d, const char *file)
     add_count(text, sizeof text, d->n, "element");
     say(text);
     say_uses(d);
-    say_labels(d, NODE_ACTION, true, "  run by themselves: ");
+    say_labels(d, NODE_ACTION, true, "  top actions: ");
     say_labels(d, NODE_ACTION, false, "  other actions: ");
     say_labels(d, NODE_FIRE, false, "  fires: ");
     say_labels(d, NODE_BULLET, false, "  bullets: ");
@@ -181,7 +181,7 @@ enum result bulletml_command(char *const *files, int n, bool lua)
     enum result worst = RESULT_DONE;
 
     if (lua && n > 1)
-        return report_line(RESULT_REFUSED, "bulletml: --lua prints one document, got %d", n);
+        return report_line(RESULT_REFUSED, "bulletml: --lua takes one document, got %d", n);
     for (int i = 0; i < n; i++) {
         const enum result one = look_at(files[i], lua);
         worst = one > worst ? one : worst;

@@ -70,7 +70,7 @@ static void word(struct compiler *c, uint32_t v)
 {
     put(c, &c->word, v);
     if (c->word.n >= ML_MAX_WORDS)
-        fail(c, 0, "its program is too long");
+        fail(c, 0, "the program is too long");
 }
 
 static const struct document_node *node_of(const struct compiler *c, int32_t node)
@@ -94,7 +94,7 @@ static uint32_t number(struct compiler *c, int64_t v)
             return (uint32_t)(i - 1);
     c->number = grow(c, c->number, c->numbers, &c->numbers_room, sizeof *c->number);
     if (c->numbers == ML_MAX_NUMBERS)
-        fail(c, 0, "it has too many numbers");
+        fail(c, 0, "the program has too many numbers");
     if (c->numbers < c->numbers_room && !c->failed)
         c->number[c->numbers++] = v;
     return (uint32_t)c->numbers - 1;
@@ -172,7 +172,7 @@ static uint32_t value(struct compiler *c, int32_t node, bool negative)
         put(c, &c->step, STEP_NEGATE);
     put(c, &c->step, STEP_DONE);
     if (c->step.n >= ML_MAX_WORDS)
-        fail(c, node, "its numbers are too long");
+        fail(c, node, "the program's expressions are too long");
     return at | ML_WORKED_OUT;
 }
 
@@ -243,7 +243,7 @@ static uint32_t label(struct compiler *c, const char *s)
     while (c->bytes + n > c->text_room && !c->failed)
         c->text = grow(c, c->text, c->text_room, &c->text_room, 1);
     if (c->label.n == ML_MAX_LABELS)
-        fail(c, 0, "it has too many labels");
+        fail(c, 0, "the program has too many labels");
     if (c->failed)
         return 0;
     put(c, &c->label, (uint32_t)c->bytes);
@@ -468,7 +468,7 @@ static uint32_t compile(struct compiler *c, uint32_t tops[ML_MAX_TOPS])
         if (!document_is_top(c->d, k))
             continue;
         if (n == ML_MAX_TOPS) {
-            fail(c, k, "more than 64 actions whose labels begin with top");
+            fail(c, k, "more than 64 actions whose labels start with top");
             break;
         }
         piece(c, k, PIECE_TOP);

@@ -14,8 +14,7 @@ static void read_label(struct document_reader *r, struct document_node *node, co
 
     for (size_t i = 0; foreign && i < n; i++)
         if (value[i] & 0x80) {
-            document_bad(r, node->line, node->column,
-                         "<%s>: its label has letters beyond ASCII; save the document as UTF-8", name);
+            document_bad(r, node->line, node->column, "<%s>: non-ASCII label; save the document as UTF-8", name);
             return;
         }
     const char *kept = document_keep(r, value, n + 1);
@@ -62,7 +61,7 @@ static void read_type(struct document_reader *r, struct document_node *node, con
             if (node->type != NODE_AIM || turns)
                 return;
             node->type = NODE_ABSOLUTE;
-            document_told(r, (int32_t)(node - r->d->node), "type \"aim\" is the same as absolute here");
+            document_told(r, (int32_t)(node - r->d->node), "type \"aim\" means the same as absolute here");
             return;
         }
     if (root)
@@ -98,6 +97,6 @@ void document_attributes(struct document_reader *r, int32_t at, const char **att
         else if (strcmp(attributes[i], "type") == 0 && has_type(node->element))
             read_type(r, node, attributes[i + 1]);
         else if (!known_elsewhere(node->element, attributes[i]))
-            document_told(r, at, "its attribute \"%.40s\" says nothing here", attributes[i]);
+            document_told(r, at, "attribute \"%.40s\" has no effect here", attributes[i]);
     }
 }

@@ -66,13 +66,13 @@ static void check_order(struct document_reader *r, int32_t node, int32_t child, 
     const unsigned is = BIT(r->d->node[child].element);
 
     if (in == NODE_FIRE && (is & AIMS) && (before & BULLETS))
-        bad_at(r, child, "<%s> stands behind the %s of its <fire>; write it before", "bullet");
+        bad_at(r, child, "<%s> is after the %s of its <fire>; move it before", "bullet");
     else if (in == NODE_FIRE && (is & BULLETS) && (before & BULLETS))
-        bad_at(r, child, "<%s>: a %s bullet in one <fire>", "second");
+        bad_at(r, child, "<%s>: %s bullet in one <fire>", "second");
     else if (in == NODE_REPEAT && (is & BIT(NODE_TIMES)) && before)
-        bad_at(r, child, "<%s> stands behind the %s of its <repeat>; write it before", "action");
+        bad_at(r, child, "<%s> is after the %s of its <repeat>; move it before", "action");
     else if (in == NODE_REPEAT && (is & COMMANDS & ~(unsigned)ACTIONS) && !(before & ACTIONS))
-        bad_at(r, child, "<%s> stands in <repeat> without %s round it", "an <action>");
+        bad_at(r, child, "<%s> is in <repeat> without %s around it", "an <action>");
 }
 
 static void check_children(struct document_reader *r, int32_t node)
@@ -85,9 +85,9 @@ static void check_children(struct document_reader *r, int32_t node)
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE && !r->failed; i = d->node[i].next) {
         const unsigned is = BIT(d->node[i].element);
         if (!(rules[in].may & is))
-            bad_at(r, i, "<%s> may not stand in <%s>", document_element_name(in));
+            bad_at(r, i, "<%s> is not allowed in <%s>", document_element_name(in));
         else if (before & is & ONCE)
-            bad_at(r, i, "<%s>: a second one in one <%s>", document_element_name(in));
+            bad_at(r, i, "<%s>: more than one in <%s>", document_element_name(in));
         else
             check_order(r, node, i, before);
         before |= is;
@@ -136,9 +136,9 @@ static void bad_label(struct document_reader *r, int32_t ref, const struct label
             near = labels[i].node->label;
         }
     }
-    document_bad(r, at->line, at->column, "<%s>: there is no <%s label=\"%s\">%s%s%s",
-                 document_element_name(at->element), document_element_name(meant), at->label,
-                 near[0] ? " (did you mean \"" : "", near, near[0] ? "\"?)" : "");
+    document_bad(r, at->line, at->column, "<%s>: no <%s label=\"%s\">%s%s%s", document_element_name(at->element),
+                 document_element_name(meant), at->label, near[0] ? " (did you mean \"" : "", near,
+                 near[0] ? "\"?)" : "");
 }
 
 /* The last of that label; labels are sorted, those of one name by place. */
@@ -171,7 +171,7 @@ static void tell_twins(struct document_reader *r, const struct label *labels, in
         if (by_label(&labels[i], &labels[last]) != 0)
             last = i;
         else if (asked[labels[last].at])
-            document_told(r, labels[i].at, "label \"%s\" is there again in line %d, which is the one that counts",
+            document_told(r, labels[i].at, "duplicate label \"%s\": line %d defines it again, and the last one is used",
                           labels[i].node->label, labels[last].node->line);
     }
     free(asked);

@@ -57,14 +57,14 @@ static void look_at_repeat(struct document_reader *r, int32_t node, struct searc
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next)
         bodies += d->node[i].element != NODE_TIMES;
     if (bodies > 1)
-        document_told(r, node, "what stands behind its first action runs in each pass, too");
+        document_told(r, node, "elements after the first action are repeated, too");
     if (!constant(d, document_child(d, node, NODE_TIMES), &times))
         return;
     if (times < 1)
-        document_told(r, node, "times %g: a repeat runs once at least", times);
+        document_told(r, node, "times %g: a repeat runs at least once", times);
     s->now++;
     if (times >= MANY && s->budget > 0 && !may_wait(d, node, s))
-        document_told(r, node, "%.0f times without a wait: more than a frame has room for", times);
+        document_told(r, node, "%.0f times without a wait: too many for one frame", times);
 }
 
 /* ---- parameters ---- */
@@ -99,9 +99,9 @@ static void look_at_params(struct document_reader *r, int32_t ref, const uint8_t
     for (int32_t i = d->node[ref].first; i != DOCUMENT_NONE; i = d->node[i].next)
         given++;
     if (given > 9)
-        document_told(r, ref, "of its %d params only 9 have a name", given);
+        document_told(r, ref, "of its %d params only the first 9 have a name", given);
     else if (most[d->node[ref].target] > given)
-        document_told(r, ref, "\"%s\" asks for $%d, which is 1 where only %d param%s given", d->node[ref].label,
+        document_told(r, ref, "\"%s\" uses $%d, which is 1 because only %d param%s given", d->node[ref].label,
                       most[d->node[ref].target], given, given == 1 ? " is" : "s are");
 }
 
@@ -113,10 +113,10 @@ static void look_at_label(struct document_reader *r, int32_t node, const uint8_t
     const struct document *d = r->d;
 
     if (d->node[node].label[0] == '\0')
-        document_told(r, node, "it has no label, so nothing runs it");
+        document_told(r, node, "no label, so it never runs");
     else if (!used[node] && !document_is_top(d, node) &&
              document_find(d, d->node[node].element, d->node[node].label) == node)
-        document_told(r, node, "nothing asks for label \"%s\"", d->node[node].label);
+        document_told(r, node, "label \"%s\" is never used", d->node[node].label);
 }
 
 static void look_at_top(struct document_reader *r)
@@ -126,7 +126,7 @@ static void look_at_top(struct document_reader *r)
     for (int32_t i = 0; i < d->n; i++)
         if (document_is_top(d, i))
             return;
-    document_told(r, 0, "no action has a label that begins with \"top\", so nothing runs");
+    document_told(r, 0, "no action has a label that starts with \"top\", so nothing runs");
 }
 
 /* ---- the whole ---- */
@@ -136,7 +136,7 @@ static void look_at_wait(struct document_reader *r, int32_t node)
     double frames;
 
     if (constant(r->d, node, &frames) && frames < 1 && frames != 0)
-        document_told(r, node, "%g frames are none: it goes on at once", frames);
+        document_told(r, node, "%g frames is no wait: the action continues at once", frames);
 }
 
 static void look_at_bullet(struct document_reader *r, int32_t node)
@@ -147,7 +147,7 @@ static void look_at_bullet(struct document_reader *r, int32_t node)
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next)
         actions += is_action(&d->node[i]);
     if (actions > 1)
-        document_told(r, node, "its %d actions run one after another, not side by side", actions);
+        document_told(r, node, "its %d actions run one after another, not in parallel", actions);
 }
 
 struct looks {

@@ -138,7 +138,7 @@ static const char *name_of(const struct reader *x, int32_t node)
 
 static void bad_element(struct reader *x, const char *name, const char *near)
 {
-    document_bad(x->r, line_of(x), column_of(x), "<%.40s> is no element of BulletML%s%s%s", name,
+    document_bad(x->r, line_of(x), column_of(x), "<%.40s> is not a BulletML element%s%s%s", name,
                  near[0] ? " (did you mean <" : "", near, near[0] ? ">?)" : "");
 }
 
@@ -151,7 +151,7 @@ static void begin_element(void *user, const XML_Char *name, const XML_Char **att
         return;
     if (x->open != DOCUMENT_NONE && x->r->d->node[x->open].element == NODE_VANISH) {
         if (!x->told)
-            document_told(x->r, x->open, "what is in it does nothing");
+            document_told(x->r, x->open, "its content has no effect");
         x->told = true;
         x->passed++;
         return;
@@ -161,12 +161,11 @@ static void begin_element(void *user, const XML_Char *name, const XML_Char **att
         bad_element(x, name, near);
     else if ((x->open == DOCUMENT_NONE) != (element == NODE_BULLETML))
         document_bad(x->r, line_of(x), column_of(x),
-                     element == NODE_BULLETML ? "<%s> stands in another element"
-                                              : "<%s>: expected <bulletml> round everything",
+                     element == NODE_BULLETML ? "<%s> is inside another element"
+                                              : "<%s>: expected <bulletml> as the root element",
                      name);
     else if (++x->depth > DOCUMENT_NEST)
-        document_bad(x->r, line_of(x), column_of(x), "<%s>: more than %d elements in one another", name,
-                     (int)DOCUMENT_NEST);
+        document_bad(x->r, line_of(x), column_of(x), "<%s>: elements nested deeper than %d", name, (int)DOCUMENT_NEST);
     const int32_t at = x->r->failed ? DOCUMENT_NONE : document_add(x->r, x->open, element, line_of(x), column_of(x));
     if (at != DOCUMENT_NONE) {
         x->open = at;
@@ -200,7 +199,7 @@ static void read_number(struct reader *x, int32_t at)
     int line, column;
 
     if (blank(x->text, x->n)) {
-        document_bad(x->r, node->line, node->column, "<%s>: there is no number in it", name_of(x, at));
+        document_bad(x->r, node->line, node->column, "<%s>: no number in it", name_of(x, at));
         return;
     }
     node->ops = expression_read(x->text, x->n, ops, &large, &error);
@@ -211,7 +210,7 @@ static void read_number(struct reader *x, int32_t at)
     }
     node->op = document_keep(x->r, ops, (size_t)node->ops * sizeof *ops);
     if (large)
-        document_told(x->r, at, "a number beyond 2147483647 is taken for the greatest there is");
+        document_told(x->r, at, "a number above 2147483647 is reduced to it");
 }
 
 static void end_element(void *user, const XML_Char *name)
@@ -249,10 +248,10 @@ static void add_text(void *user, const XML_Char *s, int length)
         document_bad(x->r, line_of(x), column_of(x), "<%s>: expected elements, got text", name_of(x, x->open));
     } else if (x->closed) {
         if (!x->told)
-            document_told(x->r, x->open, "what stands behind the comment in it does not count");
+            document_told(x->r, x->open, "text after the comment in it is ignored");
         x->told = true;
     } else if (n > TEXT - x->n) {
-        document_bad(x->r, line_of(x), column_of(x), "<%s>: a number of more than %d bytes", name_of(x, x->open),
+        document_bad(x->r, line_of(x), column_of(x), "<%s>: number longer than %d bytes", name_of(x, x->open),
                      (int)TEXT);
     } else {
         if (x->n == 0) {
@@ -294,8 +293,8 @@ static void on_entity(void *user, const XML_Char *name, int parameter, const XML
     struct reader *x = user;
 
     (void)parameter, (void)value, (void)n, (void)base, (void)system, (void)public, (void)notation;
-    document_bad(x->r, line_of(x), column_of(x),
-                 "<!ENTITY %.40s>: a document's own entities are not read; write it out", name);
+    document_bad(x->r, line_of(x), column_of(x), "<!ENTITY %.40s>: entities are not supported; write the text out",
+                 name);
     go_on(x);
 }
 
@@ -305,7 +304,7 @@ static void on_skipped(void *user, const XML_Char *name, int parameter)
 
     if (parameter)
         return;
-    document_bad(x->r, line_of(x), column_of(x), "&%.40s; is no character that XML knows", name);
+    document_bad(x->r, line_of(x), column_of(x), "&%.40s; is not a character that XML defines", name);
     go_on(x);
 }
 
@@ -334,7 +333,7 @@ static int on_encoding(void *user, const XML_Char *name, XML_Encoding *info)
     for (int i = 0; i < 4; i++)
         is_shift |= same_word(name, shift[i]);
     if (!is_shift && !same_word(name, "EUC-JP")) {
-        document_bad(x->r, 1, 1, "its encoding \"%.40s\" is not known here; save the document as UTF-8", name);
+        document_bad(x->r, 1, 1, "unknown encoding \"%.40s\"; save the document as UTF-8", name);
         return XML_STATUS_ERROR;
     }
     for (int i = 0; i < 256; i++) {
@@ -360,22 +359,20 @@ static void bad_xml(struct reader *x, const char *bytes, size_t n)
     const bool high = error == XML_ERROR_INVALID_TOKEN && at >= 0 && (size_t)at < n && (bytes[at] & 0x80);
 
     if (high && x->foreign)
-        document_bad(x->r, line_of(x), column_of(x), "a byte that is no letter of the document's encoding, 0x%02x",
+        document_bad(x->r, line_of(x), column_of(x), "byte 0x%02x is not valid in the document's encoding",
                      bytes[at] & 0xff);
     else if (high)
-        document_bad(x->r, line_of(x), column_of(x),
-                     "a byte that is no UTF-8, 0x%02x; save the document as UTF-8, or name its encoding in the first "
-                     "line",
-                     bytes[at] & 0xff);
+        document_bad(
+            x->r, line_of(x), column_of(x),
+            "byte 0x%02x is not valid UTF-8; save the document as UTF-8, or name its encoding in the first line",
+            bytes[at] & 0xff);
     else if (error == XML_ERROR_INVALID_TOKEN)
-        document_bad(x->r, line_of(x), column_of(x),
-                     "this is no XML (a stray \"<\" or \"&\", or a character that "
-                     "may not stand there)");
+        document_bad(x->r, line_of(x), column_of(x), "invalid XML (a stray \"<\" or \"&\", or an invalid character)");
     else if (x->open != DOCUMENT_NONE && x->open < d->n)
-        document_bad(x->r, line_of(x), column_of(x), "<%s>, which begins in line %d: %s", name_of(x, x->open),
+        document_bad(x->r, line_of(x), column_of(x), "<%s>, which starts in line %d: %s", name_of(x, x->open),
                      d->node[x->open].line, x->f.say(error));
     else
-        document_bad(x->r, line_of(x), column_of(x), "this is no XML: %s", x->f.say(error));
+        document_bad(x->r, line_of(x), column_of(x), "invalid XML: %s", x->f.say(error));
 }
 
 void document_xml(struct document_reader *r, const char *bytes, size_t n)

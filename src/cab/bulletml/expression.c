@@ -55,7 +55,7 @@ static void put(struct parser *p, enum expression_kind kind, int64_t number)
         return;
     if (p->count == EXPRESSION_OPS) {
         char why[64];
-        snprintf(why, sizeof why, "more than %d numbers and signs", (int)EXPRESSION_OPS);
+        snprintf(why, sizeof why, "more than %d numbers and operators", (int)EXPRESSION_OPS);
         fail_plain(p, why);
         return;
     }
@@ -112,7 +112,7 @@ static void read_number(struct parser *p)
             if (n < DIGITS)
                 d[n++] = (uint8_t)(p->text[p->at] - '0');
     if (digits == 0) {
-        fail(p, "a digit behind \".\"");
+        fail(p, "a digit after \".\"");
         return;
     }
     if (whole > WHOLE_MOST) {
@@ -145,7 +145,7 @@ static void read_variable(struct parser *p)
         n = 1;
     } else {
         p->at++;
-        fail(p, "rand, rank or 1 to 9 behind \"$\"");
+        fail(p, "rand, rank or 1 to 9 after \"$\"");
         return;
     }
     p->at += 1 + n;
@@ -160,7 +160,7 @@ static void read_factor(struct parser *p)
     if (p->failed)
         return;
     if (++p->nest > EXPRESSION_NEST) {
-        fail_plain(p, "too many parentheses or signs in one another");
+        fail_plain(p, "parentheses or signs nested too deeply");
     } else if (c == '-') {
         p->at++;
         read_factor(p);
@@ -212,7 +212,7 @@ int expression_read(const char *text, size_t n, struct expression_op *ops, bool 
         fail(&p, "+ - * / or the end");
     if (!p.failed && expression_depth(ops, p.count) > EXPRESSION_STACK) {
         p.at = 0;
-        fail_plain(&p, "too many numbers wait for each other; write it with fewer parentheses");
+        fail_plain(&p, "expression too complex; use fewer parentheses");
     }
     *large = p.large;
     return p.failed ? 0 : p.count;

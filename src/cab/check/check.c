@@ -19,7 +19,7 @@ bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, s
     char full[TREE_PATH], err[TREE_PATH + 64];
 
     if (!tree_join(full, c->dir, path))
-        diagnostics_add(&c->found, path, 0, "the path is too long");
+        diagnostics_add(&c->found, path, 0, "path too long");
     else if (files_read(full, path, max, data, size, err, sizeof err))
         return true;
     else
@@ -62,7 +62,7 @@ static void check_entry(struct check *c)
     snprintf(path, sizeof path, "%s.lua", c->m.entry);
     if (tree_has(&c->files, path))
         return;
-    diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "entry"), "entry: there is no %s", path);
+    diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "entry"), "entry: %s does not exist", path);
     c->broken = true;
 }
 
@@ -95,8 +95,8 @@ static void check_id(struct check *c)
 {
     if (c->manifest && !symbols_returns(&c->rom, "id"))
         diagnostics_add(&c->found, "rom.lua", 0,
-                        "id is missing: this folder's name stands for it, so a copy has none of its demos, saves and "
-                        "scores (id = \"%s\")",
+                        "no id; the folder's name is used, so a copy under another name loses demos, saves and scores; "
+                        "add id = \"%s\"",
                         c->m.id);
 }
 
@@ -115,13 +115,13 @@ static bool open_folder(struct check *c, enum result *result)
 
     *result = RESULT_REFUSED;
     if (files_size(c->dir) >= 0)
-        report_line(*result, "%s: is a file; check takes a game's folder", c->dir);
+        report_line(*result, "%s: is a file; check takes the folder of a game", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
         report_line(*result, "%s", files_absent(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
         *result = report_error(err);
     else if (!tree_has(&c->files, "rom.lua"))
-        report_line(*result, "%s: is not a game's folder: there is no rom.lua", c->dir);
+        report_line(*result, "%s: not the folder of a game: no rom.lua in it", c->dir);
     else
         return true;
     return false;
@@ -173,8 +173,9 @@ static void say_fine(const struct check *c)
     snprintf(sections, sizeof sections, c->sections == 1 ? "%d stage or phase" : "%d stages and phases", c->sections);
     count(samples, c->samples, "frame");
     count(forced, c->forced, "forced run");
-    snprintf(line, sizeof line, "%s: fine: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB",
-             c->dir, scripts, sprites, demos, sections, forced, samples, (int)((c->lua_most * 100 + room - 1) / room),
+    snprintf(line, sizeof line,
+             "%s: no problems: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB", c->dir,
+             scripts, sprites, demos, sections, forced, samples, (int)((c->lua_most * 100 + room - 1) / room),
              (int)c->m.lua_kib);
     clean_line(line);
     say(line);
@@ -191,7 +192,7 @@ static enum result report(struct check *c)
     if (wrong == 0)
         say_fine(c);
     else
-        report_print("%s%s\n", problems, c->broken ? "; the game was not run, for it cannot be packed" : "");
+        report_print("%s%s\n", problems, c->broken ? "; the game was not run because it cannot be packed" : "");
     return report_stdout(wrong > 0 ? RESULT_DIFFERS : RESULT_DONE);
 }
 

@@ -22,7 +22,7 @@ static bool load_art(struct check *c, const char *file, int line, uint8_t **data
 
     if (tree_has(&c->files, file))
         return check_load(c, file, TREE_FILE, data, size);
-    snprintf(why, sizeof why, "there is no %s", file);
+    snprintf(why, sizeof why, "%s does not exist", file);
     refuse(c, "rom.lua", line, why);
     return false;
 }
@@ -85,7 +85,7 @@ static const uint8_t *colours_of(const struct check *c, const struct colours *co
 /* What would do for a picture whose palette was changed. */
 static const char *remedy(const struct art_strays *s)
 {
-    return s->fits ? " (its indices are: match = \"index\" in rom.lua goes by them)" : "";
+    return s->fits ? " (its indices are; use match = \"index\" in rom.lua)" : "";
 }
 
 static void note_strays(struct check *c, const char *file, int bank, const struct art_picture *picture,
@@ -99,7 +99,7 @@ static void note_strays(struct check *c, const char *file, int bank, const struc
     if (s.bank >= 0 && s.index < 0)
         snprintf(other, sizeof other, " but in bank %d", s.bank);
     if (s.n > 1)
-        snprintf(count, sizeof count, "; %ld such pixels in all", s.n);
+        snprintf(count, sizeof count, "; %ld such pixels in total", s.n);
     if (s.index >= 0)
         diagnostics_add(&c->found, file, 0, "%s: index %d is in bank %d, expected bank %d%s", place, s.index,
                         s.index / 16, bank, count);

@@ -45,9 +45,8 @@ void check_bulletml(struct check *c)
         }
     if (n > 0 && c->manifest && c->m.bulletml == 0)
         diagnostics_add(&c->found, "rom.lua", 0,
-                        "bulletml/ has documents that are not packed, for there is no room to run them (board = { "
-                        "bulletml = 1024 })");
+                        "documents in bulletml/ are not packed: BulletML is disabled; add bulletml = 1024 to board");
     if (n == 0 && c->manifest && c->m.bulletml > 0)
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "board", "bulletml"),
-                        "board.bulletml: there is no document bulletml/NAME.xml");
+                        "board.bulletml: no document bulletml/NAME.xml");
 }

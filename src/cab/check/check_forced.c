@@ -418,7 +418,7 @@ static void each_game(struct each *e)
     }
     const struct board_start start = check_start(e->r);
     if (check_cart(e->r)->m.players > 1 && next(e))
-        tour(e->r, "a game of two players", TOUR_TWO, &start);
+        tour(e->r, "a two-player game", TOUR_TWO, &start);
     if (next(e))
         win(e->r);
 }

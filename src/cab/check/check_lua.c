@@ -194,7 +194,8 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
                         g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
         diagnostics_add(&c->found, path, g->line,
-                        "undeclared global \"%s\": there are no new globals (write \"local %s\")", g->name, g->name);
+                        "undeclared global \"%s\" (scripts cannot create globals; write \"local %s\")", g->name,
+                        g->name);
     else
         diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\"%s", g->name, meant);
 }
@@ -285,26 +286,25 @@ static void judge_walk(struct check *c, const char *path, const struct symbol_wa
     space = space != NULL ? space : "";
     bool group = handle != NULL && strcmp(handle, "group") == 0;
     if (handed)
-        diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s hands to its function is a thing, not a table",
-                        w->how, space, dot, w->of.name);
+        diagnostics_add(&c->found, path, w->line, "%s: %s%s%s passes a handle to its function, not a table", w->how,
+                        space, dot, w->of.name);
     else
-        diagnostics_add(&c->found, path, w->line, "%s: what %s%s%s returns is a %s, not a table%s%s%s", w->how, space,
-                        dot, w->of.name, handle, group ? " (" : "", group ? space : "",
-                        group ? ".each visits one by one)" : "");
+        diagnostics_add(&c->found, path, w->line, "%s: %s%s%s returns a handle of kind %s, not a table%s%s%s", w->how,
+                        space, dot, w->of.name, handle, group ? " (" : "", group ? space : "",
+                        group ? ".each visits each of them)" : "");
 }
 
 static void judge_zero(struct check *c, const char *path, const struct symbol_zero *z)
 {
     if (strcmp(z->how, "/") != 0)
-        diagnostics_add(&c->found, path, z->line, "%s 0: an error that ends the run when both are whole numbers",
-                        z->how);
+        diagnostics_add(&c->found, path, z->line, "%s 0 is an error when both operands are integers", z->how);
     else if (z->zero)
-        diagnostics_add(&c->found, path, z->line, "0/0 is no number: it equals nothing, and the board refuses it");
+        diagnostics_add(&c->found, path, z->line, "0/0 is NaN: it equals nothing, and the board rejects it");
     else if (z->constant)
         diagnostics_add(&c->found, path, z->line,
-                        "divided by 0: the board refuses what is infinite (math.huge compares)");
+                        "division by 0: the board rejects infinite values (use math.huge to compare)");
     else
-        diagnostics_add(&c->found, path, z->line, "divided by 0: the result is infinite or no number");
+        diagnostics_add(&c->found, path, z->line, "division by 0: the result is infinite or NaN");
 }
 
 static void judge_format(struct check *c, const struct check_script *s, const struct symbol_text *t)
@@ -312,10 +312,10 @@ static void judge_format(struct check *c, const struct check_script *s, const st
     for (const char *p = t->s; (p = strchr(p, '%')) != NULL; p++) {
         p += 1 + strspn(p + 1, "-+ #0123456789.");
         if (*p == 'p')
-            diagnostics_add(&c->found, s->path, t->line, "%%p is not available (an address differs between runs)");
+            diagnostics_add(&c->found, s->path, t->line, "%%p is not available (addresses differ between runs)");
         if (*p == 'a' || *p == 'A')
-            diagnostics_add(&c->found, s->path, t->line, "%%%c is not available (it differs between machines; %%.17g)",
-                            *p);
+            diagnostics_add(&c->found, s->path, t->line,
+                            "%%%c is not available (its output differs between machines; use %%.17g)", *p);
         if (*p == '\0')
             return;
     }
@@ -336,10 +336,10 @@ static void judge_require(struct check *c, const struct check_script *s, const s
     const bool other = script_name(name, meant);
     snprintf(there, sizeof there, "%s.lua", other ? meant : name);
     if (other && tree_has(&c->files, there))
-        diagnostics_add(&c->found, s->path, call->line, "require: there is no %s in the game; write require \"%s\"",
-                        path, meant);
+        diagnostics_add(&c->found, s->path, call->line, "require: no script %s in the game; write require \"%s\"", path,
+                        meant);
     else
-        diagnostics_add(&c->found, s->path, call->line, "require: there is no %s in the game", path);
+        diagnostics_add(&c->found, s->path, call->line, "require: no script %s in the game", path);
 }
 
 static void judge_demo(struct check *c, const struct check_script *s, int line, const char *how, const char *name)
@@ -348,7 +348,7 @@ static void judge_demo(struct check *c, const struct check_script *s, int line, 
 
     snprintf(path, sizeof path, "demos/%s.demo", name);
     if (!tree_has(&c->files, path))
-        diagnostics_add(&c->found, s->path, line, "%s: there is no %s", how, path);
+        diagnostics_add(&c->found, s->path, line, "%s: %s does not exist", how, path);
 }
 
 /* Does a script ask whether it is there? Then it knows what to do without. */
@@ -386,7 +386,7 @@ static void judge_name(struct check *c, const struct check_script *s, int line, 
         best = distance < best ? distance : best;
     }
     hint(meant, name, near, NULL);
-    diagnostics_add(&c->found, s->path, line, "%s \"%s\" is not in rom.lua%s", have.what, name, meant);
+    diagnostics_add(&c->found, s->path, line, "unknown %s \"%s\"%s", have.what, name, meant);
 }
 
 static struct names sprites(const struct check *c)

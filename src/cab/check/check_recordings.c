@@ -15,11 +15,12 @@ static const double mean_most = 0.02, beats_most = 0.01;
 static void say_flaws(struct check *c, const char *file, uint32_t rate, const struct flaws *f)
 {
     if (f->clipped)
-        diagnostics_add(&c->found, file, 0, "%" PRIu32 " samples clip, the first at %.3f s: it is too loud by itself",
-                        f->clipped, (double)f->first / rate);
+        diagnostics_add(&c->found, file, 0,
+                        "%" PRIu32 " samples clip, the first at %.3f s: the recording itself is too loud", f->clipped,
+                        (double)f->first / rate);
     if (fabs(f->mean) > mean_most)
         diagnostics_add(&c->found, file, 0,
-                        "its mean is %.1f %% of full scale (DC offset): it begins and ends with a click",
+                        "its mean is %.1f %% of full scale (DC offset): it starts and ends with a click",
                         f->mean * 100);
 }
 
@@ -27,15 +28,15 @@ static void say_loop(struct check *c, const struct art_sound *s, const struct pc
 {
     if (f->clicks)
         diagnostics_add(&c->found, s->file, 0,
-                        "its loop clicks: from its end, %.3f s, to its beginning, %.3f s, it bends by %.1f %% of full "
-                        "scale, in the frames around by %.1f %% at most",
+                        "its loop clicks: from its end, %.3f s, to its start, %.3f s, it jumps by %.1f %% of full "
+                        "scale; neighbouring frames by %.1f %% at most",
                         (double)p->n / p->rate, (double)p->loop / p->rate, f->jump * 100, f->usual * 100);
     if (p->loop < 0 || s->tempo == 0)
         return;
     const double beats = (double)(p->n - p->loop) / p->rate * s->tempo / 6000;
     if (fabs(beats - round(beats)) > beats_most)
         diagnostics_add(&c->found, s->file, 0,
-                        "its loop is %.2f beats long at tempo %g: music.beat parts from what is heard", beats,
+                        "its loop is %.2f beats long at tempo %g: music.beat drifts away from the sound", beats,
                         s->tempo / 100.0);
 }
 

@@ -99,7 +99,7 @@ void check_rooms(struct check *c, const struct cart *cart)
         if (asked(&c->m, room) == 0 || asked(&c->m, room) == asked(&plain, room) || may_use(c, room->words))
             continue;
         diagnostics_add(&c->found, "rom.lua", symbols_line(&c->rom, room->path),
-                        "%s%s%s.%s: no script names %.*s; without it the board takes %llu KiB less", room->path[0],
+                        "%s%s%s.%s: no script uses %.*s; without it the board needs %llu KiB less", room->path[0],
                         room->path[2] ? "." : "", room->path[2] ? room->path[1] : "",
                         room->path[2] ? room->path[2] : room->path[1], (int)strcspn(room->words, " "), room->words,
                         saved(cart, room));

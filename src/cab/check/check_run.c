@@ -131,8 +131,8 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
             continue;
         const char *file = declared(c, kind->of, kind->name, &line);
         diagnostics_add(&c->found, file, line,
-                        "%s \"%s\": its %s of %.7g x %.7g px %s larger than its picture, \"%s\" of %d x %d px",
-                        kind->of, kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
+                        "%s \"%s\": its %s of %.7g x %.7g px %s larger than its sprite, \"%s\" of %d x %d px", kind->of,
+                        kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
                         kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, pic_w, pic_h);
     }
 }
@@ -167,7 +167,7 @@ static void note_ramp(void *context, const struct inspect_shape_of *kind)
         return;
     const char *file = declared(r->c, kind->of, kind->name, &line);
     diagnostics_add(&r->c->found, file, line,
-                    "%s \"%s\": its blend, \"%s\", is for ramps, but colour %d of bank %d is darker than colour %d",
+                    "%s \"%s\": its blend, \"%s\", needs ramps, but colour %d of bank %d is darker than colour %d",
                     kind->of, kind->name, kind->ramp, at, kind->bank, at - 1);
 }
 
@@ -202,12 +202,12 @@ static void judge_boot(struct run *r)
     const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
     if (stages || (ships && idle))
         diagnostics_add(&r->c->found, entry, 0,
-                        "boot.run is not called, so nobody can play: it should end in boot.run { stages = { \"%s\" }, "
-                        "players = { \"%s\" } }",
+                        "boot.run is not called, so the game cannot be played; end with boot.run { stages = { \"%s\" "
+                        "}, players = { \"%s\" } }",
                         stage != NULL ? stage : "one", ship != NULL ? ship : "ship");
     else if (idle)
         diagnostics_note(&r->c->found, entry, 0,
-                         "neither boot.run is called nor a task started, so nothing will happen");
+                         "boot.run is not called and no task is started, so nothing will happen");
 }
 
 /* ---- one run ---- */
@@ -366,7 +366,7 @@ static void run_idle(struct run *r)
     const uint16_t nothing[PADS] = { 0 };
     struct board_start start = check_start(r);
 
-    if (!check_power(r, "600 frames of nobody playing", &start))
+    if (!check_power(r, "600 frames without input", &start))
         return;
     listen_to(r);
     for (uint32_t f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++) {
@@ -462,8 +462,8 @@ static void judge_contrast(struct run *r)
             continue;
         l->told = true;
         diagnostics_add(&r->c->found, r->what, 0,
-                        "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; "
-                        "the first at %d, %d in frame %" PRIu32,
+                        "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; first at %d, %d "
+                        "in frame %" PRIu32,
                         l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
     }
 }
@@ -576,8 +576,8 @@ static void run_loaded(struct run *r)
     contrast_close(&r->contrast);
     free(r->hash_cache);
     if (wrong != ALL && !doubted)
-        diagnostics_add(&r->c->found, r->what, 0, "does not hold from frame %" PRIu32 " on (curtain verify %s %s/%s)",
-                        wrong, r->c->dir, r->c->dir, r->what);
+        diagnostics_add(&r->c->found, r->what, 0, "differs from frame %" PRIu32 " on (curtain verify %s %s/%s)", wrong,
+                        r->c->dir, r->c->dir, r->what);
     check_finish(r);
     r->c->demos++;
 }
@@ -596,7 +596,7 @@ static void run_demo(struct run *r, const char *path)
     if (!good || !demo_fits(&r->demo, &r->cart, err, sizeof err))
         diagnostics_add(&r->c->found, path, 0, "%s", err);
     else if (!r->demo.complete)
-        diagnostics_add(&r->c->found, path, 0, "cut short: it has no end mark");
+        diagnostics_add(&r->c->found, path, 0, "truncated: no end mark");
     if (good && demo_fits(&r->demo, &r->cart, err, sizeof err))
         run_loaded(r);
     demo_free(&r->demo);
@@ -619,8 +619,8 @@ static void judge_memory(struct run *r)
     if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
         return;
     diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
-                    "board.lua_kib = %d: %s had %zu KiB of it in use, more than %d %%", (int)r->cart.m.lua_kib,
-                    r->most_in, r->most / 1024, MOST_LUA);
+                    "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%", (int)r->cart.m.lua_kib, r->most_in,
+                    r->most / 1024, MOST_LUA);
 }
 
 static void plan(struct run *r)

@@ -34,8 +34,8 @@ static void look_up(struct check *c, const char *path, const struct symbol_call 
             near = list[i].name;
         }
     }
-    diagnostics_add(&c->found, path, call->line, "%s.%s: \"%s\" is not in rom.lua's %s%s%s%s", call->space, call->name,
-                    name, music ? "music" : "sounds", near ? " (did you mean \"" : "", near ? near : "",
+    diagnostics_add(&c->found, path, call->line, "%s.%s: unknown %s \"%s\"%s%s%s", call->space, call->name,
+                    music ? "music" : "sound", name, near ? " (did you mean \"" : "", near ? near : "",
                     near ? "\"?)" : "");
 }
 
@@ -168,15 +168,15 @@ void check_heard_judge(struct check *c, struct check_heard *h, const char *what)
 {
     if (h->over > h->frames / RARELY)
         diagnostics_add(&c->found, what, 0,
-                        "the mix is above full scale in %" PRIu32 " of %" PRIu32 " frames, first in %" PRIu32
+                        "the mix exceeds full scale in %" PRIu32 " of %" PRIu32 " frames, first in %" PRIu32
                         ": too loud",
                         h->over, h->frames, h->first);
     for (int i = 0; i < h->n; i++) {
         const struct heard_sound *s = &h->sound[i];
         if (s->began >= FEW && s->lost > s->began / TENTH)
             diagnostics_add(&c->found, what, 0,
-                            "sound \"%s\" is cut short %" PRIu32 " of %" PRIu32 " times, first in frame %" PRIu32
-                            ": others need its voice",
+                            "sound \"%s\" is cut off %" PRIu32 " of %" PRIu32 " times, first in frame %" PRIu32
+                            ": other sounds take its voice",
                             s->name, s->lost, s->began, s->first);
     }
     begin(h);

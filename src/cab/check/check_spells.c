@@ -42,7 +42,7 @@ static void judge_spells(struct check *c, const struct check_script *s)
         const struct symbol_key *spell = spell_of(f, t);
         if (spell != NULL && key_of(f, t, "bonus_to") == NULL && key_of(f, t, "survive") == NULL)
             diagnostics_add(&c->found, s->path, spell->line,
-                            "spell \"%s\": its bonus does not fall, as that of others does (bonus_to)",
+                            "spell \"%s\": its bonus does not decrease like that of other spells (set bonus_to)",
                             spell->value != NULL ? spell->value : "?");
     }
 }

@@ -78,15 +78,15 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
     if (code > 32 && (code < 127 || code > 160))
         bytes[utf8_put(bytes, code)] = '\0';
     if (n > 1)
-        snprintf(more, sizeof more, ", nor for %d more of this text", n - 1);
+        snprintf(more, sizeof more, ", and %d more of this text", n - 1);
     snprintf(what, sizeof what, "%s %s%s%sU+%04X%s",
-             cart_has_glyph(cart, code) ? "a cell has no room for" : "no font of the game has a glyph for",
+             cart_has_glyph(cart, code) ? "text cells cannot hold" : "no font of the game has a glyph for",
              bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
     if (!place.sure && !any_shown(c, cart, s, place))
-        diagnostics_note(&c->found, path, line, "%s; no run showed it", what);
+        diagnostics_note(&c->found, path, line, "%s; not seen in any run", what);
     else
-        diagnostics_add(&c->found, path, line, "%s: a box is shown%s", what,
-                        cart_has_glyph(cart, code) ? " (board = { wide = true } in rom.lua)" : "");
+        diagnostics_add(&c->found, path, line, "%s: a box is drawn instead%s", what,
+                        cart_has_glyph(cart, code) ? " (add wide = true to board in rom.lua)" : "");
 }
 
 static bool is(const char *a, const char *b)
@@ -243,7 +243,7 @@ static void judge_words(struct check *c, const struct tongues *t, const char *pa
         if (!knows(&t->list[i].lang, text))
             at += (size_t)snprintf(lacking + at, sizeof lacking - at, "%s%s", at > 0 ? ", " : "", t->list[i].path);
     if (at > 0)
-        diagnostics_add(&c->found, path, line, "no words for \"%.80s\" in %s", text, lacking);
+        diagnostics_add(&c->found, path, line, "no translation for \"%.80s\" in %s", text, lacking);
 }
 
 /* The titles of bosses, the names of their spells and of those who talk, and what is said and asked for in so many

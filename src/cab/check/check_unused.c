@@ -186,23 +186,23 @@ static void unused_names(struct check *c)
     for (int i = 0; i < c->art.n_sheets; i++)
         if (!sheet_used(c, i))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", c->art.sheets[i].name),
-                            "sheet \"%s\": no sprite is on it", c->art.sheets[i].name);
+                            "sheet \"%s\" has no sprites", c->art.sheets[i].name);
     for (int i = 0; i < c->art.n_sprites; i++)
         if (!check_mentioned(c, c->art.sprites[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", c->art.sprites[i].name),
-                            "sprite \"%s\": no script names it", c->art.sprites[i].name);
+                            "sprite \"%s\" is not used by any script", c->art.sprites[i].name);
     for (int i = 0; i < c->art.n_blends; i++)
         if (!check_mentioned(c, c->art.blends[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "blends", c->art.blends[i].name),
-                            "blend \"%s\": no script names it", c->art.blends[i].name);
+                            "blend \"%s\" is not used by any script", c->art.blends[i].name);
     for (int i = 0; i < c->art.n_palettes; i++)
         if (!check_mentioned(c, c->art.palettes[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "palettes", c->art.palettes[i].name),
-                            "palette \"%s\": no script names it", c->art.palettes[i].name);
+                            "palette \"%s\" is not used by any script", c->art.palettes[i].name);
     for (int i = 0; i < c->art.n_maps; i++)
         if (!check_mentioned(c, c->art.maps[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "maps", c->art.maps[i].name),
-                            "map \"%s\": no script names it", c->art.maps[i].name);
+                            "map \"%s\" is not used by any script", c->art.maps[i].name);
 }
 
 /* Is "sample NAME" in the bytes? */
@@ -247,11 +247,11 @@ static void unused_sounds(struct check *c)
     for (int i = 0; i < c->art.n_sounds; i++)
         if (!sound_used(c, c->art.sounds[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sounds", c->art.sounds[i].name),
-                            "sound \"%s\": no script names it", c->art.sounds[i].name);
+                            "sound \"%s\" is not used by any script", c->art.sounds[i].name);
     for (int i = 0; i < c->art.n_tunes; i++)
         if (!check_mentioned(c, c->art.tunes[i].name))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "music", c->art.tunes[i].name),
-                            "music \"%s\": no script names it", c->art.tunes[i].name);
+                            "music \"%s\" is not used by any script", c->art.tunes[i].name);
 }
 
 /* Is it a file of rom.lua's sounds or music? */
@@ -288,11 +288,11 @@ static void unused_files(struct check *c, bool texts)
     for (int i = 0; i < c->files.n; i++) {
         const char *path = c->files.name[i];
         if ((ends_with(path, ".png") || art_is_ase(path)) && !picture_used(c, path))
-            diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
+            diagnostics_add(&c->found, path, 0, "not listed in rom.lua");
         if ((art_is_recording(path) || ends_with(path, ".mml")) && !sound_file(c, path))
-            diagnostics_add(&c->found, path, 0, "rom.lua does not name it");
+            diagnostics_add(&c->found, path, 0, "not listed in rom.lua");
         if (texts && ends_with(path, ".txt") && !pack_is_lang(path) && !in_scripts(c, path))
-            diagnostics_add(&c->found, path, 0, "no script reads it, and it is packed all the same");
+            diagnostics_add(&c->found, path, 0, "packed, but not read by any script");
     }
 }
 

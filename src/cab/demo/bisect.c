@@ -172,13 +172,14 @@ static bool next(struct bisect *s, struct side *f)
     if (f->line++ == 0)
         files_drop_mark(f->text, &n);
     if (n == 0 || f->text[n - 1] != '\n')
-        return err_set(s->err, sizeof s->err, "%s:%lu: the line is cut short", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: truncated line", f->path, f->line);
     f->text[n - 1] = 0;
     char *p = f->text;
     bool number = take_number(take_word(&p), &f->frame);
     f->trace = !is_hash(p);
     if (!number || !(f->trace ? parse_trace(f, p) : parse_track(f, p)))
-        return err_set(s->err, sizeof s->err, "%s:%lu: not a line of \"hash\" or \"hash --trace\"", f->path, f->line);
+        return err_set(s->err, sizeof s->err, "%s:%lu: expected a line printed by \"hash\" or \"hash --trace\"",
+                       f->path, f->line);
     if (!in_order(f, &before))
         return err_set(s->err, sizeof s->err, "%s:%lu: out of order", f->path, f->line);
     return true;
@@ -195,7 +196,7 @@ static bool next_both(struct bisect *s)
 static bool found(struct bisect *s, uint32_t frame)
 {
     if (s->found == 0)
-        report_print("frame %u is the first that differs\n", (unsigned)frame);
+        report_print("first difference: frame %u\n", (unsigned)frame);
     return s->found++ < MOST;
 }
 
@@ -291,13 +292,13 @@ static bool apart(struct bisect *s)
     const struct side *a = &s->a, *b = &s->b;
 
     if (a->end || b->end)
-        return err_set(s->err, sizeof s->err, "%s ends in frame %u, %s goes on; as far as they go they are equal",
+        return err_set(s->err, sizeof s->err, "%s ends in frame %u, %s is longer; they are equal up to there",
                        (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
     if (a->frame == b->frame)
-        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: not traces of the same parts",
+        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: the traces are of different parts",
                        a->path, a->line, a->part, b->path, b->line, b->part);
-    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: not of the same frames", a->path,
-                   a->line, (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
+    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: the traces are of different frames",
+                   a->path, a->line, (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
 /* A slot's line, and the other file's next one belongs to a later slot, part or frame. */
@@ -388,18 +389,18 @@ static void compare_rows(struct bisect *s)
 {
     char names[NAMES] = "";
 
-    report_print("frame %u is the first that differs\n", (unsigned)s->frame);
+    report_print("first difference: frame %u\n", (unsigned)s->frame);
     compare_parts(s, &s->a, &s->b, false, names);
     compare_parts(s, &s->b, &s->a, true, names);
     if (s->found == 0) {
         s->found = 1;
-        report_print("  %.*s in %s, %.*s in %s; for the parts: hash --parts\n", HASH_DIGITS, s->a.values, s->a.path,
-                     HASH_DIGITS, s->b.values, s->b.path);
+        report_print("  %.*s in %s, %.*s in %s; use hash --parts to compare parts\n", HASH_DIGITS, s->a.values,
+                     s->a.path, HASH_DIGITS, s->b.values, s->b.path);
         return;
     }
-    report_print(
-        "for columns and slots, compare what each build prints with: hash ROM --demo DEMO --trace %s --frames %u:%u\n",
-        names, (unsigned)(s->frame ? s->frame - 1 : 0), (unsigned)s->frame);
+    report_print("to compare columns and slots, use the output of both builds for: hash ROM --demo DEMO --trace %s "
+                 "--frames %u:%u\n",
+                 names, (unsigned)(s->frame ? s->frame - 1 : 0), (unsigned)s->frame);
 }
 
 static bool compare_tracks(struct bisect *s)
@@ -435,7 +436,7 @@ static enum result print_report(const struct bisect *s)
     if (s->found > MOST)
         report_print("  and %lu more\n", s->found - MOST);
     if (s->found && s->a.end != s->b.end)
-        report_print("  (%s ends in this frame: it may be cut short)\n", (s->a.end ? &s->a : &s->b)->path);
+        report_print("  (%s ends in this frame: it may be truncated)\n", (s->a.end ? &s->a : &s->b)->path);
     if (s->found == 0)
         report_print("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
                      (unsigned)s->first, (unsigned)s->frame);

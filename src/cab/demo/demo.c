@@ -215,12 +215,12 @@ bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t 
     int dip = bad_dip(d, m);
 
     if (strcmp(d->id, m->id) != 0)
-        snprintf(err, err_size, "a demo of another game (\"%s\", this is \"%s\")", d->id, m->id);
+        snprintf(err, err_size, "demo of another game (\"%s\", this is \"%s\")", d->id, m->id);
     else if (d->start.difficulty >= m->n_difficulties)
-        snprintf(err, err_size, "its difficulty %d is none of this build's %d", (int)d->start.difficulty,
+        snprintf(err, err_size, "its difficulty %d is out of range: this game has %d", (int)d->start.difficulty,
                  (int)m->n_difficulties);
     else if (dip >= 0)
-        snprintf(err, err_size, "its DIP switch %s has %d, which this build does not know", m->dips[dip].name,
+        snprintf(err, err_size, "its DIP switch %s has the value %d, which this game does not know", m->dips[dip].name,
                  (int)d->start.dip[dip]);
     else
         return true;
@@ -230,9 +230,9 @@ bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t 
 const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size)
 {
     if (d->core != CORE_VERSION)
-        snprintf(buf, size, "recorded on core version %u, this is %d", (unsigned)d->core, CORE_VERSION);
+        snprintf(buf, size, "recorded with core version %u, this is %d", (unsigned)d->core, CORE_VERSION);
     else if (d->game_hash != rom_game_hash(cart->rom))
-        snprintf(buf, size, "recorded on another build");
+        snprintf(buf, size, "recorded with another game version");
     else
         return NULL;
     return buf;

@@ -93,7 +93,7 @@ static void take_str(struct source *s, char *out, size_t size)
 
 static bool damaged(struct parse *p, const char *what)
 {
-    return err_set(p->err, p->err_size, "the record at byte %zu is damaged (%s)", p->at, what);
+    return err_set(p->err, p->err_size, "damaged record at byte %zu (%s)", p->at, what);
 }
 
 static bool good_id(const char *id)
@@ -159,7 +159,7 @@ static bool read_header(struct parse *p, struct source *s)
     struct demo *d = p->d;
 
     if (p->header)
-        return damaged(p, "a second header");
+        return damaged(p, "second header");
     p->header = true;
     d->core = take32(s);
     d->game_hash = take64(s);
@@ -188,13 +188,13 @@ static bool read_header(struct parse *p, struct source *s)
         return damaged(p, "header");
     int script = script_of(d);
     if (script < 0)
-        return damaged(p, "no part script");
+        return damaged(p, "no script part");
     d->checksum_parts = d->format > 2 ? UINT64_MAX : (uint64_t)1 << script;
     if (d->start.nvram_size > (d->format > 3 ? NVRAM_MOST : OLD_NVRAM))
         return damaged(p, "nvram");
     d->nvram = malloc(d->start.nvram_size + 1);
     if (!d->nvram)
-        return err_set(p->err, p->err_size, "too large for the memory there is");
+        return err_set(p->err, p->err_size, "too large for the available memory");
     if (!take_nvram(s, d->nvram, d->start.nvram_size))
         return damaged(p, "nvram");
     d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
@@ -321,7 +321,7 @@ static bool read_second(struct parse *p, struct source *s)
     if (d->frames + n > DEMO_MAX_FRAMES)
         return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
     if (!demo_room_frames(d, n) || !demo_room_second(d))
-        return err_set(p->err, p->err_size, "too large for the memory there is");
+        return err_set(p->err, p->err_size, "too large for the available memory");
     if (!(d->sparse ? take_short_runs : take_runs)(s, d, n, runs))
         return damaged(p, "pads");
     if (d->sparse)
@@ -357,9 +357,9 @@ static bool read_marker(struct parse *p, struct source *s)
         known = known && m.marker.value != 0;
     }
     if (!known || d->seconds == 0 || m.frame < before || m.frame > d->frames)
-        return damaged(p, "a moment");
+        return damaged(p, "moment");
     if (!demo_room_marker(d))
-        return err_set(p->err, p->err_size, "too large for the memory there is");
+        return err_set(p->err, p->err_size, "too large for the available memory");
     d->markers[d->n_markers++] = m;
     return true;
 }
@@ -458,8 +458,8 @@ static bool read_records(struct parse *p, const uint8_t *data, size_t size)
         p->at += RECORD_OVER + n;
     }
     if (!p->header)
-        return err_set(p->err, p->err_size, "cut short in its header");
-    return p->d->complete && p->at < size ? err_set(p->err, p->err_size, "has %zu bytes after its end", size - p->at)
+        return err_set(p->err, p->err_size, "truncated header");
+    return p->d->complete && p->at < size ? err_set(p->err, p->err_size, "%zu extra bytes after its end", size - p->at)
                                           : true;
 }
 
@@ -472,7 +472,7 @@ bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size
         return err_set(err, err_size, "not a demo");
     d->format = bytes_get32(data + 4);
     if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
-        return err_set(err, err_size, "demo format %u, this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST,
+        return err_set(err, err_size, "demo format %u; this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST,
                        DEMO_FORMAT);
     if (size > DEMO_MAX_BYTES)
         return err_set(err, err_size, "larger than %d MiB", DEMO_MAX_BYTES >> 20);

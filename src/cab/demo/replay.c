@@ -237,11 +237,11 @@ void replay_text(const struct replay *r, const struct demo *d, const struct verd
     if (v->kind == VERDICT_DIFFERS)
         parts_text(d, v, out, size);
     else if (v->kind == VERDICT_FAULT)
-        snprintf(out, size, "frame %u: a fault that is not in the demo: %s", frame, replay_fault(r)->message);
+        snprintf(out, size, "frame %u: fault that is not in the demo: %s", frame, replay_fault(r)->message);
     else if (v->kind == VERDICT_NO_FAULT)
-        snprintf(out, size, "frame %u: the fault it was recorded with does not happen", frame);
+        snprintf(out, size, "frame %u: the recorded fault does not occur", frame);
     else
-        snprintf(out, size, "holds, %u frames%s", frame, d->fault ? ", ends in the fault it was recorded with" : "");
+        snprintf(out, size, "holds, %u frames%s", frame, d->fault ? ", ends in the recorded fault" : "");
 }
 
 const struct board_fault *replay_fault(const struct replay *r)

@@ -19,61 +19,76 @@ static const char *const scalings[] = { "whole", "smooth", NULL };
 static const char *const places[] = { "over", "beside", NULL };
 static const char *const speeds[] = { "full", "half", "quarter", NULL };
 
+/* The same values on the settings screen. */
+static const char *const off_on[] = { "Off", "On" };
+static const char *const away_labels[] = { "Keep Playing", "Pause" };
+static const char *const focus_labels[] = { "Hold", "Toggle" };
+static const char *const hand_labels[] = { "Off", "Left", "Right" };
+static const char *const turn_labels[] = { "Off", "Left", "Right", "Upside Down" };
+static const char *const scaling_labels[] = { "Integer", "Smooth" };
+static const char *const place_labels[] = { "Over Picture", "At the Side" };
+static const char *const speed_labels[] = { "100%", "50%", "25%" };
+static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
+static const char *const flash_labels[] = { "Full", "Soft" };
+static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan" };
+
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
-    { "scale", "window size", "picture", AT(scale), 0, 16, 0, NULL, 1, "window pixels a picture pixel; 0: what fits",
-      "x", "what fits" },
-    { "fullscreen", "full screen", "picture", AT(fullscreen), 0, 1, 0, no_yes, 1, "the picture fills the screen", NULL,
+    { "scale", "Window Size", "Picture", AT(scale), 0, 16, 0, NULL, NULL, 1,
+      "window pixels per game pixel; 0: the largest that fits", "x", "Auto" },
+    { "fullscreen", "Fullscreen", "Picture", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
       NULL },
-    { "turn", "turn the picture", "picture", AT(turn), 0, 3, 0, turns, 1, "for a monitor that stands upright", NULL,
+    { "turn", "Rotate", "Picture", AT(turn), 0, 3, 0, turns, turn_labels, 1,
+      "turn the picture, for a monitor on its side", NULL, NULL },
+    { "scaling", "Scaling", "Picture", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
+      "sharp pixels in whole steps, or smooth to fill the window", NULL, NULL },
+    { "crt", "CRT Filter", "Picture", AT(crt), 0, 1, 0, no_yes, off_on, 1, "scanlines and shadow mask of a CRT", NULL,
       NULL },
-    { "scaling", "scaling", "picture", AT(scaling), 0, 1, 0, scalings, 1, "smooth: as large as the window allows", NULL,
+    { "border", "Border", "Picture", AT(border), 0, 1, 1, no_yes, off_on, 1,
+      "art around the picture, if the game has any", NULL, NULL },
+    { "panels", "Panels", "Picture", AT(panels), 0, 1, 0, places, place_labels, 1,
+      "where a wide window shows messages and panels", NULL, NULL },
+    { "vsync", "VSync", "Picture", AT(vsync), 0, 1, 1, no_yes, off_on, 1, "show frames in step with the display", NULL,
       NULL },
-    { "crt", "tube look", "picture", AT(crt), 0, 1, 0, no_yes, 1, "the lines and the mask of a tube", NULL, NULL },
-    { "border", "border", "picture", AT(border), 0, 1, 1, no_yes, 1, "art round the picture, of games that bring it",
+    { "run_ahead", "Run-Ahead", "Picture", AT(run_ahead), 0, 1, 0, NULL, NULL, 1,
+      "show the next frame early: one frame less input latency", " frame", "Off" },
+    { "dim", "Dim Backgrounds", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
+      "darken backgrounds by a quarter to three quarters", NULL, NULL },
+    { "flashes", "Flashes", "Accessibility", AT(flashes), 0, 1, 0, views_flashes, flash_labels, 1,
+      "soft: screen flashes at a quarter of their strength", NULL, NULL },
+    { "colours", "Colour-Blind Mode", "Accessibility", AT(colours), 0, 3, 0, views_colours, colour_labels, 1,
+      "colours that are easier to tell apart", NULL, NULL },
+    { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1,
+      "always show the hitbox of the ship", NULL, NULL },
+    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume in percent", "%", NULL },
+    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "music volume in percent", "%", NULL },
+    { "sounds", "Sound Effects", "Sound", AT(sounds), 0, 100, 100, NULL, NULL, 10,
+      "volume of everything but music in percent", "%", NULL },
+    { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
+    { "resample", "Resample", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
+      "off: bit-exact sound at the sound card's own pace", NULL, NULL },
+    { "away", "When Unfocused", "Gameplay", AT(away), 0, 1, 1, aways, away_labels, 1,
+      "what happens when another window has the focus", NULL, NULL },
+    { "keep_replays", "Replays Saved", "Gameplay", AT(replays), 0, 1000, 50, NULL, NULL, 10,
+      "recent runs saved per game; named replays don't count", NULL, "None" },
+    { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
+      "save an unfinished run and offer to resume it next time", NULL, NULL },
+    { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
+      "seconds of play that the clip key saves as a GIF", " s", NULL },
+    { "speed", "Game Speed", "Gameplay", AT(speed), 0, 2, 0, speeds, speed_labels, 1,
+      "slower play is marked in replays", NULL, NULL },
+    { "autofire", "Autofire", "Player 1", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,
+      "holding fire shoots 15 times a second", NULL, NULL },
+    { "focus", "Focus", "Player 1", AT(focus[0]), 0, 1, 0, focus_words, focus_labels, 1,
+      "toggle: pressing focus turns it on or off", NULL, NULL },
+    { "one_hand", "One-Handed", "Player 1", AT(one_hand[0]), 0, 2, 0, hand_words, hand_labels, 1,
+      "one half of the keyboard or controller; fire is automatic", NULL, NULL },
+    { "autofire2", "Autofire", "Player 2", AT(autofire[1]), 0, 1, 0, no_yes, off_on, 1, "autofire of player 2", NULL,
+      NULL },
+    { "focus2", "Focus", "Player 2", AT(focus[1]), 0, 1, 0, focus_words, focus_labels, 1, "focus mode of player 2",
       NULL, NULL },
-    { "panels", "panels", "picture", AT(panels), 0, 1, 0, places, 1, "messages and panels, if the window is wide", NULL,
-      NULL },
-    { "vsync", "wait for the screen", "picture", AT(vsync), 0, 1, 1, no_yes, 1,
-      "show pictures when the screen takes them", NULL, NULL },
-    { "run_ahead", "run ahead", "picture", AT(run_ahead), 0, 1, 0, NULL, 1,
-      "frames: 1 shows the frame after this, and answers sooner", " frame", "no" },
-    { "dim", "dim backgrounds", "seeing", AT(dim), 0, 3, 0, views_dim, 1,
-      "backgrounds darker, by a quarter to three quarters", NULL, NULL },
-    { "flashes", "flashes", "seeing", AT(flashes), 0, 1, 0, views_flashes, 1, "of the screen; soft: at a quarter", NULL,
-      NULL },
-    { "colours", "colours for", "seeing", AT(colours), 0, 3, 0, views_colours, 1, "for eyes that tell fewer apart",
-      NULL, NULL },
-    { "hitbox", "show hit shapes", "seeing", AT(hitbox), 0, 1, 0, no_yes, 1, "the ship's hit shape, always", NULL,
-      NULL },
-    { "volume", "volume", "sound", AT(volume), 0, 100, 100, NULL, 10, "of everything, percent", " %", NULL },
-    { "music", "music", "sound", AT(music), 0, 100, 100, NULL, 10, "of the music alone, percent", " %", NULL },
-    { "sounds", "sounds", "sound", AT(sounds), 0, 100, 100, NULL, 10, "of all but the music, percent", " %", NULL },
-    { "mute", "silent", "sound", AT(mute), 0, 1, 0, no_yes, 1, "no sound at all", NULL, NULL },
-    { "resample", "follow our clock", "sound", AT(resample), 0, 1, 1, no_yes, 1,
-      "no: sound to the bit, and the card's clock leads", NULL, NULL },
-    { "away", "when you go away", "playing", AT(away), 0, 1, 1, aways, 1,
-      "stop: the game waits when another window has the keys", NULL, NULL },
-    { "keep_replays", "replays kept", "playing", AT(replays), 0, 1000, 50, NULL, 10,
-      "the last runs of a game; what has a name is not counted", NULL, "none" },
-    { "resume", "go on after leaving", "playing", AT(resume), 0, 1, 1, no_yes, 1,
-      "a run you leave is kept, and you are asked next time", NULL, NULL },
-    { "capture_seconds", "seconds filmed", "playing", AT(capture_seconds), 5, 60, 10, NULL, 5,
-      "how much of the play the capture key makes a GIF of", " s", NULL },
-    { "speed", "game speed", "playing", AT(speed), 0, 2, 0, speeds, 1, "other than full is marked in a recording", NULL,
-      NULL },
-    { "autofire", "autofire", "player 1", AT(autofire[0]), 0, 1, 0, no_yes, 1,
-      "fire that is held fires 15 times a second", NULL, NULL },
-    { "focus", "focus", "player 1", AT(focus[0]), 0, 1, 0, focus_words, 1,
-      "toggle: a press of focus switches it, and it stays", NULL, NULL },
-    { "one_hand", "one hand", "player 1", AT(one_hand[0]), 0, 2, 0, hand_words, 1,
-      "that half of keyboard and controller; fire holds itself", NULL, NULL },
-    { "autofire2", "autofire", "player 2", AT(autofire[1]), 0, 1, 0, no_yes, 1, "autofire of the second player", NULL,
-      NULL },
-    { "focus2", "focus", "player 2", AT(focus[1]), 0, 1, 0, focus_words, 1, "how the second player's focus does", NULL,
-      NULL },
-    { "one_hand2", "one hand", "player 2", AT(one_hand[1]), 0, 2, 0, hand_words, 1, "the second player's hand", NULL,
-      NULL },
+    { "one_hand2", "One-Handed", "Player 2", AT(one_hand[1]), 0, 2, 0, hand_words, hand_labels, 1,
+      "one-handed layout of player 2", NULL, NULL },
 };
 #undef AT
 
@@ -102,6 +117,18 @@ void config_text(const struct config *c, const struct config_setting *s, char *o
         snprintf(out, size, "%s", s->words[v]);
     else
         snprintf(out, size, "%d", v);
+}
+
+void config_label(const struct config *c, const struct config_setting *s, char *out, size_t size)
+{
+    const int v = config_value(c, s);
+
+    if (s->labels)
+        snprintf(out, size, "%s", s->labels[v]);
+    else if (s->zero && v == 0)
+        snprintf(out, size, "%s", s->zero);
+    else
+        snprintf(out, size, "%d%s", v, s->unit ? s->unit : "");
 }
 
 void config_defaults(struct config *c)
@@ -166,7 +193,7 @@ static bool set(struct config *c, const char *name, const char *value, char *err
         return set_lang(c, value, err, err_size);
     if (keys_known(name))
         return keys_bind(&c->keys, name, value, err, err_size);
-    snprintf(err, err_size, "no setting is called \"%s\"", name);
+    snprintf(err, err_size, "unknown setting \"%s\"", name);
     return false;
 }
 
@@ -207,7 +234,7 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
             memcpy(line, text + i, n);
             line[n] = 0;
         } else {
-            snprintf(what, sizeof what, "not a line of text");
+            snprintf(what, sizeof what, "expected a line of text");
         }
         if (!plain || !read_line(&new, line, what, sizeof what)) {
             snprintf(err, err_size, "%s:%d: %s", file, at, what);
@@ -230,7 +257,7 @@ bool config_load(struct config *c, char *err, size_t err_size)
     char *text = size <= CONFIG_BYTES ? malloc((size_t)size + 1) : 0;
     bool good = text && plat_load(CONFIG_FILE, text, (size_t)size) == size;
     if (!good)
-        snprintf(err, err_size, "%s: cannot be read, or larger than %d bytes", shown, CONFIG_BYTES);
+        snprintf(err, err_size, "%s: cannot be read, or is larger than %d bytes", shown, CONFIG_BYTES);
     if (good) {
         size_t n = (size_t)size;
         text[n] = 0;
@@ -252,9 +279,9 @@ void config_help(void (*line)(const char *))
         config_text(&c, s, standard, sizeof standard);
         list_values(s, words, sizeof words);
         snprintf(value, sizeof value, "%s (%s)", standard, words);
-        snprintf(text, sizeof text, "  %-11s %-30s %s", s->name, value, s->help);
+        snprintf(text, sizeof text, "  %-15s %-42s %s", s->name, value, s->help);
         line(text);
     }
-    snprintf(text, sizeof text, "  %-11s %-30s %s", "lang", "(none)", "language, of the games that have it");
+    snprintf(text, sizeof text, "  %-15s %-42s %s", "lang", "(none)", "language of games that have several");
     line(text);
 }

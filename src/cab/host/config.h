@@ -2,7 +2,7 @@
  * config.h - the user's settings, a text file.
  * floor: cab
  *
- *     # window pixels a picture pixel; 0: what fits
+ *     # window pixels a picture pixel; 0: auto
  *     scale = 3
  *     volume = 80
  *     mute = no
@@ -61,10 +61,11 @@ struct config_setting {
     const char *group; /* of settings on the screen; those of a group follow one another */
     size_t at;         /* an int of struct config */
     int lo, hi, standard;
-    const char *const *words; /* of its values from 0 on, NULL-ended; NULL: it is a number */
-    int step;                 /* of a number, on the screen */
-    const char *help;         /* a sentence without its full stop */
-    const char *unit, *zero;  /* of a number, on the screen: "%"; what 0 is; NULL: nothing, and 0 */
+    const char *const *words;  /* in the file, of its values from 0 on, NULL-ended; NULL: it is a number */
+    const char *const *labels; /* the same on the screen */
+    int step;                  /* of a number, on the screen */
+    const char *help;          /* a sentence without its full stop */
+    const char *unit, *zero;   /* of a number, on the screen: "%"; the word for 0; NULL: none */
 };
 
 /* The i-th setting, from 0 on; NULL: there are no more. */
@@ -77,6 +78,9 @@ void config_put(struct config *c, const struct config_setting *s, int value);
 
 /* Writes a setting's value as the file has it: "80", "yes". */
 void config_text(const struct config *c, const struct config_setting *s, char *out, size_t size);
+
+/* Writes a setting's value as the settings screen shows it: "80%", "On", "Auto". */
+void config_label(const struct config *c, const struct config_setting *s, char *out, size_t size);
 
 void config_defaults(struct config *c);
 

@@ -8,12 +8,12 @@
 
 /* A file as it could be; a test reads it. */
 static const char *const example[] = {
-    "    # three window pixels a picture pixel, and not so loud",
+    "    # three window pixels per game pixel, and a lower volume",
     "    scale = 3",
     "    volume = 60",
-    "    # the game goes on when another window has the keys",
+    "    # keep playing when another window has the focus",
     "    away = go-on",
-    "    # fire with Z, Enter or the lowest of the four buttons",
+    "    # fire with Z, Enter or the lower button of a controller",
     "    p1.fire = z enter pad.south",
     "    pause = none",
 };
@@ -22,24 +22,24 @@ void config_guide(void (*line)(const char *))
 {
     char text[FILES_PATH + 64], path[FILES_PATH];
 
-    line("The settings are lines of a text file:");
+    line("Settings are stored in a text file:");
     line("");
     snprintf(text, sizeof text, "    %s", files_shown(CONFIG_FILE, path));
     line(text);
     line("");
     line(plat_size(CONFIG_FILE) < 0
-             ? "It is not there yet: everything is as below. The settings of the game's menu write"
-               " it, and so may you."
-             : "The settings of the game's menu write it, and so may you. A line that is not in"
-               " it is as below.");
+             ? "The file does not exist yet, so all settings have their defaults. The Settings menu writes it; you can "
+               "edit it, too."
+             : "The Settings menu writes the file; you can edit it, too. A setting that is not in it has its default.");
     line("");
-    line("A line is NAME = VALUE; # begins a comment. A line that is wrong is said with its number, and nothing is");
-    line("played until it is right. All settings, with what they are without a line and what they may be:");
+    line(
+        "A line is NAME = VALUE; # starts a comment. If a line is wrong, its number is reported and the game does not");
+    line("start until you fix it. All settings, with their defaults and allowed values:");
     line("");
     config_help(line);
     line("");
-    line("Keys and buttons are changed by their names, which `curtain help play` lists: up to six switches each, or");
-    line("none. As an example:");
+    line("Key bindings use the names that `curtain help play` lists: up to six keys and buttons for each action, or");
+    line("none. Example:");
     line("");
     for (size_t i = 0; i < sizeof example / sizeof *example; i++)
         line(example[i]);

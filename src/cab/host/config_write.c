@@ -115,7 +115,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
         return t.at;
     files_shown(CONFIG_FILE, shown);
     if (t.at)
-        err_set(err, err_size, "%s: would be larger than %d bytes", shown, CONFIG_BYTES);
+        err_set(err, err_size, "%s: the file would be larger than %d bytes", shown, CONFIG_BYTES);
     else
         result_host(err, err_size, "%s: out of memory", shown);
     free(t.at);

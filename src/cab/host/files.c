@@ -91,7 +91,7 @@ bool files_read(const char *path, const char *name, size_t max, uint8_t **data, 
         return false;
     }
     if ((unsigned long)n > max)
-        return err_set(err, err_size, "%s: longer than %zu KiB", name, max >> 10);
+        return err_set(err, err_size, "%s: larger than %zu KiB", name, max >> 10);
     uint8_t *bytes = malloc((size_t)n + 1);
     if (bytes == NULL)
         return result_host(err, err_size, "%s: out of memory", name);

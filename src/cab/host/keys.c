@@ -14,57 +14,57 @@ enum { WORD = 32 };
 enum { KEY_ESCAPE = 41, KEY_LEFT_CTRL = 224, KEY_LEFT_ALT = 226, KEY_RIGHT_CTRL = 228, KEY_RIGHT_ALT = 230 };
 
 static const struct action {
-    const char *name, *switches, *help;
+    const char *name, *label, *switches, *help;
 } actions[KEYS_ACTIONS] = {
-    { "p1.up", "up pad.up pad.lup", "move" },
-    { "p1.down", "down pad.down pad.ldown", "move" },
-    { "p1.left", "left pad.left pad.lleft", "move" },
-    { "p1.right", "right pad.right pad.lright", "move" },
-    { "p1.fire", "z pad.south", "fire; yes in menus" },
-    { "p1.bomb", "x pad.east", "bomb; no in menus" },
-    { "p1.focus", "lshift pad.r1 pad.r2", "move slowly" },
-    { "p1.special", "c pad.west pad.l1", "whatever the game makes of it" },
-    { "p1.start", "enter 1 pad.start", "start, the game's own pause" },
-    { "p1.select", "tab pad.select", "select" },
-    { "p2.up", "w kp8 pad.up pad.lup", "the second player" },
-    { "p2.down", "s kp5 kp2 pad.down pad.ldown", "" },
-    { "p2.left", "a kp4 pad.left pad.lleft", "" },
-    { "p2.right", "d kp6 pad.right pad.lright", "" },
-    { "p2.fire", "j kp0 pad.south", "" },
-    { "p2.bomb", "k kp. pad.east", "" },
-    { "p2.focus", "i kpenter pad.r1 pad.r2", "" },
-    { "p2.special", "l kp+ pad.west pad.l1", "" },
-    { "p2.start", "2 kp* pad.start", "" },
-    { "p2.select", "3 kp- pad.select", "" },
-    { "pause", "p pause", "stop the clock, and go on" },
-    { "step", "period", "one frame, then pause" },
-    { "slow", "comma", "half, a quarter, full speed" },
-    { "turbo", "slash", "as fast as it goes, while held" },
-    { "rewind", "backspace", "back in time, while held" },
-    { "back", "b", "one frame back, then pause" },
-    { "before", "lbracket", "to the moment before: a stage, a boss, a phase, a death" },
-    { "after", "rbracket", "to the moment after" },
-    { "goto", "home", "asks for a frame, and goes there" },
-    { "takeover", "t", "play on from here in a demo, as a demo of your own" },
-    { "reload", "f5", "take in what changed in the game's folder now" },
-    { "practice", "f2", "choose a piece to practise" },
-    { "retry", "r", "the same piece again, at once" },
-    { "silence", "m", "sound off, on" },
-    { "quieter", "minus", "volume, ten percent less" },
-    { "louder", "equals", "and more" },
-    { "screenshot", "f12", "a PNG into the folder of your pictures" },
-    { "capture", "f6", "a GIF of the last seconds, into the same folder" },
-    { "full", "f11 alt+enter", "fullscreen, window" },
-    { "quit", "ctrl+q", "leave at once" },
-    { "menu", "escape pad.guide", "the cabinet's menu" },
-    { "help", "f1", "all keys, and what they do" },
-    { "log", "f8", "what scripts printed, and what went wrong" },
-    { "shapes", "h", "hit shapes and graze rings, over the picture" },
-    { "gauges", "g", "how full every part is, and Lua's memory" },
-    { "split", "v", "where the time of a frame goes" },
-    { "tasks", "n", "tasks and their lines, random numbers drawn" },
-    { "mixer", "f3", "voices, levels, and where the music is" },
-    { "console", "backquote", "a line of Lua; the board stands still" },
+    { "p1.up", "Up", "up pad.up pad.lup", "move" },
+    { "p1.down", "Down", "down pad.down pad.ldown", "move" },
+    { "p1.left", "Left", "left pad.left pad.lleft", "move" },
+    { "p1.right", "Right", "right pad.right pad.lright", "move" },
+    { "p1.fire", "Fire", "z pad.south", "fire; confirm in menus" },
+    { "p1.bomb", "Bomb", "x pad.east", "bomb; cancel in menus" },
+    { "p1.focus", "Focus", "lshift pad.r1 pad.r2", "move slowly" },
+    { "p1.special", "Special", "c pad.west pad.l1", "depends on the game" },
+    { "p1.start", "Start", "enter 1 pad.start", "start; pauses the game" },
+    { "p1.select", "Select", "tab pad.select", "select" },
+    { "p2.up", "Up", "w kp8 pad.up pad.lup", "player 2" },
+    { "p2.down", "Down", "s kp5 kp2 pad.down pad.ldown", "" },
+    { "p2.left", "Left", "a kp4 pad.left pad.lleft", "" },
+    { "p2.right", "Right", "d kp6 pad.right pad.lright", "" },
+    { "p2.fire", "Fire", "j kp0 pad.south", "" },
+    { "p2.bomb", "Bomb", "k kp. pad.east", "" },
+    { "p2.focus", "Focus", "i kpenter pad.r1 pad.r2", "" },
+    { "p2.special", "Special", "l kp+ pad.west pad.l1", "" },
+    { "p2.start", "Start", "2 kp* pad.start", "" },
+    { "p2.select", "Select", "3 kp- pad.select", "" },
+    { "pause", "Pause", "p pause", "pause or resume" },
+    { "step", "Frame Advance", "period", "one frame forward, then pause" },
+    { "slow", "Slow Motion", "comma", "half, quarter or full speed" },
+    { "turbo", "Fast-Forward", "slash", "as fast as possible while held" },
+    { "rewind", "Rewind", "backspace", "back in time while held" },
+    { "back", "Frame Back", "b", "one frame back, then pause" },
+    { "before", "Previous Event", "lbracket", "jump to the previous stage, boss, phase or death" },
+    { "after", "Next Event", "rbracket", "jump to the next one" },
+    { "goto", "Go to Frame", "home", "enter a frame number and jump there" },
+    { "takeover", "Take Over", "t", "play on from here in a demo, as a new demo" },
+    { "reload", "Reload", "f5", "reload the game's folder now" },
+    { "practice", "Practice", "f2", "choose a section to practise" },
+    { "retry", "Retry", "r", "restart the section at once" },
+    { "silence", "Mute", "m", "sound off or on" },
+    { "quieter", "Volume Down", "minus", "lower the volume by ten percent" },
+    { "louder", "Volume Up", "equals", "raise the volume by ten percent" },
+    { "screenshot", "Screenshot", "f12", "save a PNG in your pictures folder" },
+    { "capture", "Save Clip", "f6", "save a GIF of the last seconds in the same folder" },
+    { "full", "Fullscreen", "f11 alt+enter", "switch between fullscreen and window" },
+    { "quit", "Quit", "ctrl+q", "quit at once" },
+    { "menu", "Menu", "escape pad.guide", "open the menu" },
+    { "help", "Key Bindings", "f1", "list all keys and what they do" },
+    { "log", "Log", "f8", "script output and errors" },
+    { "shapes", "Show Hitboxes", "h", "hitboxes and graze rings over the picture" },
+    { "gauges", "Pool Usage", "g", "how full every pool is, and Lua's memory" },
+    { "split", "Frame Times", "v", "where the time of each frame goes" },
+    { "tasks", "Tasks", "n", "tasks, their lines and random numbers drawn" },
+    { "mixer", "Mixer", "f3", "voices, levels and position in the music" },
+    { "console", "Console", "backquote", "run a line of Lua while the game is paused" },
 };
 
 /* What one hand reaches, by the order of buttons: of a keyboard one side, of a controller one stick and what lies round
@@ -111,7 +111,7 @@ static bool read_list(const char *action, const char *list, uint16_t *code, int 
     for (const char *s = strcmp(list, "none") == 0 ? "" : list; next_word(&s, word);) {
         uint16_t c = switch_code(word);
         if (!c || n == most) {
-            snprintf(err, err_size, c ? "%s: \"%s\" is one switch too many" : "%s: no switch is called \"%s\"", action,
+            snprintf(err, err_size, c ? "%s: \"%s\" is one key too many" : "%s: unknown key or button \"%s\"", action,
                      word);
             return false;
         }
@@ -126,7 +126,7 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
     int at = find(action);
 
     if (at < 0) {
-        snprintf(err, err_size, "no action is called \"%s\"", action);
+        snprintf(err, err_size, "unknown action \"%s\"", action);
         return false;
     }
     if (!read_list(action, list, code, KEYS_EACH, err, err_size))
@@ -200,6 +200,21 @@ const char *keys_action(int i)
     return actions[i].name;
 }
 
+const char *keys_label(int i)
+{
+    return actions[i].label;
+}
+
+void keys_title(const char *action, char *out, size_t size)
+{
+    const int i = find(action), player = player_of(i);
+
+    if (player < 0)
+        snprintf(out, size, "%s", actions[i].label);
+    else
+        snprintf(out, size, "Player %d %s", player + 1, actions[i].label);
+}
+
 const char *keys_meaning(int i)
 {
     return actions[i].help;
@@ -267,7 +282,9 @@ bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size
     while (n < KEYS_EACH && list[n] && list[n] != code)
         n++;
     if (n == KEYS_EACH) {
-        snprintf(err, err_size, "%s has %d switches, which is all it can have", action, KEYS_EACH);
+        char title[KEYS_TITLE];
+        keys_title(action, title, sizeof title);
+        snprintf(err, err_size, "%s already has %d keys, the most it can have", title, KEYS_EACH);
         return false;
     }
     list[n] = code;

@@ -115,9 +115,15 @@ void keys_first(const struct keys *k, const char *action, char *out, size_t size
 /* True when there is such an action. The functions above and below take one that is known. */
 bool keys_known(const char *action);
 
-/* Action i of KEYS_ACTIONS, "p1.fire", and what it is for, "fire; yes in menus"; "": nothing to be said. */
+/* Action i of KEYS_ACTIONS: its name in the file, "p1.fire"; its label on the screen, "Fire"; its help, "fire; confirm
+ * in menus" or "". */
 const char *keys_action(int i);
+const char *keys_label(int i);
 const char *keys_meaning(int i);
+
+/* Writes the label of an action, with its player: "Player 1 Fire", "Take Over". */
+enum { KEYS_TITLE = 32 };
+void keys_title(const char *action, char *out, size_t size);
 
 /* Writes the list of an action's switches, as keys_bind reads it. */
 void keys_text(const struct keys *k, const char *action, char *out, size_t size);

@@ -44,7 +44,7 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
     const char *meant = n < sizeof name ? args_near(name, names, OPTIONS) : NULL;
     if (meant)
         return err_set(err, err_size, "unknown option %s (did you mean %s?)", name, meant);
-    return err_set(err, err_size, "unknown option %s (curtain help lists them)", name);
+    return err_set(err, err_size, "unknown option %s (see curtain help)", name);
 }
 
 /* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
@@ -87,8 +87,7 @@ static bool short_enough(int argc, char **argv, char *err, size_t err_size)
 {
     for (int i = 1; i < argc; i++)
         if (strlen(argv[i]) > ARGS_MAX_WORD)
-            return err_set(err, err_size, "an argument is longer than %d characters: \"%.32s...\"", ARGS_MAX_WORD,
-                           argv[i]);
+            return err_set(err, err_size, "argument longer than %d characters: \"%.32s...\"", ARGS_MAX_WORD, argv[i]);
     return true;
 }
 

@@ -28,7 +28,7 @@ static bool check_verify(uint64_t seen, char *err, size_t err_size)
         if (!(seen >> ways[i] & 1))
             continue;
         if (first)
-            return err_set(err, err_size, "%s does not go with %s", args_options[ways[i]].name, first);
+            return err_set(err, err_size, "%s cannot be combined with %s", args_options[ways[i]].name, first);
         first = args_options[ways[i]].name;
     }
     return true;
@@ -42,11 +42,11 @@ static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t e
 
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
         if (seen & args_bit(others[i]))
-            return err_set(err, err_size, "--resume does not go with %s", args_options[others[i]].name);
+            return err_set(err, err_size, "--resume cannot be combined with %s", args_options[others[i]].name);
     if (a->command == COMMAND_SURVIVE && a->all && a->map)
-        return err_set(err, err_size, "--all does not go with --map, which is of one section");
+        return err_set(err, err_size, "--all cannot be combined with --map, which needs a single section");
     if (a->bots && (a->map || a->out || a->effort))
-        return err_set(err, err_size, "--bots does not go with %s: no way is looked for",
+        return err_set(err, err_size, "--bots cannot be combined with %s: bots do not search",
                        a->map   ? "--map"
                        : a->out ? "-o"
                                 : "--effort");
@@ -65,11 +65,11 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     if (a->n_words < 2)
         return err_set(err, err_size, "%s needs the name of a sound or a piece of music (curtain help sound)", first);
     if (a->wav && a->out)
-        return err_set(err, err_size, "--wav does not go with -o, which says the same");
+        return err_set(err, err_size, "--wav cannot be combined with -o: both name the output file");
     if (a->play && (a->out || a->wav))
-        return err_set(err, err_size, "--play does not go with %s", first);
+        return err_set(err, err_size, "--play cannot be combined with %s", first);
     if (a->notes && (a->out || a->wav || a->play))
-        return err_set(err, err_size, "--notes does not go with %s", first);
+        return err_set(err, err_size, "--notes cannot be combined with %s", first);
     return true;
 }
 
@@ -81,9 +81,9 @@ static bool check_export(const struct args *a, char *err, size_t err_size)
     if (!a->web && !a->libretro)
         return true;
     if (a->web && a->libretro)
-        return err_set(err, err_size, "--libretro does not go with --web: export twice");
+        return err_set(err, err_size, "--libretro cannot be combined with --web; run export twice");
     if (a->keys || a->desktop)
-        return err_set(err, err_size, "%s does not go with %s", a->keys ? "--keys" : "--desktop", is);
+        return err_set(err, err_size, "%s cannot be combined with %s", a->keys ? "--keys" : "--desktop", is);
     return true;
 }
 
@@ -95,11 +95,11 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
     if (!a->annotations && !a->luacheck)
         return true;
     if (a->annotations && a->luacheck)
-        return err_set(err, err_size, "--luacheck does not go with --annotations");
+        return err_set(err, err_size, "--luacheck cannot be combined with --annotations");
     if (a->n_words == 1 && a->annotations && strcmp(a->words[0], "test") == 0)
         return true;
     if (a->n_words != 1 || strcmp(a->words[0], "lua") != 0)
-        return err_set(err, err_size, "%s: expected curtain help lua %s", option, option);
+        return err_set(err, err_size, "%s works only with curtain help lua %s", option, option);
     return true;
 }
 
@@ -115,13 +115,13 @@ static bool check_options(const struct args *a, uint64_t seen, char *err, size_t
             continue;
         if (!(args_options[o].commands >> a->command & 1)) {
             goes_with(args_options[o].commands, with, sizeof with);
-            return err_set(err, err_size, "%s does not go with %s (it goes with %s)", args_options[o].name,
+            return err_set(err, err_size, "%s does not work with %s (only with %s)", args_options[o].name,
                            args_commands[a->command].name, with);
         }
         if (a->demo && fixed >> o & 1)
-            return err_set(err, err_size, "%s does not go with --demo, which holds its own", args_options[o].name);
+            return err_set(err, err_size, "%s cannot be combined with --demo: the demo sets it", args_options[o].name);
         if (!a->stage && practice >> o & 1)
-            return err_set(err, err_size, "%s needs --stage: it is for a practice start", args_options[o].name);
+            return err_set(err, err_size, "%s needs --stage: it applies to practice starts", args_options[o].name);
     }
     return check_verify(seen, err, err_size) && check_pairs(a, seen, err, err_size);
 }
@@ -138,7 +138,7 @@ bool args_check_first(const struct args *a, uint64_t seen, char *err, size_t err
         return true;
     if (meant)
         return err_set(err, err_size, "unknown command \"%s\" (did you mean %s?)", word, meant);
-    return err_set(err, err_size, "unknown command \"%s\" (curtain help lists them)", word);
+    return err_set(err, err_size, "unknown command \"%s\" (see curtain help)", word);
 }
 
 static bool check_words(const struct args *a, char *err, size_t err_size)
@@ -146,12 +146,13 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
     const char *name = args_commands[a->command].name;
 
     if (a->n_words < args_commands[a->command].least)
-        return err_set(err, err_size, "%s: expected %s (curtain help %s)", name, args_commands[a->command].words, name);
+        return err_set(err, err_size, "%s: expected %s (see curtain help %s)", name, args_commands[a->command].words,
+                       name);
     if (a->n_words && !a->words[0][0] && FOR_GAMES >> a->command & 1)
-        return err_set(err, err_size, "%s: expected %s, got \"\" (curtain help %s)", name,
+        return err_set(err, err_size, "%s: expected %s, got \"\" (see curtain help %s)", name,
                        args_commands[a->command].words, name);
     if (a->n_words > args_commands[a->command].most)
-        return err_set(err, err_size, "%s: \"%s\" is one argument too many (curtain help %s)", name,
+        return err_set(err, err_size, "%s: unexpected argument \"%s\" (see curtain help %s)", name,
                        a->words[args_commands[a->command].most], name);
     return true;
 }

@@ -23,19 +23,19 @@ static void help_all(void (*line)(const char *))
 {
     char text[320], name[48];
 
-    line("curtain plays bullet-hell games. A ROM is a game's folder or a .rom file.");
+    line("curtain plays bullet-hell games. A ROM is the folder of a game or a .rom file.");
     line("");
     for (int i = 0; i < COMMANDS; i++) {
         snprintf(name, sizeof name, "%s %s", args_commands[i].name, args_commands[i].words);
-        snprintf(text, sizeof text, "  curtain %-28s %s", name, args_commands[i].help);
+        snprintf(text, sizeof text, "  curtain %-28s  %s", name, args_commands[i].help);
         line(text);
     }
     line("");
-    line("The word play may be left out. Options, each explained by curtain help COMMAND:");
+    line("`play` is the default command. Options (curtain help COMMAND describes them for a command):");
     help_options(FOR_ALL | FOR_NEW, line);
     line("");
-    line("Exit codes: 0 done, 1 a demo does not hold or check found something, 2 bad input or a script fault, 3 the "
-         "host failed.");
+    line("Exit codes: 0 success, 1 a demo differs or check found a mistake, 2 bad input or a script error, 3 a system "
+         "error.");
 }
 
 void args_help(int command, void (*line)(const char *))

@@ -59,12 +59,12 @@ bool args_frames(struct args *a, const char *text, char *err, size_t err_size)
         struct span s;
         if (!read_span(&s, p, p + n))
             return err_set(err, err_size,
-                           "--frames: expected frames from 0 to %d like 600 or 1,60,600 or 0:600:60, got \"%s\"",
+                           "--frames: expected frames from 0 to %d, as in 600 or 1,60,600 or 0:600:60, got \"%s\"",
                            ARGS_MAX_FRAME, text);
         if (s.last < s.first)
             return err_set(err, err_size, "--frames: %u:%u ends before it starts", (unsigned)s.first, (unsigned)s.last);
         if (a->n_spans == ARGS_MAX_SPANS)
-            return err_set(err, err_size, "--frames: more than %d parts", ARGS_MAX_SPANS);
+            return err_set(err, err_size, "--frames: expected at most %d ranges", ARGS_MAX_SPANS);
         a->spans[a->n_spans++] = s;
         more = p[n] == ',';
         p += n + 1;
@@ -101,11 +101,11 @@ bool args_presses(struct args *a, const char *text, char *err, size_t err_size)
     for (bool more = true; more;) {
         const size_t n = strcspn(p, ",");
         if (a->n_presses == ARGS_MAX_PRESSES)
-            return err_set(err, err_size, "--press: more than %d parts", ARGS_MAX_PRESSES);
+            return err_set(err, err_size, "--press: expected at most %d entries", ARGS_MAX_PRESSES);
         if (!read_press(&a->presses[a->n_presses++], p, p + n))
             return err_set(err, err_size,
-                           "--press: expected buttons like fire or fire,focus or bomb@200 or left@60:90, got \"%s\" "
-                           "(there are up down left right fire bomb focus special start select)",
+                           "--press: expected buttons, as in fire or fire,focus or bomb@200 or left@60:90, got \"%s\" "
+                           "(buttons: up down left right fire bomb focus special start select)",
                            text);
         more = p[n] == ',';
         p += n + 1;
@@ -200,7 +200,7 @@ static bool keep_one_more(const char **list, int *n, enum option o, const char *
     if (k->kind == KEEP_SETTING && (!equals || equals == value || !equals[1]))
         return err_set(err, err_size, "%s: expected NAME=VALUE, got \"%s\"", args_options[o].name, value);
     if (*n == (int)k->most)
-        return err_set(err, err_size, "%s: more than %d", args_options[o].name, (int)k->most);
+        return err_set(err, err_size, "%s: given more than %d times", args_options[o].name, (int)k->most);
     list[(*n)++] = value;
     return true;
 }

@@ -20,10 +20,10 @@ static bool load_builtin(struct game *g, char *err, size_t err_size)
     char why[512];
 
     if (size == 0)
-        return err_set(err, err_size, "no game is built in: name a ROM (curtain help)");
+        return err_set(err, err_size, "no built-in game; name a ROM (see curtain help)");
     if (rom_open(&g->rom, rom, size, why, sizeof why) && cart_open(&g->cart, &g->rom, why, sizeof why))
         return true;
-    return err_set(err, err_size, "the built-in game: %s", why);
+    return err_set(err, err_size, "built-in game: %s", why);
 }
 
 static bool load(struct game *g, bool nearest, char *err, size_t err_size)
@@ -61,7 +61,7 @@ static bool unknown(const char *option, const char *what, const char *word, cons
     const char *meant = args_near(word, words, n);
 
     if (n == 0)
-        return err_set(err, err_size, "%s: the game has no %s", option, what);
+        return err_set(err, err_size, "%s: this game has no %s", option, what);
     join(all, sizeof all, words, n);
     if (meant)
         return err_set(err, err_size, "%s: unknown %s \"%s\" (did you mean \"%s\"?)", option, what, word, meant);
@@ -165,7 +165,7 @@ static bool set_stage(struct game *g, const char *stage, char *err, size_t err_s
 
     for (size_t i = 0; i < n; i++) {
         if (stage[i] < 32 || stage[i] > 126)
-            return err_set(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in plain letters");
+            return err_set(err, err_size, "--stage: expected NAME, NAME:MARK or BOSS/PHASE in ASCII");
     }
     if (n >= sizeof g->start.practice.section)
         return err_set(err, err_size, "--stage: longer than %zu characters", sizeof g->start.practice.section - 1);
@@ -182,7 +182,7 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
     size_t n = (size_t)(equals - setting);
 
     if (n >= sizeof p->reg[0].name)
-        return err_set(err, err_size, "--register: a name longer than %zu characters", sizeof p->reg[0].name - 1);
+        return err_set(err, err_size, "--register: name longer than %zu characters", sizeof p->reg[0].name - 1);
     char *name = p->reg[p->registers].name;
     snprintf(name, sizeof p->reg[0].name, "%.*s", (int)n, setting);
     for (int i = 0; i < p->registers; i++) {
@@ -239,9 +239,9 @@ static bool start_of_demo(struct game *g, const char *path, char *err, size_t er
     g->start = g->demo.start;
     const char *doubt = demo_doubt(&g->demo, &g->cart, buf, sizeof buf);
     if (doubt)
-        report_line(RESULT_DONE, "%s: %s; it may not play as it was", path, doubt);
+        report_line(RESULT_DONE, "%s: %s; playback may diverge", path, doubt);
     if (!g->demo.complete)
-        report_line(RESULT_DONE, "%s: cut short (no end mark); playing the %u frames it has", path,
+        report_line(RESULT_DONE, "%s: truncated (no end mark); playing the first %u frames", path,
                     (unsigned)g->demo.frames);
     return true;
 }

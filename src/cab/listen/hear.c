@@ -89,7 +89,7 @@ static enum result open_window(struct hear *h, const char *name)
     fb_init(&h->fb, h->pix, W, H);
     if (!plat_open(
             &(struct plat_want){ .w = W, .h = H, .scale = config.scale, .title = h->title, .rate = SPEAKER_RATE }))
-        return report_line(RESULT_HOST, "sound: there is no window to play in");
+        return report_line(RESULT_HOST, "sound: cannot open a window to play in");
     return RESULT_DONE;
 }
 

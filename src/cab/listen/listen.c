@@ -103,8 +103,8 @@ static enum result unknown(const struct board *b, const char *name)
             near = t.name;
         }
     if (near)
-        return report_line(RESULT_REFUSED, "sound: the game has no \"%s\" (did you mean \"%s\"?)", name, near);
-    return report_line(RESULT_REFUSED, "sound: the game has no \"%s\"", name);
+        return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game (did you mean \"%s\"?)", name, near);
+    return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game", name);
 }
 
 /* The notes of the sound or, if there is none of that name, of the music. The ROM's tunes were checked with it. */

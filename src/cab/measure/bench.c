@@ -49,7 +49,7 @@ static enum result read_demo(struct work *w, int i, const struct lump *l)
     if (!demo_read(d, l->data, l->size, err, sizeof err) || !demo_fits(d, w->b->cart, err, sizeof err))
         return report_line(RESULT_REFUSED, "demos/%s: %s", w->name[i], err);
     if (demo_doubt(d, w->b->cart, doubt, sizeof doubt))
-        report_line(RESULT_DONE, "demos/%s: %s; it may not play as it was", w->name[i], doubt);
+        report_line(RESULT_DONE, "demos/%s: %s; playback may diverge", w->name[i], doubt);
     return RESULT_DONE;
 }
 
@@ -166,7 +166,7 @@ enum result bench_run(const struct bench *b)
     enum result result = play(w);
     progress_end();
     if (result == RESULT_DONE && w->measure.all.frames == 0)
-        result = report_line(RESULT_REFUSED, "%s: there is no frame to be measured", b->path);
+        result = report_line(RESULT_REFUSED, "%s: no frame to measure", b->path);
     if (result == RESULT_DONE) {
         measure_end(&w->measure);
         if (b->json)

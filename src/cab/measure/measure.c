@@ -261,7 +261,7 @@ static enum result count_round(struct player *p)
         p->m->section[p->section[f]].lua += profile_work(&profile->all) - before;
         note_rooms(p->m, p->guard.board);
         p->m->done += COUNTING;
-        tell(p, f, "counting Lua");
+        tell(p, f, "counting Lua instructions");
     }
     board_profile(p->guard.board, NULL);
     return RESULT_DONE;
@@ -332,7 +332,7 @@ static enum result all_rounds(struct player *p)
             return RESULT_REFUSED;
         result = r < MEASURE_ROUNDS ? next_round(p, r) : count_round(p);
         if (result == RESULT_DONE && board_hash(p->guard.board) != p->hash)
-            result = report_line(RESULT_HOST, "%s: it did not come out the same twice", p->run->name);
+            result = report_line(RESULT_HOST, "%s: two runs with the same input differ", p->run->name);
     }
     if (result == RESULT_DONE && !add_all(p))
         return report_line(RESULT_HOST, "out of memory");

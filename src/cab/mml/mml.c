@@ -52,7 +52,7 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
         t->room = room;
     }
     if (++m->events > MML_EVENTS)
-        mml_bad(m, m->now, "more than %d notes and settings, loops written out", (int)MML_EVENTS);
+        mml_bad(m, m->now, "more than %d notes and settings (loops expanded)", (int)MML_EVENTS);
     t->events[t->n] = (struct mml_event){ tick, t->n, m->now, (uint8_t)event, (uint16_t)value, (uint16_t)more };
     t->n++;
 }
@@ -126,10 +126,10 @@ static void read_macro(struct mml *m, uint32_t at, uint32_t end)
     char name[MML_NAME];
     uint32_t p = at + 1;
 
-    read_name(m, &p, end, name, "a macro's name");
+    read_name(m, &p, end, name, "a macro name");
     for (int i = 0; i < m->n_macros; i++)
         if (strcmp(m->macros[i].name, name) == 0)
-            mml_bad(m, at, "the macro \"%s\" is there twice", name);
+            mml_bad(m, at, "duplicate macro \"%s\"", name);
     if (m->n_macros == MML_NAMES)
         mml_bad(m, at, "more than %d macros", (int)MML_NAMES);
     memcpy(m->macros[m->n_macros].name, name, MML_NAME);
@@ -152,7 +152,7 @@ static void read_title(struct mml *m, uint32_t at, uint32_t end)
         mml_bad(m, at, "expected a title of at most %d bytes", TUNE_TITLE - 1);
     for (uint32_t i = at; i < end; i++)
         if ((unsigned char)m->text[i] < 32 || m->text[i] == 127)
-            mml_bad(m, i, "a control character in the title");
+            mml_bad(m, i, "control character in the title");
     memset(m->title, 0, sizeof m->title);
     memcpy(m->title, m->text + at, end - at);
 }
@@ -163,7 +163,7 @@ static void read_swing(struct mml *m, uint32_t at, uint32_t p, uint32_t end)
     p = skip_blanks(m, p, end);
     const int64_t n = mml_decimal(m, &p, end, "a length", 2000, 64000) / 1000;
     if (p == end || m->text[p] != ',' || 4 * TUNE_QUARTER % n != 0)
-        mml_bad(m, p < end ? p : at, "expected #swing 16,60: of each two 16ths the first has 60 percent");
+        mml_bad(m, p < end ? p : at, "expected #swing 16,60: of each two 16th notes the first has 60 percent");
     p++;
     m->swing = (uint32_t)(4 * TUNE_QUARTER / n);
     m->swing_percent = (uint32_t)(mml_decimal(m, &p, end, "percent", 50000, 80000) / 1000);
@@ -179,7 +179,7 @@ static void read_directive(struct mml *m, uint32_t at, uint32_t end)
         read_title(m, skip_blanks(m, p + 5, end), end);
     } else if (is_word(m, p, end, "bar")) {
         p = skip_blanks(m, p + 3, end);
-        m->bar = (int)(mml_decimal(m, &p, end, "beats a bar", 1000, 16000) / 1000);
+        m->bar = (int)(mml_decimal(m, &p, end, "beats per bar", 1000, 16000) / 1000);
     } else if (is_word(m, p, end, "swing")) {
         read_swing(m, at, p + 5, end);
     } else if (!is_word(m, p, end, "echo") && !is_word(m, p, end, "mark")) {
@@ -211,7 +211,7 @@ static void read_lines(struct mml *m)
         else if (m->text[first] == '#')
             read_directive(m, first, end);
         else
-            mml_bad(m, first, "expected a track (A to P and a blank), @instrument, !macro, # or ;");
+            mml_bad(m, first, "expected a track (A to P and a space), @instrument, !macro, # or ;");
     }
 }
 
@@ -220,7 +220,7 @@ static void read_lines(struct mml *m)
 static void put(struct mml *m, char c, uint32_t from)
 {
     if (m->line.n == MML_WIDE)
-        mml_bad(m, from, "a track longer than %d characters, macros written out", (int)MML_WIDE);
+        mml_bad(m, from, "track longer than %d characters (macros expanded)", (int)MML_WIDE);
     m->line.text[m->line.n] = c;
     m->line.from[m->line.n++] = from;
 }
@@ -234,9 +234,9 @@ static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
     int best = EDIT_FAR;
     uint32_t p = at + 1;
 
-    read_name(m, &p, end, name, "a macro's name");
+    read_name(m, &p, end, name, "a macro name");
     if (depth == MML_DEPTH)
-        mml_bad(m, at, "more than %d macros one in another (does \"%s\" name itself?)", (int)MML_DEPTH, name);
+        mml_bad(m, at, "macros nested deeper than %d (does \"%s\" contain itself?)", (int)MML_DEPTH, name);
     for (int i = 0; i < m->n_macros; i++) {
         if (strcmp(m->macros[i].name, name) == 0) {
             write_out(m, m->macros[i].from, m->macros[i].to, depth + 1);
@@ -249,8 +249,8 @@ static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
         }
     }
     if (near)
-        mml_bad(m, at, "there is no macro \"%s\" (did you mean \"%s\"?)", name, near);
-    mml_bad(m, at, "there is no macro \"%s\"", name);
+        mml_bad(m, at, "unknown macro \"%s\" (did you mean \"%s\"?)", name, near);
+    mml_bad(m, at, "unknown macro \"%s\"", name);
 }
 
 static void write_out(struct mml *m, uint32_t at, uint32_t end, int depth)
@@ -310,14 +310,14 @@ static void copy_track(struct mml *m, struct mml_track *to, const struct mml_tra
 static int read_letter(struct mml *m, uint32_t *at, uint32_t end)
 {
     if (*at >= end || m->text[*at] < 'A' || m->text[*at] > 'P')
-        mml_bad(m, *at, "expected a track, A to P, as #echo B=A,8,-3");
+        mml_bad(m, *at, "expected a track, A to P, as in #echo B=A,8,-3");
     return m->text[(*at)++] - 'A';
 }
 
 static void expect(struct mml *m, uint32_t *at, uint32_t end, char c)
 {
     if (*at >= end || m->text[*at] != c)
-        mml_bad(m, *at, "expected #echo B=A,8,-3: track B is track A an 8th later and 3 softer");
+        mml_bad(m, *at, "expected #echo B=A,8,-3: track B is track A an eighth note later and 3 steps softer");
     ++*at;
 }
 
@@ -333,14 +333,13 @@ static void read_echoes(struct mml *m)
         expect(m, &p, end, '=');
         const int from = read_letter(m, &p, end);
         expect(m, &p, end, ',');
-        const int64_t length = mml_decimal(m, &p, end, "a note's length", 1000, 64000) / 1000;
+        const int64_t length = mml_decimal(m, &p, end, "a note length", 1000, 64000) / 1000;
         expect(m, &p, end, ',');
-        const int64_t louder = mml_decimal(m, &p, end, "how much louder, of 16,", -15000, 15000) / 1000;
+        const int64_t louder = mml_decimal(m, &p, end, "a volume change (of 16),", -15000, 15000) / 1000;
         if (m->tracks[to].used || !m->tracks[from].used || 4 * TUNE_QUARTER % length != 0)
             mml_bad(m, at,
-                    m->tracks[to].used ? "track %c has notes of its own"
-                                       : "track %c: no notes to echo, or a length "
-                                         "that is no whole number of ticks",
+                    m->tracks[to].used ? "track %c already has notes"
+                                       : "track %c: no notes to echo, or a length that is not a whole number of ticks",
                     'A' + to);
         copy_track(m, &m->tracks[to], &m->tracks[from], (uint32_t)(4 * TUNE_QUARTER / length), (int)louder);
     }
@@ -379,7 +378,7 @@ static void read_marks(struct mml *m)
         uint32_t p = skip_blanks(m, at + 5, end);
         char name[TUNE_NAME];
         int64_t beat = 1;
-        read_name(m, &p, end, name, "a marker's name, as #mark drop 17");
+        read_name(m, &p, end, name, "a marker name, as in #mark drop 17");
         p = skip_blanks(m, p, end);
         const int64_t bar = mml_decimal(m, &p, end, "a bar", 1000, 4096000) / 1000;
         if (p < end && m->text[p] == ',') {
@@ -391,7 +390,7 @@ static void read_marks(struct mml *m)
         if (mark < 0)
             mml_bad(m, at, "more than %d markers", (int)TUNE_MARKS);
         if (tick >= last_tick(m))
-            mml_bad(m, at, "bar %d is behind the end", (int)bar);
+            mml_bad(m, at, "bar %d is after the end", (int)bar);
         m->now = at;
         mml_add(m, &m->conductor, tick, TUNE_MARK, mark, 0);
     }
@@ -426,7 +425,8 @@ void mml_swing(struct mml *m)
     for (int i = 0; i < TUNE_TRACKS; i++) {
         struct mml_track *t = &m->tracks[i];
         if (t->loop >= 0 && (t->end - t->loop) % (2 * m->swing) != 0)
-            mml_bad(m, t->loop_from, "with #swing what L repeats is whole pairs of %d ticks, got %u ticks",
+            mml_bad(m, t->loop_from,
+                    "with #swing the part that L repeats must be whole pairs of %d ticks, got %u ticks",
                     (int)(2 * m->swing), (unsigned)(t->end - t->loop));
         swing_track(m, t);
     }
@@ -440,7 +440,7 @@ static void warn_near(const struct mml *m, const struct mml_about *about, uint32
     write_place(m, from, sentence, sizeof sentence);
     const size_t n = strlen(sentence);
     snprintf(sentence + n, sizeof sentence - n,
-             "within a frame (1/60 s) of the note before in this track: what sounded before them is cut off");
+             "within one frame (1/60 s) of the previous note in this track, which is cut off");
     about->warn(about->context, sentence);
 }
 
@@ -479,7 +479,7 @@ static void look_at_marks(struct mml *m)
             continue;
         if (last && last->value != e->value &&
             (uint64_t)(e->tick - last->tick) * TUNE_TICK < (uint64_t)SND_FRAME * (uint64_t)mml_tempo_at(c, last->tick))
-            mml_bad(m, e->from, "marker \"%s\" is within a frame (1/60 s) of \"%s\", which no script would see",
+            mml_bad(m, e->from, "marker \"%s\" is within one frame (1/60 s) of \"%s\", so scripts would never see it",
                     m->marks[e->value], m->marks[last->value]);
         last = e;
     }
@@ -499,14 +499,14 @@ static void compile(struct mml *m, const struct mml_about *about, uint8_t **out,
 {
     for (uint32_t i = 0; i < m->n; i++)
         if (m->text[i] == '\0')
-            mml_bad(m, i, "expected text, got a byte 0");
+            mml_bad(m, i, "expected text, got a zero byte");
     read_lines(m);
     read_tracks(m);
     read_echoes(m);
     read_marks(m);
     mml_swing(m);
     if (!any_track(m))
-        mml_bad(m, 0, "it has no track (a line that begins with A and a blank)");
+        mml_bad(m, 0, "no track (a line that starts with A and a space)");
     look_at_marks(m);
     mml_look_at_notes(m, about);
     mml_make(m, about, out, size);

@@ -61,7 +61,7 @@ static struct scale scale_of(char kind)
         return (struct scale){ "percent", 0, 100000, 32767, 100000 };
     if (kind == 'M')
         return (struct scale){ "cents", -4800000, 4800000, 256, 100000 };
-    return (struct scale){ "a place (-64 left, 0 where the note is, 64 right)", -128000, 128000, 1, 1000 };
+    return (struct scale){ "a pan (-64 left, 0 the note's own, 64 right)", -128000, 128000, 1, 1000 };
 }
 
 uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind)
@@ -71,11 +71,10 @@ uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind)
     uint8_t curve[4 + 2 * CURVE_MOST] = { 0, CURVE_STAYS };
     uint8_t n = 0;
 
-    const int64_t frames =
-        mml_decimal(m, at, end, "frames from one value to the next", 1000, CURVE_FRAMES * 1000) / 1000;
+    const int64_t frames = mml_decimal(m, at, end, "frames per value", 1000, CURVE_FRAMES * 1000) / 1000;
     bytes_put16(curve + 2, (uint16_t)frames);
     if (*at == end || m->text[(*at)++] != ':')
-        mml_bad(m, from, "expected FRAMES:VALUE,VALUE...; with | before the value it goes on from, as 2:100,60|50,40");
+        mml_bad(m, from, "expected FRAMES:VALUE,VALUE...; | before a value marks the loop start, as in 2:100,60|50,40");
     do {
         if (n == CURVE_MOST)
             mml_bad(m, from, "expected at most %d values", (int)CURVE_MOST);
@@ -102,12 +101,12 @@ void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end)
     char name[MML_NAME];
     const uint32_t name_at = p;
 
-    mml_word(m, &p, end, name, "the curve's name, as @E swell 2:0,50,100");
+    mml_word(m, &p, end, name, "the curve name, as in @E swell 2:0,50,100");
     if (name[0] < 'a' || name[0] > 'z')
-        mml_bad(m, name_at, "expected a name that begins with a small letter, got \"%s\"", name);
+        mml_bad(m, name_at, "expected a name that starts with a lower-case letter, got \"%s\"", name);
     for (int i = 0; i < m->n_curves; i++)
         if (m->curves[i].kind == kind && strcmp(m->curves[i].name, name) == 0)
-            mml_bad(m, at, "the curve \"%s\" is there twice", name);
+            mml_bad(m, at, "duplicate curve \"%s\"", name);
     if (m->n_curves == MML_NAMES)
         mml_bad(m, at, "more than %d curves", (int)MML_NAMES);
     p = mml_skip(m, p, end);
@@ -116,7 +115,7 @@ void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end)
     memcpy(m->curves[m->n_curves++].name, name, MML_NAME);
     p = mml_skip(m, p, end);
     if (p < end)
-        mml_bad(m, p, "expected the end of the line behind the curve");
+        mml_bad(m, p, "expected the end of the line after the curve");
 }
 
 uint32_t mml_find_curve(const struct mml *m, char kind, const char *name)
@@ -194,7 +193,7 @@ uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
     while (h.n > 0 && h.part[h.n][0] == 0)
         h.n--;
     if (h.n == 0)
-        mml_bad(m, from, "expected a harmonic that is heard");
+        mml_bad(m, from, "expected at least one harmonic above 0");
     return keep_wave(m, from, &h);
 }
 
@@ -231,7 +230,7 @@ uint32_t mml_read_points(struct mml *m, uint32_t *at, uint32_t end)
         same = same && point[n - 1] == point[0];
     } while (comma(m, at, end));
     if (n < 4 || same)
-        mml_bad(m, from, "expected 4 to %d points of a turn, not all of them equal", (int)POINTS);
+        mml_bad(m, from, "expected 4 to %d points per cycle, not all equal", (int)POINTS);
     const struct harmonics h = through(point, n);
     return keep_wave(m, from, &h);
 }

@@ -11,7 +11,7 @@
 static const char *const kinds[INST_KINDS] = { "pulse", "triangle", "saw", "sine", "fm",
                                                "noise", "sample",   "fm4", "wave" };
 static const char all_kinds[] =
-    "pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an instrument that stands above";
+    "pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an instrument defined above";
 
 /* Times in samples: 48 a millisecond. An operator is at the note's pitch. */
 static const struct op plain_op = { .ratio = 256, .env.sustain = 32767 };
@@ -240,7 +240,7 @@ static void read_algorithm(struct setting *s)
         const bool heard = inst_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
-            mml_bad(s->m, from, "expected the algorithm before the operators, for it says which ones are heard");
+            mml_bad(s->m, from, "expected the algorithm before the operators: it decides which of them are heard");
         s->i->ops[k].level = heard ? 32767 : 652;
     }
 }
@@ -250,9 +250,9 @@ static void read_arpeggio(struct setting *s)
     struct inst *i = &s->i->inst;
 
     i->arpeggio_n = 0;
-    i->arpeggio_frames = (uint16_t)(number(s, "frames a note", 1000, 3600000) / 1000);
+    i->arpeggio_frames = (uint16_t)(number(s, "frames per note", 1000, 3600000) / 1000);
     if (s->at == s->end || s->m->text[s->at++] != ':')
-        mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as arpeggio=2:0,4,7");
+        mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as in arpeggio=2:0,4,7");
     do {
         if (i->arpeggio_n == ARPEGGIO_MOST)
             mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MOST);
@@ -363,7 +363,7 @@ static void read_setting(struct setting *s)
         i->tremolo.depth = share(s, "percent");
         read_lfo(s, &i->tremolo, "tremolo=PERCENT,HERTZ,MILLISECONDS");
     } else if (strcmp(s->key, "root") == 0)
-        i->root = (int32_t)(number(s, "a note's number (60 is o4c)", 0, 127000) / 1000) * PITCH_ONE;
+        i->root = (int32_t)(number(s, "a note number (60 is o4c)", 0, 127000) / 1000) * PITCH_ONE;
     else
         unknown(s);
 }
@@ -374,7 +374,7 @@ static void check_name(struct mml *m, uint32_t at, const char *name)
         mml_bad(m, at, "more than %d instruments", (int)MML_NAMES);
     for (int i = 0; i < m->n_named; i++)
         if (strcmp(m->named[i].name, name) == 0)
-            mml_bad(m, at, "the instrument \"%s\" is there twice", name);
+            mml_bad(m, at, "duplicate instrument \"%s\"", name);
 }
 
 /* The kind at *at, or the instrument it is started from. */
@@ -392,7 +392,7 @@ static struct mml_inst read_kind(struct mml *m, uint32_t *at, uint32_t end)
     inst = plain_of(kind_named(word));
     if (inst.inst.kind == INST_SAMPLE) {
         *at = mml_skip(m, *at, end);
-        mml_word(m, at, end, inst.sample, "sample NAME, a sound of rom.lua that is a recording");
+        mml_word(m, at, end, inst.sample, "sample NAME, a sound of rom.lua that is a sample");
     }
     return inst;
 }
@@ -402,23 +402,23 @@ void mml_read_inst(struct mml *m, uint32_t at, uint32_t end)
     char name[MML_NAME], word[MML_NAME];
     uint32_t p = at + 1;
 
-    mml_word(m, &p, end, name, "an instrument's name");
+    mml_word(m, &p, end, name, "an instrument name");
     check_name(m, at, name);
     p = mml_skip(m, p, end);
     struct mml_inst inst = read_kind(m, &p, end);
     while ((p = mml_skip(m, p, end)) < end) {
         struct setting s = { m, &inst, word, p, 0, end };
-        mml_word(m, &p, end, word, "a setting, as attack=5");
+        mml_word(m, &p, end, word, "a setting, as in attack=5");
         if (p == end || m->text[p] != '=')
-            mml_bad(m, s.key_at, "expected %s=a value", word);
+            mml_bad(m, s.key_at, "expected a value, %s=VALUE", word);
         s.at = p + 1;
         read_setting(&s);
         p = s.at;
         if (p < end && m->text[p] != ' ' && m->text[p] != '\t' && m->text[p] != '\r')
-            mml_bad(m, p, "expected a blank behind %s, got \"%c\"", word, m->text[p]);
+            mml_bad(m, p, "expected a space after %s, got \"%c\"", word, m->text[p]);
     }
     if (inst.inst.kind == INST_WAVE && inst.inst.wave == 0)
-        mml_bad(m, at, "expected harmonics= or points=: a wave has none of its own");
+        mml_bad(m, at, "expected harmonics= or points=: a wave needs a waveform");
     memcpy(m->named[m->n_named].name, name, MML_NAME);
     m->named[m->n_named++].inst = inst;
 }

@@ -152,13 +152,14 @@ static uint32_t one_length(struct reader *r)
     } else if (digit(peek(r))) {
         const int n = number(r, "a length", 1, WHOLE);
         if (WHOLE % n != 0)
-            BAD(r, from, "a length of 1/%d is no whole number of ticks (%d a whole note); {{ }} divides by any number",
-                n, WHOLE);
+            BAD(r, from,
+                "a length of 1/%d is not a whole number of ticks (%d per whole note); {{ }} divides by any number", n,
+                WHOLE);
         ticks = WHOLE / (uint32_t)n;
     }
     for (uint32_t dot = ticks; peek(r) == '.'; r->p++) {
         if (dot % 2 != 0)
-            BAD(r, r->p, "no dot: half of %u ticks is no whole number", (unsigned)dot);
+            BAD(r, r->p, "no dot: half of %u ticks is not a whole number", (unsigned)dot);
         dot /= 2;
         ticks += dot;
     }
@@ -190,7 +191,7 @@ static uint32_t lasting(struct reader *r, uint32_t from)
     if (r->group_n == 0)
         return length(r);
     if (digit(peek(r)) || peek(r) == '%' || peek(r) == '.' || peek(r) == '^')
-        BAD(r, from, "a note of {{ }} has no length of its own");
+        BAD(r, from, "notes in {{ }} cannot have their own length");
     const uint32_t k = r->group_k++;
     return r->group_total * (k + 1) / r->group_n - r->group_total * k / r->group_n;
 }
@@ -208,7 +209,7 @@ static void use_inst(struct reader *r, uint32_t from)
     const int i = mml_use_inst(r->m, &r->inst);
 
     if (i < 0)
-        BAD(r, from, "more than %d instruments; each vibrato and envelope makes one of its own", (int)TUNE_INSTS);
+        BAD(r, from, "more than %d instruments; each vibrato and envelope defines another one", (int)TUNE_INSTS);
     if (i != r->inst_now)
         event(r, r->tick, TUNE_INST, i, 0);
     r->inst_now = i;
@@ -275,7 +276,7 @@ static uint32_t gated(const struct reader *r, uint32_t ticks)
 static uint32_t play_graces(struct reader *r, uint32_t ticks, uint32_t from)
 {
     if (r->graces && r->slurred)
-        BAD(r, from, "a grace note within a slur");
+        BAD(r, from, "grace note inside a slur");
     for (int i = 0; i < r->graces; i++) {
         if (r->grace_ticks[i] >= ticks)
             BAD(r, from, "its grace notes are as long as the note");
@@ -323,7 +324,7 @@ static void play(struct reader *r, int v, uint32_t ticks, int to, uint32_t delay
     use_inst(r, from);
     ticks = play_graces(r, ticks, from);
     if (delay >= ticks)
-        BAD(r, from, "it slides when the note is over");
+        BAD(r, from, "its slide ends after the note");
     if (r->slurred)
         event(r, r->tick, TUNE_SLUR, v, 0);
     else if (to >= 0)
@@ -347,7 +348,7 @@ static void grace(struct reader *r)
     const uint32_t from = r->p++;
 
     if (!is_note(peek(r)))
-        BAD(r, from, "expected a note behind ~, as ~c16 d4");
+        BAD(r, from, "expected a note after ~, as in ~c16 d4");
     if (r->graces == GRACES)
         BAD(r, from, "more than %d grace notes before a note", (int)GRACES);
     r->grace[r->graces] = pitch(r);
@@ -367,7 +368,7 @@ static void again(struct reader *r)
     const uint32_t from = r->p++;
 
     if (r->last < 0)
-        BAD(r, from, "x repeats the note before, and there is none");
+        BAD(r, from, "x repeats the previous note, but there is none");
     play(r, r->last, lasting(r, from), -1, 0, from);
 }
 
@@ -376,7 +377,7 @@ static void rest(struct reader *r)
     const uint32_t from = r->p++, ticks = lasting(r, from);
 
     if (r->graces)
-        BAD(r, from, "a grace note before a rest");
+        BAD(r, from, "grace note before a rest");
     if (r->slurred)
         event(r, r->tick, TUNE_OFF, 0, 0);
     r->slurred = false;
@@ -404,11 +405,11 @@ static void slide(struct reader *r)
         else if (peek(r) == 'o')
             r->p++, r->octave = number(r, "an octave", 0, 9);
         else
-            BAD(r, from, "expected { and two notes }, as {c>g}4");
+            BAD(r, from, "expected { and two notes }, as in {c>g}4");
     }
     r->p++;
     if (n < 2)
-        BAD(r, from, "expected { and two notes }, as {c>g}4");
+        BAD(r, from, "expected { and two notes }, as in {c>g}4");
     const uint32_t ticks = length(r);
     uint32_t delay = 0;
     if (peek(r) == ',') {
@@ -426,10 +427,10 @@ static void group(struct reader *r)
     uint32_t n = 0;
 
     if (r->group_n)
-        BAD(r, from, "{{ within {{");
+        BAD(r, from, "{{ inside {{");
     for (r->p += 2; peek(r) && !(peek(r) == '}' && peek_at(r, 1) == '}'); r->p++) {
         if (peek(r) == '[' || peek(r) == '{' || peek(r) == '"' || peek(r) == '@' || peek(r) == '~')
-            BAD(r, r->p, "{{ }} has notes, rests and octaves alone");
+            BAD(r, r->p, "{{ }} can only contain notes, rests and octaves");
         n += is_note(peek(r)) || peek(r) == 'r' || peek(r) == 'x';
     }
     if (!peek(r) || n == 0)
@@ -460,7 +461,7 @@ static void end_group(struct reader *r)
 static void begin_loop(struct reader *r)
 {
     if (r->depth == MML_DEPTH)
-        BAD(r, r->p, "more than %d loops one in another", (int)MML_DEPTH);
+        BAD(r, r->p, "loops nested deeper than %d", (int)MML_DEPTH);
     r->p++;
     r->loops[r->depth++] = (struct loop){ r->p, 0, 0, 0 };
 }
@@ -472,7 +473,7 @@ static void end_loop(struct reader *r)
     if (r->depth == 0)
         BAD(r, from, "] without [");
     struct loop *l = &r->loops[r->depth - 1];
-    const int n = digit(peek(r)) ? number(r, "how often", 2, 255) : 2;
+    const int n = digit(peek(r)) ? number(r, "a repeat count", 2, 255) : 2;
     if (l->left == 0)
         l->left = n;
     l->end = r->p;
@@ -499,11 +500,11 @@ static void leave_loop(struct reader *r)
 static void endless(struct reader *r)
 {
     if (r->t->loop >= 0)
-        BAD(r, r->p, "L stands here already");
+        BAD(r, r->p, "L is already in this track");
     if (r->depth > 0)
-        BAD(r, r->p, "L within [ ]");
+        BAD(r, r->p, "L inside [ ]");
     if (r->slurred)
-        BAD(r, r->p, "L within a slur");
+        BAD(r, r->p, "L inside a slur");
     r->t->loop = r->tick;
     r->t->loop_from = place(r, r->p);
     r->p++;
@@ -530,7 +531,7 @@ static void step_volume(struct reader *r, int by)
 static void set_pan(struct reader *r)
 {
     r->p++;
-    r->pan = number(r, "a place (0 left, 64 the middle, 128 right)", 0, 2 * TUNE_PAN);
+    r->pan = number(r, "a pan (0 left, 64 centre, 128 right)", 0, 2 * TUNE_PAN);
     event(r, r->tick, TUNE_PLACE, r->pan, 0);
 }
 
@@ -538,7 +539,7 @@ static void set_tempo(struct reader *r)
 {
     r->p++;
     mml_add(r->m, &r->m->conductor, r->tick, TUNE_TEMPO,
-            hundredths(r, "quarter notes a minute", TEMPO_LEAST, TEMPO_MOST), 0);
+            hundredths(r, "quarter notes per minute", TEMPO_LEAST, TEMPO_MOST), 0);
 }
 
 static void set_inst(struct reader *r)
@@ -558,8 +559,8 @@ static void set_inst(struct reader *r)
             near = r->m->named[i].name;
         }
     if (near)
-        BAD(r, from, "there is no instrument \"%s\" (did you mean \"%s\"?)", name, near);
-    BAD(r, from, "there is no instrument \"%s\"", name);
+        BAD(r, from, "unknown instrument \"%s\" (did you mean \"%s\"?)", name, near);
+    BAD(r, from, "unknown instrument \"%s\"", name);
 }
 
 static void comma(struct reader *r, const char *expected)
@@ -589,7 +590,7 @@ static bool set_curve(struct reader *r, char kind, uint32_t *piece)
         name[n++] = peek(r);
     *piece = mml_find_curve(r->m, kind, name);
     if (*piece == 0)
-        BAD(r, from, "there is no curve \"%s\": expected a line @%c %s FRAMES:VALUE,VALUE...", name, kind, name);
+        BAD(r, from, "unknown curve \"%s\": expected a line @%c %s FRAMES:VALUE,VALUE...", name, kind, name);
     return true;
 }
 
@@ -646,7 +647,7 @@ static void set_slow_wave(struct reader *r)
 static void set_place_curve(struct reader *r)
 {
     if (!set_curve(r, 'P', &r->inst.inst.pan_curve))
-        BAD(r, r->p, "expected a curve's name behind P, or P- for none (p64 is a place)");
+        BAD(r, r->p, "expected a curve name after P, or P- for none (p64 is a pan)");
 }
 
 /* A length, or 0 for none. */
@@ -665,9 +666,9 @@ static uint32_t length_or_none(struct reader *r, const char *form)
 static void set_glide(struct reader *r)
 {
     r->p++;
-    r->glide = length_or_none(r, "G and a length in which notes slide from the one before, or G0");
+    r->glide = length_or_none(r, "G and a length for the slide from the previous note, or G0");
     if (r->glide > 65535)
-        BAD(r, r->p, "notes slide within 65535 ticks");
+        BAD(r, r->p, "slides are limited to 65535 ticks");
 }
 
 /* S2,16: notes come from 2 semitones below within a 16th. */
@@ -698,7 +699,7 @@ static void set_strike(struct reader *r)
     if (r->strike == 0)
         return;
     comma(r, form);
-    r->strike_louder = number(r, "how much louder, of 16,", -15, 15);
+    r->strike_louder = number(r, "a volume change (of 16),", -15, 15);
 }
 
 /* D20: 20 cents higher; DD5: 5 more than that. */
@@ -740,7 +741,7 @@ static void set_key(struct reader *r)
         else if (is_note(c) && by)
             r->accidental[c - 'a'] = by;
         else
-            BAD(r, from, "expected _{+fc}, a key's sharps, or _{-be}, its flats");
+            BAD(r, from, "expected _{+fc} for the sharps of a key, or _{-be} for its flats");
     }
     r->p++;
 }
@@ -767,11 +768,11 @@ static void set_mark(struct reader *r)
 
     for (; peek(r) && peek(r) != '"'; r->p++) {
         if (n == TUNE_NAME - 1 || (unsigned char)peek(r) < 32)
-            BAD(r, from, "expected a marker's name of at most %d characters in \" \"", TUNE_NAME - 1);
+            BAD(r, from, "expected a marker name of at most %d characters in \" \"", TUNE_NAME - 1);
         name[n++] = peek(r);
     }
     if (!peek(r) || n == 0)
-        BAD(r, from, n ? "\" without an end" : "a marker without a name");
+        BAD(r, from, n ? "\" without a closing \"" : "marker without a name");
     r->p++;
     i = mml_mark(m, name);
     if (i < 0)
@@ -792,7 +793,7 @@ static bool read_number(struct reader *r)
     case 'Q':
         return r->p++, r->gate = number(r, "eighths of a note", 1, 8), true;
     case 'q':
-        return r->p++, r->cut = (uint32_t)number(r, "ticks off a note's end", 0, WHOLE), true;
+        return r->p++, r->cut = (uint32_t)number(r, "ticks cut from the end of a note", 0, WHOLE), true;
     case 'D':
         return set_detune(r), true;
     case 'K':
@@ -906,7 +907,7 @@ void mml_read_track(struct mml *m, struct mml_track *t)
         command(&r);
     }
     if (r.graces)
-        BAD(&r, r.p, "a grace note before nothing");
+        BAD(&r, r.p, "grace note without a note after it");
     if (r.depth > 0)
         BAD(&r, r.loops[r.depth - 1].begin - 1, "[ without ]");
     if (r.group_n)
@@ -915,5 +916,5 @@ void mml_read_track(struct mml *m, struct mml_track *t)
         event(&r, r.tick, TUNE_OFF, 0, 0);
     t->end = r.tick;
     if (t->loop >= 0 && t->end == t->loop)
-        mml_bad(m, t->loop_from, "nothing to repeat behind L");
+        mml_bad(m, t->loop_from, "nothing to repeat after L");
 }

@@ -20,7 +20,7 @@ static void add_byte(struct bytes *b, uint8_t v)
         uint8_t *more = realloc(b->p, room);
         if (more == NULL || b->n > TUNE_MOST - 64) {
             free(more ? more : b->p);
-            mml_bad(b->m, 0, "longer than %d bytes, loops written out", (int)TUNE_MOST);
+            mml_bad(b->m, 0, "longer than %d bytes (loops expanded)", (int)TUNE_MOST);
         }
         b->p = more;
         b->room = room;
@@ -143,9 +143,9 @@ static void check_loops(struct mml *m)
             first = i;
         const struct mml_track *f = &m->tracks[first];
         if (t->end - t->loop != f->end - f->loop)
-            mml_bad(m, t->loop_from, "track %c repeats %u ticks, track %c %u (%d a quarter note): they would part",
-                    'A' + i, (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop),
-                    (int)TUNE_QUARTER);
+            mml_bad(m, t->loop_from,
+                    "track %c repeats %u ticks, track %c %u (%d per quarter note): they would drift apart", 'A' + i,
+                    (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop), (int)TUNE_QUARTER);
     }
     if (first >= 0) {
         m->conductor.loop = m->tracks[first].loop;

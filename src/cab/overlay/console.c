@@ -75,11 +75,11 @@ static void run(struct console *c, struct board *b, bool keeps)
     bool kept = strncmp(c->line, keep, sizeof keep - 1) == 0;
     print_format(c, CANVAS_YELLOW, "> %s", c->line);
     if (kept && !keeps) {
-        print(c, CANVAS_RED, "a demo is shown: nothing can be kept");
+        print(c, CANVAS_RED, "a demo is playing: nothing can be saved");
         return;
     }
     if (!save(c, b)) {
-        print(c, CANVAS_RED, "not enough memory to put RAM back afterwards");
+        print(c, CANVAS_RED, "out of memory: RAM could not be restored afterwards");
         return;
     }
     bool good = board_eval(b, c->line + (kept ? sizeof keep - 1 : 0), out, sizeof out);
@@ -87,7 +87,7 @@ static void run(struct console *c, struct board *b, bool keeps)
         board_restore(b, c->snapshot);
     print(c, good ? CANVAS_WHITE : CANVAS_RED, out);
     if (good && kept)
-        print(c, CANVAS_GREY, "kept: the demo is touched, scores are not saved any more");
+        print(c, CANVAS_GREY, "kept: the demo is touched; scores are no longer saved");
     c->kept = c->kept || (good && kept);
 }
 
@@ -212,7 +212,7 @@ static void open_console(struct console *c)
     c->repeats = 0;
     if (!c->outputs)
         print(c, CANVAS_GREY,
-              "A line of Lua. What it changes is undone afterwards,\nbut of `keep LINE`. Up: lines before. Escape: "
+              "Enter a line of Lua. Its changes are undone afterwards,\nexcept with `keep LINE`. Up: history. Escape: "
               "close.");
 }
 

@@ -476,7 +476,7 @@ static void add_speaker(struct panel *s, const struct speaker *p)
     else if (p->state == SPEAKER_OFF || !p->seen.looks)
         add(s, CANVAS_GREY, "nothing heard yet");
     else
-        add(s, p->seen.dry ? CANVAS_YELLOW : CANVAS_WHITE, "volume %d%%  %.1f ms to the air  gaps %u", p->volume,
+        add(s, p->seen.dry ? CANVAS_YELLOW : CANVAS_WHITE, "volume %d%%  latency %.1f ms  gaps %u", p->volume,
             (double)p->seen.sum / (double)p->seen.looks * 1000 / SPEAKER_RATE, (unsigned)p->seen.dry);
 }
 

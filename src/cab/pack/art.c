@@ -42,8 +42,8 @@ void art_default_palette(uint8_t rgb[CART_PALETTE])
 bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size)
 {
     if (picture->w != 16 || picture->h != 16)
-        return err_set(err, err_size, "%dx%d pixels, expected 16x16: a row a bank, a column a shade", picture->w,
-                       picture->h);
+        return err_set(err, err_size, "%dx%d pixels, expected 16x16: one row per bank, one column per shade",
+                       picture->w, picture->h);
     for (int i = 0; i < 256; i++)
         memcpy(rgb + i * 3, picture->rgba + i * 4, 3);
     return true;
@@ -104,7 +104,7 @@ static int refuse_index(const struct art_picture *p, int x, int y, int index, in
     char place[ART_PLACE];
 
     art_place(p, x, y, place);
-    err_set(err, err_size, "%s: index %d is in bank %d, expected one of bank %d (%d to %d) or 0 to 15", place, index,
+    err_set(err, err_size, "%s: index %d is in bank %d, expected bank %d (%d to %d) or 0 to 15", place, index,
             index / 16, bank, bank * 16, bank * 16 + 15);
     return -1;
 }
@@ -115,11 +115,10 @@ static int refuse_colour(const struct art_picture *p, int x, int y, const uint8_
     char place[ART_PLACE];
 
     art_place(p, x, y, place);
-    err_set(
-        err, err_size,
-        "%s: colour #%02x%02x%02x is not in bank %d (--nearest takes the nearest; match = \"index\" in rom.lua goes "
-        "by the places in the palette of an indexed picture)",
-        place, colour[0], colour[1], colour[2], bank);
+    err_set(err, err_size,
+            "%s: colour #%02x%02x%02x is not in bank %d (use --nearest for the nearest colour, or match = \"index\" in "
+            "rom.lua to use the indices of an indexed picture)",
+            place, colour[0], colour[1], colour[2], bank);
     return -1;
 }
 
@@ -150,7 +149,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
                    size_t *size, char *err, size_t err_size)
 {
     if (p->w != 128 || p->h % 8 != 0 || p->h < 8 || p->h / 8 * 16 > CART_MAX_GLYPHS)
-        return err_set(err, err_size, "%dx%d pixels, expected 128 x 8 to %d: cells of 8x8, 16 a row", p->w, p->h,
+        return err_set(err, err_size, "%dx%d pixels, expected 128 x 8 to %d: cells of 8x8, 16 per row", p->w, p->h,
                        CART_MAX_GLYPHS / 16 * 8);
     *size = (size_t)p->w * (size_t)p->h;
     *out = malloc(*size);
@@ -227,9 +226,8 @@ void art_faint_say(const struct art_picture *picture, const struct art_faint *f,
 
     art_place(picture, f->x, f->y, place);
     if (f->n > 1)
-        snprintf(count, sizeof count, "; %ld such pixels in all", f->n);
-    snprintf(out, size, "%s: painted with %d %% opacity, and what has less than half vanishes%s", place, f->percent,
-             count);
+        snprintf(count, sizeof count, "; %ld such pixels in total", f->n);
+    snprintf(out, size, "%s: %d %% opaque; pixels below 50 %% become transparent%s", place, f->percent, count);
 }
 
 /* Pictures of w x h on end, without padding: picture = frame * rotations + rotation. */
@@ -313,7 +311,8 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
 
     turned_size(s, &w, &h);
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
-        return err_set(err, err_size, "%dx%d pixels when turned, expected at most %d each way", w, h, CART_MAX_SIDE);
+        return err_set(err, err_size, "%dx%d pixels when rotated, expected at most %d in each direction", w, h,
+                       CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
         return result_host(err, err_size, "out of memory");
@@ -353,8 +352,8 @@ static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *er
     struct turn t;
 
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
-        return err_set(err, err_size, "%dx%d pixels at %d percent, expected at most %d each way", w, h, percent,
-                       CART_MAX_SIDE);
+        return err_set(err, err_size, "%dx%d pixels at %d percent, expected at most %d in each direction", w, h,
+                       percent, CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
         return result_host(err, err_size, "out of memory");
@@ -437,7 +436,7 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     struct stack s;
 
     if (sprite->x + (int64_t)sprite->w * sprite->frames > sheet->w || sprite->y + sprite->h > sheet->h)
-        return err_set(err, err_size, "%d frames of %dx%d at %d,%d are not inside the sheet's %dx%d pixels",
+        return err_set(err, err_size, "%d frames of %dx%d at %d,%d do not fit the sheet of %dx%d pixels",
                        (int)sprite->frames, (int)sprite->w, (int)sprite->h, (int)sprite->x, (int)sprite->y, sheet->w,
                        sheet->h);
     if (!make_stack(&s, sprite->w, sprite->h, sprite->frames, err, err_size))

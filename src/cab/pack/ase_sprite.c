@@ -40,8 +40,8 @@ static bool refuse_tag(const struct ase *a, const char *name, char *err, size_t 
 
     list_tags(a, tags, sizeof tags);
     if (a->n_tags == 0)
-        return err_set(err, err_size, "there is no tag \"%s\": the file has no tags", name);
-    return err_set(err, err_size, "there is no tag \"%s\"; there is %s", name, tags);
+        return err_set(err, err_size, "no tag \"%s\": the file has no tags", name);
+    return err_set(err, err_size, "no tag \"%s\"; it has %s", name, tags);
 }
 
 /* The frames of a tag in the order they play, from 0 on; returns how many there are, of which `most` are written. Back
@@ -91,8 +91,8 @@ static bool spread(const struct ase *a, uint16_t *order, int *n, int32_t *every,
                 shown[all] = order[i];
     if (all > CART_MAX_FRAMES)
         return err_set(err, err_size,
-                       "its frames' times are such that it becomes %d pictures, expected at most %d (`every` in "
-                       "rom.lua gives all the same time)",
+                       "its frame durations make %d pictures, expected at most %d (set `every` in rom.lua to give "
+                       "every frame the same duration)",
                        all, CART_MAX_FRAMES);
     memcpy(order, shown, (size_t)all * sizeof *shown);
     *n = all;
@@ -109,7 +109,7 @@ static bool choose_frames(const struct ase *a, struct ase_sprite *s, char *err, 
         return refuse_tag(a, s->sprite.tag, err, err_size);
     int n = play_order(tag, s->frames, CART_MAX_FRAMES);
     if (n > CART_MAX_FRAMES)
-        return err_set(err, err_size, "%d frames, expected at most %d (tag = \"NAME\" chooses some)", n,
+        return err_set(err, err_size, "%d frames, expected at most %d (choose some with tag = \"NAME\")", n,
                        CART_MAX_FRAMES);
     if (s->sprite.every == 0 && !spread(a, s->frames, &n, &s->sprite.every, err, err_size))
         return false;
@@ -155,7 +155,7 @@ static bool make_strip(const struct ase *a, const struct art_sprite *at, bool by
     const size_t all = (size_t)at->w * (size_t)at->h * (size_t)s->sprite.frames;
 
     if (all > ASE_MAX_PICTURE)
-        return err_set(err, err_size, "its %d frames of %dx%d pixels are too many", (int)s->sprite.frames, (int)at->w,
+        return err_set(err, err_size, "its %d frames of %dx%d pixels are too large", (int)s->sprite.frames, (int)at->w,
                        (int)at->h);
     s->picture = (struct art_picture){ .rgba = malloc(all * 4), .w = at->w * s->sprite.frames, .h = at->h };
     s->picture.index = a->depth == 1 && !a->mixed ? malloc(all) : NULL;
@@ -176,10 +176,8 @@ static bool make_strip(const struct ase *a, const struct art_sprite *at, bool by
 static bool check_index(const struct ase *a, char *err, size_t err_size)
 {
     if (a->depth != 1)
-        return err_set(err, err_size, "match = \"index\" is for indexed sprites, and this one has colours");
-    return !a->mixed ||
-           err_set(err, err_size,
-                   "match = \"index\" is for plain layers, and of this one some are blended or see-through");
+        return err_set(err, err_size, "match = \"index\" needs indexed colour; this sprite is RGB or greyscale");
+    return !a->mixed || err_set(err, err_size, "match = \"index\" needs opaque layers in normal mode");
 }
 
 /* ---- slices ---- */
@@ -255,14 +253,14 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
     const uint32_t i = h->rows;
 
     if (i > 0 && (shape != SHAPE_CIRCLES || h->shape != SHAPE_CIRCLES))
-        return err_set(err, err_size, "slice \"%s\" is one shape too many: expected one box, one capsule, or circles",
+        return err_set(err, err_size, "slice \"%s\": too many shapes: expected one box, one capsule, or circles",
                        k->name);
     if (i == SHAPE_PARTS)
         return err_set(err, err_size, "more than %d slices named \"hit\"", SHAPE_PARTS);
     if (shape != SHAPE_CIRCLES && (dx < -1 || dx > 1 || dy < -1 || dy > 1))
         return err_set(err, err_size,
-                       "slice \"%s\": its middle is %g,%g px from the origin, and a %s lies about it; circles "
-                       "(slices named \"hit\") may lie anywhere",
+                       "slice \"%s\": its centre is %g,%g px from the origin; a %s must be centred on it; circles "
+                       "(slices named \"hit\") need not be",
                        k->name, (double)dx / 2, (double)dy / 2, shape == SHAPE_BOX ? "box" : "capsule");
     h->shape = shape;
     h->rows = i + 1;
@@ -273,7 +271,7 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
     else
         good = scale(shape == SHAPE_CIRCLES ? dx : k->w - small, percent, &h->row[i].x) &&
                scale(shape == SHAPE_CIRCLES ? dy : k->h - small, percent, &h->row[i].y) && good;
-    return good || err_set(err, err_size, "slice \"%s\" lies far outside of the picture", k->name);
+    return good || err_set(err, err_size, "slice \"%s\" is far outside the picture", k->name);
 }
 
 static bool find_hit(const struct ase *a, struct ase_sprite *s, const struct art_sprite *at, char *err, size_t err_size)
@@ -306,10 +304,10 @@ bool ase_make_sprite(const struct ase *a, const struct art_sprite *asked, bool b
     at.w = at.w < 1 ? 1 : at.w; /* a place outside of the canvas is told as such */
     at.h = at.h < 1 ? 1 : at.h;
     if (at.x + at.w > a->w || at.y + at.h > a->h)
-        return err_set(err, err_size, "%dx%d at %d,%d is not inside the canvas of %dx%d pixels", (int)at.w, (int)at.h,
+        return err_set(err, err_size, "%dx%d at %d,%d is outside the canvas of %dx%d pixels", (int)at.w, (int)at.h,
                        (int)at.x, (int)at.y, a->w, a->h);
     if (at.w > CART_MAX_SIDE || at.h > CART_MAX_SIDE)
-        return err_set(err, err_size, "%dx%d pixels, expected at most %d each way (x, y, w, h choose a part)",
+        return err_set(err, err_size, "%dx%d pixels, expected at most %d in each direction (x, y, w, h choose a part)",
                        (int)at.w, (int)at.h, CART_MAX_SIDE);
     if ((by_index && !check_index(a, err, err_size)) || !choose_frames(a, out, err, err_size))
         return false;

@@ -179,8 +179,8 @@ static bool find_charset(struct reader *r)
         if (i == sizeof charsets / sizeof *charsets) {
             r->at = r->charset_line;
             return refuse(r,
-                          "the font's characters are %.60s; expected ISO10646-1 (Unicode), US-ASCII, KOI8-R, "
-                          "FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16",
+                          "characters in %.60s; expected ISO10646-1 (Unicode), US-ASCII, KOI8-R, FontSpecific, or "
+                          "ISO8859-1 to 5, 7, 9, 10, 13 to 16",
                           said);
         }
         r->charset = &charsets[i];
@@ -195,7 +195,7 @@ static bool read_bits(struct reader *r, int64_t bits)
     if (bits != 1 && bits != 2 && bits != 4 && bits != 8)
         return refuse(r, "pixels of %d bits; expected 1, 2, 4 or 8", (int)bits);
     if (r->bits != 1 && r->bits != bits)
-        return refuse(r, "pixels of %d bits, but of %d before", (int)bits, r->bits);
+        return refuse(r, "pixels of %d bits, but earlier %d", (int)bits, r->bits);
     r->bits = (int)bits;
     return true;
 }
@@ -249,7 +249,7 @@ static bool read_head(struct reader *r)
     } else if ((s = behind(r, "BITS_PER_PIXEL")) != NULL) {
         return numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]);
     } else if ((s = behind(r, "METRICSSET")) != NULL) {
-        return numbers(r, s, 1, 0, 2, v) && (v[0] != 1 || refuse(r, "a font for lines that run down is not read"));
+        return numbers(r, s, 1, 0, 2, v) && (v[0] != 1 || refuse(r, "vertical fonts are not supported"));
     }
     return true;
 }
@@ -260,14 +260,14 @@ static bool begin(struct reader *r)
     const bool none = r->has_ascent && r->has_descent && r->ascent == 0 && r->descent == 0;
 
     if (!r->has_box && !(r->has_ascent && r->has_descent))
-        return refuse(r, "the head has no %s, and no FONTBOUNDINGBOX", r->has_ascent ? "FONT_DESCENT" : "FONT_ASCENT");
+        return refuse(r, "the header has no %s and no FONTBOUNDINGBOX", r->has_ascent ? "FONT_DESCENT" : "FONT_ASCENT");
     if (r->has_box && (none || !r->has_ascent))
         r->ascent = (int)(r->box[1] + r->box[3]);
     if (r->has_box && (none || !r->has_descent))
         r->descent = (int)-r->box[3];
     r->f->height = r->ascent + r->descent;
     if (r->f->height < 1 || r->f->height > FACE_HEIGHT)
-        return refuse(r, "a line of %d px (ascent %d, descent %d); expected 1 to %d", r->f->height, r->ascent,
+        return refuse(r, "line height %d px (ascent %d, descent %d); expected 1 to %d", r->f->height, r->ascent,
                       r->descent, FACE_HEIGHT);
     return find_charset(r);
 }
@@ -307,7 +307,7 @@ static bool read_row(struct reader *r, int w, uint8_t *out)
 
     do
         if (!next(r))
-            return refuse(r, "the file ends within a BITMAP");
+            return refuse(r, "the file ends inside a BITMAP");
     while (behind(r, "COMMENT") != NULL);
     const char *s = r->line + strspn(r->line, " \t");
     for (int i = 0; i < digits && i < LINE - 64; i++)
@@ -329,14 +329,14 @@ static bool fits(int v, int lo, int hi)
 static bool check_letter(const struct reader *r, const struct letter *l, const struct faces_glyph *g)
 {
     if (!l->has_advance)
-        return refuse(r, "U+%04X has no DWIDTH, and the head has none", (unsigned)l->code);
+        return refuse(r, "U+%04X has no DWIDTH, and the header has none", (unsigned)l->code);
     if (l->rise != 0 || l->advance < 0 || l->advance > FACE_HEIGHT)
         return refuse(r, "U+%04X: DWIDTH %d %d; expected 0 to %d, and 0", (unsigned)l->code, l->advance, l->rise,
                       FACE_HEIGHT);
     if (l->w > FACE_SIDE || l->h > FACE_SIDE)
-        return refuse(r, "a character of %dx%d px; expected at most %d each way", l->w, l->h, FACE_SIDE);
+        return refuse(r, "character of %dx%d px; expected at most %d in each direction", l->w, l->h, FACE_SIDE);
     if (!fits(g->x, -128, 127) || !fits(g->y, -128, 127))
-        return refuse(r, "U+%04X lies too far from the line", (unsigned)l->code);
+        return refuse(r, "U+%04X is too far from the line", (unsigned)l->code);
     return true;
 }
 
@@ -346,7 +346,7 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
     const bool wanted = l->encoded && l->code >= 0 && faces_has(r->wanted, (uint32_t)l->code);
 
     if (!l->boxed || !l->encoded)
-        return refuse(r, "a BITMAP without ENCODING and BBX before it");
+        return refuse(r, "BITMAP without ENCODING and BBX before it");
     if (wanted && !check_letter(r, l, &g))
         return false;
     g.code = (uint32_t)l->code;
@@ -393,7 +393,8 @@ static bool read_letter_line(struct reader *r, struct letter *l, int64_t named)
         if (!numbers(r, s, 4, -32768, 32767, v))
             return false;
         if (v[0] < 0 || v[1] < 0)
-            return refuse(r, "a character of %dx%d px; expected at most %d each way", (int)v[0], (int)v[1], FACE_SIDE);
+            return refuse(r, "character of %dx%d px; expected at most %d in each direction", (int)v[0], (int)v[1],
+                          FACE_SIDE);
         l->boxed = true;
         l->w = (int)v[0], l->h = (int)v[1], l->x = (int)v[2], l->y = (int)v[3];
     } else if (behind(r, "BITMAP") != NULL) {
@@ -411,11 +412,11 @@ static bool read_letter(struct reader *r)
 
     while (next(r)) {
         if (behind(r, "ENDCHAR") != NULL)
-            return l.drawn ? true : refuse(r, "a character without BITMAP");
+            return l.drawn ? true : refuse(r, "character without BITMAP");
         if (!read_letter_line(r, &l, named))
             return false;
     }
-    return refuse(r, "the file ends within a character");
+    return refuse(r, "the file ends inside a character");
 }
 
 static bool read_all(struct reader *r)
@@ -423,7 +424,7 @@ static bool read_all(struct reader *r)
     bool begun = false;
 
     if (!next(r) || behind(r, "STARTFONT") == NULL) /* 2.1, 2.2, and 2.3 with greys */
-        return refuse(r, "expected STARTFONT, so it is no BDF");
+        return refuse(r, "expected STARTFONT: not a BDF file");
     while (next(r)) {
         if (behind(r, "ENDFONT") != NULL)
             return begun ? true : refuse(r, "no characters");
@@ -449,5 +450,5 @@ bool bdf_read(struct faces *f, const char *text, size_t n, const struct faces_se
     *f = (struct faces){ 0 };
     if (!read_all(&r))
         return false;
-    return faces_sort(f, &code) ? true : err_set(err, err_size, "U+%04X is there twice", (unsigned)code);
+    return faces_sort(f, &code) ? true : err_set(err, err_size, "duplicate character U+%04X", (unsigned)code);
 }

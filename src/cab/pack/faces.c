@@ -234,8 +234,8 @@ bool faces_cut(struct faces *f, const struct art_picture *picture, const struct 
 
     f->height = font->h;
     if (n > cells)
-        return err_set(err, err_size, "%dx%d pixels have room for %d cells of %dx%d; `chars` has %d characters",
-                       picture->w, picture->h, cells, (int)font->w, (int)font->h, n);
+        return err_set(err, err_size, "%dx%d pixels hold %d cells of %dx%d, but `chars` has %d characters", picture->w,
+                       picture->h, cells, (int)font->w, (int)font->h, n);
     for (int i = 0; chars < end; i++) {
         struct faces_glyph g = { .code = utf8_next(&chars, end), .w = font->w, .h = font->h };
         if (!faces_has(wanted, g.code))

@@ -42,9 +42,9 @@ static bool check_bytes(const struct reader *r, const char *p, const char *end)
         const uint8_t byte = (uint8_t)*p;
         uint32_t code;
         if (!utf8_read(&p, end, &code))
-            return refuse(r, "expected UTF-8, got the byte %d", byte);
+            return refuse(r, "expected UTF-8, got byte %d", byte);
         if (!utf8_may_show(code) && code != '\t')
-            return refuse(r, "the control character U+%04X", (unsigned)code);
+            return refuse(r, "control character U+%04X", (unsigned)code);
     }
     return true;
 }
@@ -78,13 +78,13 @@ static const char *take(struct reader *r, const char *p, const char *end)
         }
         const char c = p + 1 < end ? *++p : '\0';
         if (c == '\0' || strchr("n=#\\ ", c) == NULL) {
-            refuse(r, "\\%.*s is no escape (there are \\n \\= \\# \\\\ and \\ before a blank)", c != '\0', &c);
+            refuse(r, "unknown escape \\%.*s (escapes are \\n \\= \\# \\\\ and \\ before a space)", c != '\0', &c);
             return NULL;
         }
         *to++ = c == 'n' ? '\n' : c;
     }
     if (to - out >= WORDS_TEXT) {
-        refuse(r, "a text of %d bytes; one has %d at most", (int)(to - out), WORDS_TEXT - 1);
+        refuse(r, "text of %d bytes, expected at most %d", (int)(to - out), WORDS_TEXT - 1);
         return NULL;
     }
     *to++ = '\0';
@@ -118,13 +118,13 @@ static bool read_line(struct reader *r, const char *p, const char *end)
         return false;
     const char *middle = equals(p, end);
     if (middle == NULL)
-        return refuse(r, "expected text = words, got \"%.*s\"", (int)(end - p < 60 ? end - p : 60), p);
+        return refuse(r, "expected text = translation, got \"%.*s\"", (int)(end - p < 60 ? end - p : 60), p);
     one.text = take(r, p, middle);
     one.words = one.text != NULL ? take(r, middle + 1, end) : NULL;
     if (one.words == NULL)
         return false;
     if (one.text[0] == '\0' || one.words[0] == '\0')
-        return refuse(r, "expected %s the =", one.text[0] == '\0' ? "a text before" : "words behind");
+        return refuse(r, "expected %s the =", one.text[0] == '\0' ? "a text before" : "a translation after");
     if (r->l->n == WORDS_MAX)
         return refuse(r, "more than %d texts", WORDS_MAX);
     if (r->l->n == r->room && !grow(r))
@@ -150,7 +150,7 @@ static bool sort(struct reader *r)
     for (int i = 1; i < l->n; i++) {
         r->line = l->list[i].line;
         if (strcmp(l->list[i - 1].text, l->list[i].text) == 0)
-            return refuse(r, "\"%.60s\" stands in line %d already", l->list[i].text, l->list[i - 1].line);
+            return refuse(r, "duplicate \"%.60s\", first in line %d", l->list[i].text, l->list[i - 1].line);
     }
     return true;
 }

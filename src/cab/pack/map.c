@@ -129,8 +129,9 @@ static bool number_cells(struct making *m, uint8_t *cells)
         if (c->cell[i] & MAP_NUMBER) {
             const int count = m->sheet[sheet_of(c, c->cell[i])].count, tile = tile_of(c, c->cell[i]);
             if (tile >= count)
-                return err_set(m->err, m->err_size, "%s: column %d of row %d: tile %d, the sheet has %d of %dx%d px",
-                               m->where, i % c->cols + 1, i / c->cols + 1, tile + 1, count, m->side, m->side);
+                return err_set(m->err, m->err_size,
+                               "%s: column %d, row %d: tile %d, but the sheet has %d tiles of %dx%d px", m->where,
+                               i % c->cols + 1, i / c->cols + 1, tile + 1, count, m->side, m->side);
             if ((number = number_of(m, c->cell[i])) < 0)
                 return false;
         }
@@ -224,8 +225,8 @@ bool map_make(const struct map_cells *cells, const char *where, int side, const 
                         .err_size = err_size };
 
     if (cells->cols > CART_MAP_SIDE / side || cells->rows > CART_MAP_SIDE / side)
-        return err_set(err, err_size, "%s: %dx%d tiles of %d px, expected at most %d px each way", where, cells->cols,
-                       cells->rows, side, CART_MAP_SIDE);
+        return err_set(err, err_size, "%s: %dx%d tiles of %d px, expected at most %d px in each direction", where,
+                       cells->cols, cells->rows, side, CART_MAP_SIDE);
     m.number = calloc(lay_sheets(&m) * 8 + 8, sizeof *m.number);
     m.pix = calloc((size_t)m.room, tile_bytes(&m));
     uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
@@ -285,17 +286,17 @@ static bool csv_number(struct csv *c)
     for (; c->at < c->end && *c->at >= '0' && *c->at <= '9' && digits < 10; c->at++, digits++)
         v = 10 * v + (*c->at - '0');
     if (!digits && c->at < c->end)
-        return err_set(c->err, c->err_size, "%s:%d: expected a whole number, got the byte %d", c->file, c->line,
+        return err_set(c->err, c->err_size, "%s:%d: expected an integer, got byte %d", c->file, c->line,
                        (unsigned char)*c->at);
     if (!digits)
-        return err_set(c->err, c->err_size, "%s:%d: expected a whole number, got the file's end", c->file, c->line);
+        return err_set(c->err, c->err_size, "%s:%d: expected an integer, got the end of the file", c->file, c->line);
     v = minus ? -v : v;
     const uint32_t turns = v != c->first - 1 && v >= INT32_MIN && v <= UINT32_MAX ? map_turns((uint32_t)v) : 0;
     const int64_t tile = turns ? (int64_t)((uint32_t)v & ~MAP_GID_TURNS) : v;
     if (tile < c->first - !turns || tile - c->first + 1 > MAP_NUMBER)
-        return err_set(c->err, c->err_size, "%s:%d: expected %d for empty or a tile from %d on, got %" PRId64 "%s",
-                       c->file, c->line, c->first - 1, c->first, v,
-                       v == -1 ? " (Tiled's CSV counts from 0: write first = 0)" : "");
+        return err_set(c->err, c->err_size,
+                       "%s:%d: expected %d for empty or a tile number from %d on, got %" PRId64 "%s", c->file, c->line,
+                       c->first - 1, c->first, v, v == -1 ? " (Tiled's CSV counts from 0: add first = 0)" : "");
     return csv_add(c, (uint32_t)(tile - c->first + 1) | turns);
 }
 
@@ -311,7 +312,7 @@ static bool csv_line(struct csv *c)
         if (c->at < c->end && *c->at == ',')
             c->at++;
         else if (c->at < c->end && *c->at != '\n')
-            return err_set(c->err, c->err_size, "%s:%d: expected a comma, got the byte %d", c->file, c->line,
+            return err_set(c->err, c->err_size, "%s:%d: expected a comma, got byte %d", c->file, c->line,
                            (unsigned char)*c->at);
         skip_blanks(c);
         if (c->at == c->end || *c->at == '\n')
@@ -334,14 +335,14 @@ static bool csv_lines(struct csv *c)
         skip_blanks(c);
         if (c->at < c->end && *c->at != '\n') {
             if (empty)
-                return err_set(c->err, c->err_size, "%s:%d: an empty line amid the others", c->file, empty);
+                return err_set(c->err, c->err_size, "%s:%d: blank line between other lines", c->file, empty);
             if (!csv_line(c))
                 return false;
         } else if (!empty)
             empty = c->line;
         c->at += c->at < c->end;
     }
-    return c->n > 0 ? true : err_set(c->err, c->err_size, "%s: expected lines of numbers, got none", c->file);
+    return c->n > 0 ? true : err_set(c->err, c->err_size, "%s: expected lines of numbers, got an empty file", c->file);
 }
 
 bool map_read_csv(const char *text, size_t n, const char *file, int first, struct map_cells *out, char *err,

@@ -107,9 +107,9 @@ static bool check_attribute(struct tmx *t, struct xml *x, const struct xml_attri
         plain = same && (*rules)[n] == '=' && plain == NULL ? *rules + n + 1 : plain;
     }
     if (plain == NULL)
-        return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not read", x->name, a->key, a->value);
-    return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not read, expected \"%s\"", x->name, a->key, a->value,
-                  plain);
+        return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not supported", x->name, a->key, a->value);
+    return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not supported, expected \"%s\"", x->name, a->key,
+                  a->value, plain);
 }
 
 static bool check_attributes(struct tmx *t, struct xml *x, const char *const *rules)
@@ -196,7 +196,7 @@ static bool read_image(struct tmx *t, struct xml *x, struct tileset *s)
     const char *source = xml_value(x, "source");
     int64_t w;
 
-    if (source == NULL && !refuse(t, x, x->name_line, "<image> without a source: a picture in the file is not read"))
+    if (source == NULL && !refuse(t, x, x->name_line, "<image> without a source: embedded pictures are not supported"))
         return false;
     if (!check_attributes(t, x, rules) || !get(x, "width", 0, 1 << 20, 0, &w))
         return false;
@@ -216,13 +216,13 @@ static bool read_tile(struct tmx *t, struct xml *x)
     if (!need(x, "id", 0, INT32_MAX, &t->at_tile) || !check_attributes(t, x, rules))
         return false;
     while ((event = xml_next(x)) == XML_OPEN) {
-        const char *what = strcmp(x->name, "animation") == 0 ? "an animated tile is not read; remove its animation"
+        const char *what = strcmp(x->name, "animation") == 0 ? "animated tiles are not supported; remove the animation"
                            : strcmp(x->name, "image") == 0
-                               ? "a collection of images is not read; put the tiles on one picture"
+                               ? "image collections are not supported; put the tiles on one picture"
                                : NULL;
         if (!is_one_of(x->name, harmless) &&
             !(what != NULL ? refuse(t, x, x->name_line, "%s", what)
-                           : refuse(t, x, x->name_line, "<%.40s> of a tile is not read", x->name)))
+                           : refuse(t, x, x->name_line, "<%.40s> of a tile is not supported", x->name)))
             return false;
         if (!xml_skip(x))
             return false;
@@ -243,7 +243,7 @@ static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
         return read_tile(t, x);
     if (strcmp(x->name, "tileoffset") == 0)
         return check_attributes(t, x, offset) && xml_skip(x);
-    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> of a tileset is not read", x->name))
+    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> of a tileset is not supported", x->name))
         return false;
     return xml_skip(x);
 }
@@ -288,7 +288,7 @@ static bool read_tsx(struct tmx *t, const char *source, struct tileset *s)
 
     if (!resolve(t->map.file, source, file))
         return xml_refuse(&t->map, t->map.name_line,
-                          "tileset \"%.80s\" is outside of the game's folder; put it there, or embed it in the map",
+                          "tileset \"%.80s\" is outside the game's folder; move it there, or embed it in the map",
                           source);
     if (!t->files->load(t->files->context, file, &text, &n, t->err, t->err_size)) {
         char why[SENTENCE];
@@ -341,11 +341,11 @@ static bool set_gid(struct tmx *t, struct xml *x, int line, uint32_t *to, int64_
     const uint32_t id = (uint32_t)gid & ~MAP_GID_TURNS;
 
     if (gid > UINT32_MAX || id >> 28)
-        return xml_refuse(x, line, "expected a tile's number, got %" PRId64, gid);
+        return xml_refuse(x, line, "expected a tile number, got %" PRId64, gid);
     if (id) {
         struct tileset *s = set_of(t, id);
         if (s == NULL)
-            return xml_refuse(x, line, "tile %" PRIu32 " is of no tileset", id);
+            return xml_refuse(x, line, "tile %" PRIu32 " does not belong to a tileset", id);
         const uint32_t behind = (uint32_t)(id - s->first + 1);
         s->used = behind > s->used ? behind : s->used;
     }
@@ -370,9 +370,9 @@ static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int6
         for (; s < end && *s >= '0' && *s <= '9' && digits < 10; digits++)
             gid = gid * 10 + (*s++ - '0');
         if (digits == 0)
-            return xml_refuse(x, line, "expected a tile's number");
+            return xml_refuse(x, line, "expected a tile number");
         if (*got == n)
-            return xml_refuse(x, line, "more tiles than %" PRId64, n);
+            return xml_refuse(x, line, "more than %" PRId64 " tiles", n);
         if (!set_gid(t, x, line, &to[(*got)++], gid))
             return false;
         while (s < end && strchr(" \t\r\n", *s) != NULL)
@@ -393,7 +393,7 @@ static bool read_xml(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int6
         if (strcmp(x->name, "tile") != 0)
             return xml_refuse(x, x->name_line, "expected <tile gid=\"...\"/>, got <%.40s>", x->name);
         if (*got == n)
-            return xml_refuse(x, x->name_line, "more tiles than %" PRId64, n);
+            return xml_refuse(x, x->name_line, "more than %" PRId64 " tiles", n);
         if (!check_attributes(t, x, rules) || !get(x, "gid", 0, UINT32_MAX, 0, &gid) ||
             !set_gid(t, x, x->name_line, &to[(*got)++], gid) || !xml_skip(x))
             return false;
@@ -472,7 +472,7 @@ static bool read_base64(struct tmx *t, struct xml *x, const char *compression, u
     const int64_t packed_size = good ? decode64(s, length, packed) : 0;
 
     if (good && packed_size < 0)
-        good = xml_refuse(x, line, "this is not base64");
+        good = xml_refuse(x, line, "invalid base64");
     else if (good && compression[0] == '\0' && (size_t)packed_size != size)
         good = xml_refuse(x, line, "%" PRId64 " bytes of tiles, expected %zu", packed_size, size);
     else if (good && compression[0] == '\0')
@@ -529,7 +529,7 @@ static bool read_chunk(struct tmx *t, struct xml *x, const char *encoding, const
     if (encoding[0] == '\0')
         return true;
     const enum xml_event event = xml_next(x);
-    return event == XML_OPEN ? xml_refuse(x, x->name_line, "<%.40s> among the tiles is not read", x->name)
+    return event == XML_OPEN ? xml_refuse(x, x->name_line, "<%.40s> among the tiles is not supported", x->name)
                              : event == XML_CLOSE;
 }
 
@@ -560,14 +560,14 @@ static bool read_data(struct tmx *t, struct xml *x)
         if (strcmp(x->attribute[i].key, "compression") == 0 && strcmp(x->attribute[i].value, "zstd") == 0)
             return xml_refuse(
                 x, x->name_line,
-                "data compressed by zstd is not read; in Tiled's Map Properties, set Tile Layer Format to CSV");
+                "zstd compression is not supported; in Tiled's Map Properties, set Tile Layer Format to CSV");
     if (!check_attributes(t, x, rules))
         return false;
     const char *e = xml_value(x, "encoding"), *c = xml_value(x, "compression");
     snprintf(encoding, sizeof encoding, "%s", e != NULL ? e : "");
     snprintf(compression, sizeof compression, "%s", c != NULL ? c : "");
     if (compression[0] != '\0' && encoding[0] != 'b')
-        return xml_refuse(x, x->name_line, "data is compressed, but not in base64");
+        return xml_refuse(x, x->name_line, "compressed data must be base64");
     if (t->infinite)
         return read_chunks(t, x, encoding, compression);
     return read_chunk(t, x, encoding, compression, (struct chunk){ 0, 0, t->cols, t->rows, 0 });
@@ -587,10 +587,11 @@ static bool collect_sheets(struct tmx *t, struct xml *x, int line)
         if (s->used == 0)
             continue;
         if (out->sheets == MAP_SHEETS)
-            return xml_refuse(x, line, "the layer has tiles of more than %d tilesets", (int)MAP_SHEETS);
+            return xml_refuse(x, line, "the layer uses tiles of more than %d tilesets", (int)MAP_SHEETS);
         const int64_t count = s->count > 0 ? s->count : MAP_NUMBER - base;
         if (s->used > count)
-            return xml_refuse(x, line, "tile %" PRId64 " is of no tileset: that at %s has %" PRId64 " tiles",
+            return xml_refuse(x, line,
+                              "tile %" PRId64 " does not belong to a tileset: the one at %s has %" PRId64 " tiles",
                               s->first + s->used - 1, s->sheet.place, count);
         s->sheet.base = (uint32_t)base;
         out->sheet[out->sheets++] = s->sheet;
@@ -668,7 +669,8 @@ static bool finish_layer(struct tmx *t, struct xml *x, int line)
     if (t->infinite && !bound(t, &box))
         return xml_refuse(x, line, "the layer has no tiles");
     if (box.w > CART_MAP_SIDE / 8 || box.h > CART_MAP_SIDE / 8 || box.w * box.h > CART_MAP_CELLS)
-        return xml_refuse(x, line, "the layer's tiles cover %" PRId64 "x%" PRId64 ", expected at most %d each way",
+        return xml_refuse(x, line,
+                          "the layer covers %" PRId64 "x%" PRId64 " tiles, expected at most %d in each direction",
                           box.w, box.h, CART_MAP_SIDE / 8);
     return check_flaws(t) && collect_sheets(t, x, line) && place_cells(t, box);
 }
@@ -710,19 +712,19 @@ static bool read_layer(struct tmx *t, struct xml *x)
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "data") == 0) {
             if (data)
-                return xml_refuse(x, x->name_line, "a second <data>");
+                return xml_refuse(x, x->name_line, "second <data>");
             data = true;
             if (!read_data(t, x))
                 return false;
         } else if (strcmp(x->name, "properties") != 0) {
-            return xml_refuse(x, x->name_line, "<%.40s> of a layer is not read", x->name);
+            return xml_refuse(x, x->name_line, "<%.40s> of a layer is not supported", x->name);
         } else if (!xml_skip(x)) {
             return false;
         }
     }
     if (event != XML_CLOSE)
         return false;
-    return data ? finish_layer(t, x, line) : xml_refuse(x, line, "a layer without <data>");
+    return data ? finish_layer(t, x, line) : xml_refuse(x, line, "layer without <data>");
 }
 
 /* Adds the name to those for a sentence; one that does not fit is left out. */
@@ -745,7 +747,7 @@ static bool tile_layer(struct tmx *t, struct xml *x)
         return xml_skip(x);
     }
     if (t->found)
-        return xml_refuse(x, x->name_line, "a second layer of that name");
+        return xml_refuse(x, x->name_line, "second layer with this name");
     return read_layer(t, x);
 }
 
@@ -757,12 +759,12 @@ static bool read_object(struct xml *x)
     enum xml_event event;
 
     if (!hidden && xml_value(x, "gid") != NULL)
-        return xml_refuse(x, x->name_line, "an object that is a tile is not read; put the tile on the layer");
+        return xml_refuse(x, x->name_line, "tile objects are not supported; put the tile on the layer");
     if (!hidden && xml_value(x, "template") != NULL)
-        return xml_refuse(x, x->name_line, "an object of a template is not read; detach it in Tiled");
+        return xml_refuse(x, x->name_line, "template objects are not supported; detach it in Tiled");
     while ((event = xml_next(x)) == XML_OPEN) {
         if (!hidden && strcmp(x->name, "text") == 0)
-            return xml_refuse(x, x->name_line, "an object that is text is not read");
+            return xml_refuse(x, x->name_line, "text objects are not supported");
         if (!xml_skip(x))
             return false;
     }
@@ -796,11 +798,11 @@ static bool any_layer(struct tmx *t, struct xml *x)
     if (strcmp(x->name, "objectgroup") == 0)
         return unseen ? xml_skip(x) : read_objects(x);
     if (strcmp(x->name, "imagelayer") != 0)
-        return xml_refuse(x, x->name_line, "<%.40s> is not read", x->name);
+        return xml_refuse(x, x->name_line, "<%.40s> is not supported", x->name);
     return unseen ? xml_skip(x)
-                  : xml_refuse(x, x->name_line,
-                               "a layer that is an image is not read; hide it, or say in rom.lua which "
-                               "layer to read, layer = \"NAME\"");
+                  : xml_refuse(
+                        x, x->name_line,
+                        "image layers are not supported; hide it, or choose a layer in rom.lua with layer = \"NAME\"");
 }
 
 static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x))
@@ -848,8 +850,7 @@ static bool read_map(struct tmx *t, struct xml *x)
         return false;
     if (!is_clear(color))
         return xml_refuse(x, x->name_line,
-                          "<map> backgroundcolor=\"%.40s\" is not read; clear it in Tiled's Map "
-                          "Properties",
+                          "<map> backgroundcolor=\"%.40s\" is not supported; clear it in Tiled's Map Properties",
                           color);
     t->infinite = infinite;
     if (!t->infinite &&
@@ -872,15 +873,15 @@ static bool read_file(struct tmx *t)
     if (event == XML_BAD)
         return false;
     if (event == XML_END || strcmp(x->name, "map") != 0)
-        return err_set(t->err, t->err_size, "%s: there is no <map>: not a map of Tiled's", x->file);
+        return err_set(t->err, t->err_size, "%s: no <map>: not a Tiled map", x->file);
     if (!read_map(t, x) || xml_next(x) != XML_END)
         return false;
     if (t->wanted[0] == '\0' && t->layers > 1)
-        return xml_refuse(x, t->layer_line, "a second layer of tiles: say in rom.lua which, layer = \"NAME\"");
+        return xml_refuse(x, t->layer_line, "second tile layer; choose one in rom.lua with layer = \"NAME\"");
     if (!t->found && t->wanted[0] != '\0')
-        return err_set(t->err, t->err_size, "%s: there is no layer of tiles \"%s\"%s%s%s", x->file, t->wanted,
-                       t->names[0] != '\0' ? " (there is " : "", t->names, t->names[0] != '\0' ? ")" : "");
-    return t->found ? true : err_set(t->err, t->err_size, "%s: there is no layer of tiles", x->file);
+        return err_set(t->err, t->err_size, "%s: no tile layer \"%s\"%s%s%s", x->file, t->wanted,
+                       t->names[0] != '\0' ? " (the map has " : "", t->names, t->names[0] != '\0' ? ")" : "");
+    return t->found ? true : err_set(t->err, t->err_size, "%s: no tile layer", x->file);
 }
 
 bool map_read_tmx(const char *text, size_t n, const char *file, const char *layer, const struct map_files *files,

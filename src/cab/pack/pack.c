@@ -104,7 +104,7 @@ static bool add(struct packer *p, const char *folder, const char *name, uint8_t 
     }
     snprintf(full, n, "%s%s", folder, name);
     p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
-    return n <= ROM_NAME ? true : err_set(p->err, p->err_size, "%s: the name is too long", name);
+    return n <= ROM_NAME ? true : err_set(p->err, p->err_size, "%s: name too long", name);
 }
 
 static bool add_copy(struct packer *p, const char *folder, const char *name, const void *data, size_t size)
@@ -130,7 +130,7 @@ static bool load_in(struct packer *p, const char *name, size_t max, uint8_t **da
     char path[PATH];
 
     if (!tree_join(path, p->dir, name))
-        return err_set(p->err, p->err_size, "%s: the path is too long", name);
+        return err_set(p->err, p->err_size, "%s: path too long", name);
     return files_read(path, name, max, data, size, p->err, p->err_size);
 }
 
@@ -139,7 +139,7 @@ static bool load_text(struct packer *p, const char *name, size_t max, uint8_t **
     char path[PATH];
 
     if (!tree_join(path, p->dir, name))
-        return err_set(p->err, p->err_size, "%s: the path is too long", name);
+        return err_set(p->err, p->err_size, "%s: path too long", name);
     return files_read_text(path, name, max, text, size, p->err, p->err_size);
 }
 
@@ -212,15 +212,15 @@ static bool refuse_missing(struct packer *p, const char *file)
     int line = line_of(p->rom_text, file);
 
     if (line > 0)
-        return err_set(p->err, p->err_size, "rom.lua:%d: there is no %s", line, file);
-    return err_set(p->err, p->err_size, "rom.lua: there is no %s", file);
+        return err_set(p->err, p->err_size, "rom.lua:%d: %s does not exist", line, file);
+    return err_set(p->err, p->err_size, "rom.lua: %s does not exist", file);
 }
 
 /* A file that rom.lua names, whole. */
 static bool load_named(struct packer *p, const char *file, size_t most, uint8_t **data, size_t *size)
 {
     if (!tree_portable(file))
-        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", file);
+        return err_set(p->err, p->err_size, "%s: not a valid file name on Windows", file);
     if (!tree_has(&p->files, file))
         return refuse_missing(p, file);
     return load_in(p, file, most, data, size);
@@ -506,7 +506,7 @@ static bool load_tileset(void *context, const char *file, uint8_t **text, size_t
     struct packer *p = context;
 
     if (!tree_has(&p->files, file))
-        return err_set(err, err_size, "there is no %s", file);
+        return err_set(err, err_size, "%s does not exist", file);
     return load_text(p, file, TREE_FILE, text, n);
 }
 
@@ -519,7 +519,7 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
     if (m->file[0] == '\0')
         return rows_of(p, m, out);
     if (!tree_portable(m->file))
-        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", m->file);
+        return err_set(p->err, p->err_size, "%s: not a valid file name on Windows", m->file);
     if (!tree_has(&p->files, m->file))
         return refuse_missing(p, m->file);
     if (!load_text(p, m->file, TREE_FILE, &text, &n))
@@ -546,9 +546,9 @@ static int picture_of(struct packer *p, const struct art_map *m, const struct ma
         if (strcmp(m->tiles[k], s->picture) == 0)
             return k;
     if (s->picture[0] == '\0')
-        err_set(p->err, p->err_size, "%s: the tileset's picture is outside of the game's folder", s->place);
+        err_set(p->err, p->err_size, "%s: the tileset's picture is outside the game's folder", s->place);
     else
-        err_set(p->err, p->err_size, "%s: the map has tiles of %s; add it to `tiles` of map \"%s\" in rom.lua",
+        err_set(p->err, p->err_size, "%s: the map uses tiles of %s; add it to `tiles` of map \"%s\" in rom.lua",
                 s->place, s->picture, m->name);
     return -1;
 }
@@ -669,10 +669,10 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
         const char *sample = inst_sample(tune_inst(&t, i));
         const struct art_sound *found = sample[0] ? find_recording(p, sample) : NULL;
         if (sample[0] && !found)
-            return err_set(p->err, p->err_size,
-                           "%s: sample \"%s\" is no recording (.wav, .ogg, .flac) of rom.lua's sounds", where, sample);
+            return err_set(p->err, p->err_size, "%s: \"%s\" is not a sample (.wav, .ogg, .flac) in sounds of rom.lua",
+                           where, sample);
         if (found && found->stereo)
-            return err_set(p->err, p->err_size, "%s: sample \"%s\" is stereo, and an instrument has one voice", where,
+            return err_set(p->err, p->err_size, "%s: sample \"%s\" is stereo; instruments need mono samples", where,
                            sample);
     }
     return true;
@@ -938,7 +938,7 @@ static bool add_file(struct packer *p, const char *path)
     if (!manifest_path_ok(path) && !pack_is_bulletml(path))
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
-        return err_set(p->err, p->err_size, "%s: Windows cannot have a file of that name", path);
+        return err_set(p->err, p->err_size, "%s: not a valid file name on Windows", path);
     return lua                       ? add_script(p, path)
            : demo                    ? add_demo(p, path)
            : pack_is_lang(path)      ? add_lang(p, path)
@@ -952,10 +952,11 @@ static bool add_files(struct packer *p)
     const char *a, *b;
 
     if (tree_twins(&p->files, &a, &b))
-        return err_set(p->err, p->err_size, "%s and %s are one file where case does not count", a, b);
+        return err_set(p->err, p->err_size,
+                       "%s and %s differ only in upper and lower case, which is the same file on some systems", a, b);
     snprintf(path, sizeof path, "%s.lua", p->m.entry);
     if (!tree_has(&p->files, path))
-        return err_set(p->err, p->err_size, "rom.lua: entry: there is no %s", path);
+        return err_set(p->err, p->err_size, "rom.lua: entry: %s does not exist", path);
     for (int i = 0; i < p->files.n; i++) {
         tell(p, p->files.name[i]);
         if (!add_file(p, p->files.name[i]))
@@ -1200,9 +1201,9 @@ static bool folders_free(const struct tree *files, const char *name, const char 
     for (char *slash = folder; (slash = strchr(slash, '/')) != NULL; *slash++ = '/') {
         *slash = '\0';
         if (tree_has(files, folder))
-            return err_set(err, err_size, "%s would become a file and a folder, for %s", folder, name);
+            return err_set(err, err_size, "%s would be both a file and a folder (for %s)", folder, name);
         if (tree_join(path, dir, folder) && plat_size(path) >= 0)
-            return err_set(err, err_size, "%s: is a file, where a folder for %s would be", path, name);
+            return err_set(err, err_size, "%s: is a file, but %s needs a folder there", path, name);
     }
     return true;
 }
@@ -1215,13 +1216,13 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
     for (int i = 0; i < files->n; i++) {
         const char *name = files->name[i];
         if (!tree_join(path, dir, name))
-            return err_set(err, err_size, "%s: the path is too long", name);
+            return err_set(err, err_size, "%s: path too long", name);
         if (!manifest_path_ok(name))
-            return err_set(err, err_size, "\"%s\" is not a file's name inside a folder", name);
+            return err_set(err, err_size, "\"%s\" is not a file name inside a folder", name);
         if (i > 0 && strcmp(files->name[i - 1], name) == 0)
-            return err_set(err, err_size, "two lumps would become the file %s", name);
+            return err_set(err, err_size, "two lumps would be written to %s", name);
         if (plat_size(path) >= 0)
-            return err_set(err, err_size, "%s: is already there", path);
+            return err_set(err, err_size, "%s: already exists", path);
         if (!folders_free(files, name, dir, err, err_size))
             return false;
     }
@@ -1254,7 +1255,7 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
         if (named && files_save(path, l.data, l.size, err, err_size))
             continue;
         remove_lumps(rom, i, dir);
-        return named ? false : err_set(err, err_size, "%s: the path is too long", name);
+        return named ? false : err_set(err, err_size, "%s: path too long", name);
     }
     return true;
 }

@@ -17,7 +17,7 @@ bool sheet_read_png(struct art_picture *picture, const uint8_t *data, size_t n, 
     if (!by_index || picture->index)
         return true;
     art_picture_free(picture);
-    return err_set(err, err_size, "match = \"index\" is for indexed pictures, and this one has colours");
+    return err_set(err, err_size, "match = \"index\" needs an indexed picture; this one is RGB or greyscale");
 }
 
 bool sheet_read(struct sheet *s, const struct art_sheet *asked, const uint8_t *data, size_t n, char *err,

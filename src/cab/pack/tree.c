@@ -98,7 +98,7 @@ static bool walk(const char *dir, const char *folder, int depth, struct tree *fi
 
     errno = 0;
     if (depth > MAX_DEPTH || !tree_join(path, dir, folder))
-        return err_set(err, err_size, "%s: more than %d folders deep", folder, MAX_DEPTH);
+        return err_set(err, err_size, "%s: folders nested deeper than %d", folder, MAX_DEPTH);
     if (plat_list(path, list_entry, &l) < 0)
         good = err_set(err, err_size, "%s", files_absent(path, "folder", why, sizeof why));
     else if (files->failed || l.folders.failed)

@@ -153,8 +153,8 @@ static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image
     bool kept = plat_save(beside, image, size);
     cab->no_scores = !kept; /* then the file is not written either */
     cab_say(cab,
-            kept ? "curtain: %s is damaged; it is kept as %s, and the scores begin anew"
-                 : "curtain: %s is damaged, and cannot be kept as %s; scores are not saved",
+            kept ? "curtain: %s is damaged; renamed to %s, and the score table starts empty"
+                 : "curtain: %s is damaged and cannot be renamed to %s; scores are not saved",
             files_shown(name, shown), files_shown(beside, shown_beside));
 }
 
@@ -172,7 +172,7 @@ uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
     if (image && newer)
         memcpy(image, newer, waits);
     if (!image || (!newer && plat_load(name, image, (size_t)size) != size)) {
-        cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
+        cab_say(cab, "curtain: %s: cannot read; scores are not saved", files_shown(name, shown));
         cab->no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
@@ -372,10 +372,10 @@ bool cab_power(struct cab *cab)
     if (cab_fault(cab) && o->open && !o->demo)
         return wait_for_fault(cab);
     if (!cab_open_window(cab))
-        return refuse(cab, RESULT_HOST, "there is no window to play in");
+        return refuse(cab, RESULT_HOST, "cannot open a window");
     cab_picture_close(&cab->picture);
     if (!cab_picture_open(&cab->picture, cab_live(cab)))
-        return refuse(cab, RESULT_HOST, "not enough memory for the picture");
+        return refuse(cab, RESULT_HOST, "out of memory for the picture");
     practice_init(&cab->practice, o->cart, &cab->start);
     if (!o->demo)
         practice_began(&cab->practice, &cab->start);

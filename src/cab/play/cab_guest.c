@@ -101,7 +101,7 @@ static bool find_cart(struct cab *cab, const struct demo *d, const struct cart *
     }
     roms_path(path, d->id, d->rom_hash);
     if (!roms_has(d->id, d->rom_hash)) {
-        snprintf(err, err_size, "the game has changed since, and its older ROM is not kept (%s)", path);
+        snprintf(err, err_size, "the game has changed and its old version is not stored (%s)", path);
         return false;
     }
     *rom = session_rom_load(path, false, err, err_size);
@@ -146,8 +146,8 @@ static bool open_demo(struct cab *cab, const char *path, const char *what, bool 
 bool cab_watch(struct cab *cab, const char *path, uint32_t frame)
 {
     if (cab->options.record || cab->options.demo)
-        return refuse(cab, "no replay now", "what is on belongs to --record or --demo");
-    if (!open_demo(cab, path, "this replay cannot be shown", false))
+        return refuse(cab, "Replay unavailable", "not with --record or --demo");
+    if (!open_demo(cab, path, "Cannot show this replay", false))
         return false;
     cab->guest.watching = true;
     session_goto(&cab->session, frame);
@@ -164,7 +164,8 @@ void cab_home(struct cab *cab)
     }
     cab_home_start(cab, &start);
     uint8_t *nvram = cab_load_nvram(cab, &start);
-    if (!change_session(cab, cab->guest.home ? cab->guest.home : cab_cart(cab), NULL, &start, NULL, "the game")) {
+    if (!change_session(cab, cab->guest.home ? cab->guest.home : cab_cart(cab), NULL, &start, NULL,
+                        "Cannot start the game")) {
         free(nvram);
         return;
     }
@@ -188,8 +189,8 @@ bool cab_was_left(struct cab *cab, struct card *c)
     if (plat_size(path) < 0)
         return false;
     if (!demo_load(&d, path, err, sizeof err)) {
-        cab_say(cab, "curtain: %s; the run that was left is gone", err);
-        cab_notice(cab, CAB_NOTICE_FRAMES, "the run that was left is gone: its file is damaged");
+        cab_say(cab, "curtain: %s; the unfinished run is lost", err);
+        cab_notice(cab, CAB_NOTICE_FRAMES, "The unfinished run is lost: its file is damaged");
         return false;
     }
     bool good = card_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart(cab)->m.id) == 0;
@@ -230,12 +231,12 @@ static void begin_watch(struct cab *cab)
 
 bool cab_resume(struct cab *cab)
 {
-    static const char what[] = "the run that was left cannot go on";
+    static const char what[] = "Cannot resume the run";
     char path[CAB_NAME];
 
     cab_resume_path(cab, path);
     if (cab->options.record || cab->options.demo)
-        return refuse(cab, what, "what is on belongs to --record or --demo");
+        return refuse(cab, what, "not with --record or --demo");
     if (!open_demo(cab, path, what, true)) {
         cab_keep_left(cab);
         return false;
@@ -257,7 +258,7 @@ void cab_resume_arrived(struct cab *cab)
     cab->guest.resuming = false;
     cab->session.ticked = NULL;
     if (!session_go_on(&cab->session, DEMO_RESUMED)) {
-        refuse(cab, "the run that was left cannot go on", cab->session.err);
+        refuse(cab, "Cannot resume the run", cab->session.err);
         cab_keep_left(cab);
         cab_home(cab);
         return;
@@ -266,8 +267,8 @@ void cab_resume_arrived(struct cab *cab)
     cab_keep_follow(cab);
     cab->paused = cab->awaits = true;
     cab->timebar_left = 0;
-    cab_notice(cab, CAB_NOTICE_STAYS, "your run goes on: press a button%s",
-               cab->guest.same ? "" : ". Scores were made since; this run's are not kept");
-    cab_say(cab, "curtain: %s: goes on at frame %u with the run that was left%s", cab_game(cab), (unsigned)d->frames,
-            cab->guest.same ? "" : "; scores were made since, and this run's are not kept");
+    cab_notice(cab, CAB_NOTICE_STAYS, "Run resumed: press a button%s",
+               cab->guest.same ? "" : ". High scores have changed since, so this run's are not saved");
+    cab_say(cab, "curtain: %s: resumed at frame %u%s", cab_game(cab), (unsigned)d->frames,
+            cab->guest.same ? "" : "; high scores have changed since, so this run's are not saved");
 }

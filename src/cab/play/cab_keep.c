@@ -54,7 +54,7 @@ void cab_save_failed(struct cab *cab, const char *err)
     cab_say(cab, "curtain: %s", err);
     if (!cab->unsaved.shown) {
         cab->unsaved.wait = RETRY_EVERY;
-        cab_notice(cab, CAB_NOTICE_FRAMES, "not saved yet, it is tried again each minute: %s", err);
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Not saved; retrying every minute: %s", err);
     }
     cab->unsaved.shown = true;
 }
@@ -231,7 +231,7 @@ static bool keep_run(struct cab *cab, enum card_end end)
         return true;
     uint8_t *bytes = demo_bytes_now(writer(cab), cab_live(cab), &size);
     if (!bytes) {
-        complain(cab, "out of memory", "this run is not kept");
+        complain(cab, "out of memory", "This run is not saved");
         return false;
     }
     describe(cab, &card, end);
@@ -272,7 +272,7 @@ static bool spare_failed(struct cab *cab)
     if (w->spare.lost)
         cab_save_failed(cab, w->spare_err);
     else /* it is another program's now */
-        complain(cab, w->spare_err, "where you stand is not kept from here on");
+        complain(cab, w->spare_err, "Progress is not saved from here on");
     cab->unsaved.spare = w->spare.lost;
     w->spare_err[0] = 0;
     return true;
@@ -531,8 +531,8 @@ void cab_retry(struct cab *cab)
     if (!all || !spare || !recorded)
         return;
     u->shown = false;
-    cab_notice(cab, CAB_NOTICE_FRAMES, "all is saved now");
-    cab_say(cab, "curtain: all is saved now");
+    cab_notice(cab, CAB_NOTICE_FRAMES, "Everything is saved now");
+    cab_say(cab, "curtain: everything is saved now");
 }
 
 void cab_retry_last(struct cab *cab)

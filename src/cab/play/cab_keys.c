@@ -20,11 +20,11 @@ static void set_sound(struct cab *cab, bool muted, int volume)
     cab->speaker.muted = muted;
     cab->speaker.volume = volume < 0 ? 0 : volume > 100 ? 100 : volume;
     if (!board_has_sound(cab_live(cab)))
-        cab_notice(cab, CAB_NOTICE_FRAMES / 2, "this game has no sound");
+        cab_notice(cab, CAB_NOTICE_FRAMES / 2, "This game has no sound");
     else if (muted)
-        cab_notice(cab, CAB_NOTICE_FRAMES / 2, "sound off");
+        cab_notice(cab, CAB_NOTICE_FRAMES / 2, "Sound off");
     else
-        cab_notice(cab, CAB_NOTICE_FRAMES / 2, "volume %d %%", cab->speaker.volume);
+        cab_notice(cab, CAB_NOTICE_FRAMES / 2, "Volume %d%%", cab->speaker.volume);
     if (!muted && !cab->want.rate)
         cab->quit = !cab_open_window(cab) || cab->quit;
 }

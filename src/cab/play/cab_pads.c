@@ -101,11 +101,11 @@ static bool waits_for(struct cab *cab, int player)
 static void lost(struct cab *cab, int player, const char *name)
 {
     if (!waits_for(cab, player)) {
-        tell(cab, CAB_NOTICE_FRAMES, "player %d: %s is unplugged", player + 1, name);
+        tell(cab, CAB_NOTICE_FRAMES, "Player %d: %s unplugged", player + 1, name);
         return;
     }
     cab->paused = cab->unplugged = true;
-    tell(cab, CAB_NOTICE_STAYS, "player %d: %s is unplugged. Plug it in, or take another, and press START", player + 1,
+    tell(cab, CAB_NOTICE_STAYS, "Player %d: %s unplugged. Plug it in or press START on another controller", player + 1,
          name);
 }
 
@@ -116,11 +116,11 @@ static void seat_event(struct cab *cab, const struct seats_event *e)
     if (e->what == SEATS_LOST)
         lost(cab, e->player, name);
     else if (e->what == SEATS_FULL)
-        tell(cab, CAB_NOTICE_FRAMES, "every player has a controller already");
+        tell(cab, CAB_NOTICE_FRAMES, "Every player already has a controller");
     else if (cab->unplugged)
-        tell(cab, CAB_NOTICE_STAYS, "player %d has %s. START goes on", e->player + 1, name);
+        tell(cab, CAB_NOTICE_STAYS, "Player %d: %s. Press START to resume", e->player + 1, name);
     else if (!e->first)
-        tell(cab, CAB_NOTICE_FRAMES, "player %d has %s", e->player + 1, name);
+        tell(cab, CAB_NOTICE_FRAMES, "Player %d: %s", e->player + 1, name);
 }
 
 /* START ends the pause that a lost controller began, and the game does not get it. */

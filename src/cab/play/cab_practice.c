@@ -53,7 +53,8 @@ static bool may_practise(struct cab *cab)
 
     if (cab->session.demo || records)
         cab_notice(cab, CAB_NOTICE_FRAMES,
-                   records ? "no practice: this recording is of the game from its title" : "no practice in a demo");
+                   records ? "Practice is unavailable while the run from the title is recorded"
+                           : "Practice is unavailable in a replay");
     return !cab->session.demo && !records;
 }
 
@@ -62,7 +63,7 @@ static void retry(struct cab *cab)
     if (cab->start.practice.section[0])
         power_anew(cab, cab->start);
     else
-        cab_notice(cab, CAB_NOTICE_FRAMES, "nothing to try again: choose a piece first");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Nothing to retry: choose a section first");
 }
 
 void cab_open_practice(struct cab *cab)

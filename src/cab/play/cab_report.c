@@ -126,7 +126,7 @@ static void add_game(struct cab *cab, struct report *r)
 
     add(r, "game      %s, \"%s\", game hash %016" PRIx64 ", ROM hash %016" PRIx64 "\n", cart->m.id, cart->m.title,
         rom_game_hash(cart->rom), rom_hash(cart->rom));
-    add(r, "from      %s\n", cab->options.path ? cab->options.path : "the program: it is built in");
+    add(r, "from      %s\n", cab->options.path ? cab->options.path : "built into the program");
 }
 
 /* Without a number, which is the first that is free. */
@@ -188,11 +188,8 @@ static void write_report(struct cab *cab, const struct sink *out, const char *wh
 {
     const struct session *s = &cab->session;
 
-    put(out, "A report of Curtain's. It has the run up to there in it: with the game,\n"
-             "    curtain verify GAME THIS-FILE\n"
-             "replays that, and\n"
-             "    curtain play GAME --demo THIS-FILE\n"
-             "shows it.\n\nwhat      ");
+    put(out, "Curtain report. It contains the run up to the failure. With the game,\n    curtain verify GAME "
+             "THIS-FILE\nreplays the run, and\n    curtain play GAME --demo THIS-FILE\nshows it.\n\nreason    ");
     put(out, what);
     put(out, which);
     if (s->now) {
@@ -260,7 +257,7 @@ void cab_report_arm(struct cab *cab)
 
 void cab_report_ready(struct cab *cab)
 {
-    make_ready(cab, "begun");
+    make_ready(cab, "started");
 }
 
 /* Is it a report of a crash? */
@@ -271,7 +268,7 @@ static bool is_of_crash(const char *name)
     snprintf(path, sizeof path, "%s/%s", REPORTS, name);
     long n = plat_load(path, text, sizeof text - 1);
     text[n > 0 ? n : 0] = 0;
-    return strstr(text, "\nwhat      a crash") != NULL;
+    return strstr(text, "\nreason    a crash") != NULL;
 }
 
 void cab_report_last_crash(struct cab *cab)
@@ -285,7 +282,7 @@ void cab_report_last_crash(struct cab *cab)
         return;
     plat_save(TOLD, f.name, strlen(f.name));
     snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
-    cab_notice(cab, CRASH_NOTICE, "Curtain crashed when it last ran: a report is in %s", files_shown(path, shown));
+    cab_notice(cab, CRASH_NOTICE, "Curtain crashed last time. Report: %s", files_shown(path, shown));
     cab_say(cab, "curtain: %s", cab->notice);
 }
 
@@ -333,7 +330,7 @@ static bool save(struct cab *cab, struct report *r, const struct board_fault *fa
         snprintf(name, sizeof name, "%s-%d.txt", r->stem, i++);
     while (plat_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &waits));
     if (r->failed) {
-        cab_say(cab, "curtain: no report: out of memory");
+        cab_say(cab, "curtain: cannot write a report: out of memory");
         return false;
     }
     files_shown(name, r->where);
@@ -354,5 +351,5 @@ void cab_report_write(struct cab *cab, const struct board_fault *fault)
         if (!save(cab, r, fault))
             return;
     }
-    cab_say(cab, "curtain: a report is in %s", r->where);
+    cab_say(cab, "curtain: report: %s", r->where);
 }

@@ -154,7 +154,7 @@ static bool find_attract(struct cab *cab, const char *name, struct lump *lump)
     snprintf(full, sizeof full, "demo/%s", name);
     int i = rom_find(cab_cart(cab)->rom, full);
     if (i < 0)
-        cab_say(cab, "curtain: %s: board.attract: there is no demo \"%s\"", cab_game(cab), name);
+        cab_say(cab, "curtain: %s: board.attract: no demo \"%s\" in the game", cab_game(cab), name);
     else
         rom_lump(cab_cart(cab)->rom, i, lump);
     return i >= 0;
@@ -222,8 +222,7 @@ static void report_difference(struct cab *cab)
     if (!cab->session.differs || cab->differs == cab->session.differs)
         return;
     cab->differs = cab->session.differs;
-    cab_notice(cab, CAB_NOTICE_FRAMES, "from frame %u on this is not the run that was recorded",
-               (unsigned)cab->differs);
+    cab_notice(cab, CAB_NOTICE_FRAMES, "Playback diverged from the recording at frame %u", (unsigned)cab->differs);
     cab_say(cab, "curtain: %s: %s", cab_game(cab), cab->notice);
 }
 
@@ -278,7 +277,7 @@ void cab_step(struct cab *cab)
 
 static void notice_first_frame(struct cab *cab)
 {
-    cab_notice(cab, BAR_STAYS, "what was before frame %u is not known", (unsigned)session_first(&cab->session));
+    cab_notice(cab, BAR_STAYS, "No history before frame %u", (unsigned)session_first(&cab->session));
 }
 
 void cab_goto(struct cab *cab, uint32_t frame)
@@ -305,20 +304,20 @@ void cab_take_over(struct cab *cab)
     char shown[FILES_PATH];
 
     if (!cab->session.demo) {
-        cab_notice(cab, CAB_NOTICE_FRAMES, "nothing to take over: it is you who plays");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Nothing to take over: you are already playing");
         return;
     }
     cab->taken = true;
     if (cab->guest.watching) {
         cab_check_recording(cab, session_take_over(&cab->session, NULL));
-        cab_notice(cab, CAB_NOTICE_FRAMES, "you play, for practice: nothing of it counts");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Practice: nothing is saved");
     } else {
         cab_free_name(cab, cab->took, "", "demo");
         bool given = cab->options.record != NULL;
         cab_check_recording(cab, session_take_over(&cab->session, given ? cab->options.record : cab->took));
         if (given || !plat_path(cab->took, shown, sizeof shown))
             snprintf(shown, sizeof shown, "%s", given ? cab->options.record : cab->took);
-        cab_notice(cab, CAB_NOTICE_FRAMES, "you play; recording %s", shown);
+        cab_notice(cab, CAB_NOTICE_FRAMES, "You play from here. Recording: %s", shown);
         cab_say(cab, "curtain: %s: %s", cab_game(cab), cab->notice);
     }
     cab->paused = false;
@@ -330,17 +329,17 @@ void cab_take_over(struct cab *cab)
 static void report_reload_failure(struct cab *cab)
 {
     cab_notice(cab, -1, "%s", cab->session.err);
-    cab_say(cab, "curtain: not taken in: %s", cab->session.err);
+    cab_say(cab, "curtain: reload failed: %s", cab->session.err);
 }
 
 void cab_reload(struct cab *cab)
 {
     if (cab->guest.home) {
-        cab_notice(cab, CAB_NOTICE_FRAMES, "the game before your changes: they show at its title");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "An older version is running: changes show at the title");
         return;
     }
     if (!cab->options.path) {
-        cab_notice(cab, CAB_NOTICE_FRAMES, "the built-in game cannot be reloaded");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "The built-in game cannot be reloaded");
         return;
     }
     cab_save_nvram(cab); /* does nothing once the run is touched */
@@ -364,7 +363,7 @@ void cab_check_folder(struct cab *cab)
     cab->since_check = 0;
     cab->reload_due = folder_changed(&cab->folder);
     if (cab->reload_due) /* loading may stop the picture for long: say why first */
-        cab_notice(cab, CAB_NOTICE_FRAMES, "taking in what changed");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Reloading");
 }
 
 void cab_fit_cart(struct cab *cab)
@@ -377,7 +376,7 @@ void cab_fit_cart(struct cab *cab)
     cab_report_ready(cab);
     cab_picture_close(&cab->picture);
     if (!cab_picture_open(&cab->picture, cab_live(cab))) {
-        plat_log("curtain: not enough memory for the picture");
+        plat_log("curtain: out of memory for the picture");
         cab->result = RESULT_HOST;
         cab->quit = true;
         return;
@@ -395,8 +394,9 @@ static void finish_reload(struct cab *cab)
     cab_fit_cart(cab);
     cab_say(cab, "curtain: %s: reloaded", cab_game(cab));
     if (cab->session.gone[0])
-        cab_say(cab, "curtain: %s: the music \"%s\", which played, is gone", cab_game(cab), cab->session.gone);
-    cab_notice(cab, CAB_NOTICE_FRAMES / 3, "reloaded");
+        cab_say(cab, "curtain: %s: the music \"%s\" was playing and is no longer in the game", cab_game(cab),
+                cab->session.gone);
+    cab_notice(cab, CAB_NOTICE_FRAMES / 3, "Reloaded");
 }
 
 void cab_seek_or_reload(struct cab *cab, uint64_t now)

@@ -166,9 +166,9 @@ void cab_drop(struct cab *cab)
         play_dropped(cab);
     else
         screens_ask(&cab->screens,
-                    cab->keep.on && cab->keep.spare ? "Another game begins. The run that is on is kept for next time."
-                                                    : "Another game begins. The run that is on is lost.",
-                    "play it", play_dropped, cab);
+                    cab->keep.on && cab->keep.spare ? "Play another game? You can resume this run next time."
+                                                    : "Play another game and lose this run?",
+                    "Play", play_dropped, cab);
 }
 
 /* The player's own switch for it; one that no setting takes away, where the keyboard has none. */
@@ -185,5 +185,5 @@ void cab_screens_foot(struct cab *cab, char *text, size_t size)
 
     foot_switch(cab, "p1.fire", "enter", yes, sizeof yes);
     foot_switch(cab, "p1.bomb", "escape", no, sizeof no);
-    snprintf(text, size, "%s: choose  %s: back", yes, no);
+    snprintf(text, size, "%s: Select  %s: Back", yes, no);
 }

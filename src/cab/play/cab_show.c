@@ -118,18 +118,18 @@ static void message_text(struct cab *cab, char *text, size_t size)
 
     text[0] = 0;
     if (cab->session.state != SESSION_PLAYING)
-        snprintf(text, size, "%s %d%%", cab->session.state == SESSION_SEEKING ? "seeking" : "reloading",
+        snprintf(text, size, "%s %d%%", cab->session.state == SESSION_SEEKING ? "Seeking" : "Reloading",
                  session_progress(&cab->session) / 10);
     else if (cab->prompt.open)
-        snprintf(text, size, "go to frame %s_", cab->prompt.digits);
+        snprintf(text, size, "Go to frame %s_", cab->prompt.digits);
     else if (cab->notice_left)
         snprintf(text, size, "%s", cab->notice);
     else if (cab->rewinding)
-        snprintf(text, size, "rewind  frame %u", (unsigned)at);
+        snprintf(text, size, "Rewind: frame %u", (unsigned)at);
     else if (cab->paused)
-        snprintf(text, size, "paused at frame %u", (unsigned)at);
+        snprintf(text, size, "Paused at frame %u", (unsigned)at);
     else if (cab->slow > 1)
-        snprintf(text, size, "1/%d speed  frame %u", cab->slow, (unsigned)at);
+        snprintf(text, size, "1/%d speed: frame %u", cab->slow, (unsigned)at);
 }
 
 /* Is there something to be read at leisure: a fault, or a change that was not taken in? */
@@ -143,14 +143,14 @@ static bool shows_page(struct cab *cab)
 static int draw_page(struct cab *cab, const struct canvas *canvas)
 {
     const struct board_fault *f = cab_fault(cab);
-    char foot[FILES_PATH + 64] = "The game goes on as it was.";
-    struct page page = { "What changed is not taken in", cab->notice, "", foot, cab->fault_top, 0 };
+    char foot[FILES_PATH + 64] = "The old version is still running.";
+    struct page page = { "Reload failed", cab->notice, "", foot, cab->fault_top, 0 };
 
     if (cab->notice_left >= 0) {
-        page.title = "A script has stopped the game";
+        page.title = "Script error: the game has stopped";
         page.text = f->message;
         page.more = f->trace;
-        snprintf(foot, sizeof foot, "%s%s", cab->report.where[0] ? "A report is in " : "", cab->report.where);
+        snprintf(foot, sizeof foot, "%s%s", cab->report.where[0] ? "Report: " : "", cab->report.where);
     }
     int y = page_draw(canvas, &page);
     cab->fault_most = page.most;
@@ -170,7 +170,7 @@ static void hint_text(struct cab *cab, const char *message, char *text, size_t s
     keys_first(&cab->config.keys, "p1.fire", fire, sizeof fire);
     keys_first(&cab->config.keys, "p1.bomb", bomb, sizeof bomb);
     if (!cab->attracting)
-        snprintf(text, size, "START is %s  fire is %s  bomb is %s", start, fire, bomb);
+        snprintf(text, size, "Start: %s  Fire: %s  Bomb: %s", start, fire, bomb);
     else if (cab->frames / BLINK % 3)
         snprintf(text, size, "PRESS START (%s)", start);
 }
@@ -297,8 +297,8 @@ static void save_picture(struct cab *cab, const char *name, const uint8_t *bytes
 
     if (!cab_save(cab, name, bytes, size))
         return;
-    cab_say(cab, "wrote %s", files_shown(name, shown));
-    cab_notice(cab, CAB_NOTICE_FRAMES, "wrote %s", shown);
+    cab_say(cab, "saved %s", files_shown(name, shown));
+    cab_notice(cab, CAB_NOTICE_FRAMES, "Saved %s", shown);
 }
 
 void cab_screenshot(struct cab *cab, struct picture *p)
@@ -314,7 +314,7 @@ void cab_screenshot(struct cab *cab, struct picture *p)
     if (b)
         board_draw(b, NULL, &p->composed, p->composed_rgb, p->scratch);
     if (!png_write(fb->pix, fb->pitch, fb->w, fb->h, rgb, &png, &size)) {
-        plat_log("curtain: no memory for a screenshot");
+        plat_log("curtain: out of memory for the screenshot");
         return;
     }
     save_picture(cab, name, png, size);
@@ -330,9 +330,9 @@ void cab_film_ask(struct cab *cab)
 {
     cab->film_due = can_film(cab);
     if (cab->film_due)
-        cab_notice(cab, CAB_NOTICE_FRAMES, "filming the last %d seconds", cab->config.capture_seconds);
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Saving the last %d seconds", cab->config.capture_seconds);
     else
-        cab_notice(cab, CAB_NOTICE_FRAMES, "nothing is played that could be filmed");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Nothing to save: no run is in progress");
 }
 
 void cab_film(struct cab *cab, struct picture *p)
@@ -351,8 +351,8 @@ void cab_film(struct cab *cab, struct picture *p)
         cab_free_name(cab, name, "pictures:", "gif");
         save_picture(cab, name, gif.out.bytes, gif.out.n);
     } else {
-        cab_say(cab, "curtain: the last seconds could not be filmed: too little memory, or a frame took too long");
-        cab_notice(cab, CAB_NOTICE_FRAMES, "the last seconds could not be filmed");
+        cab_say(cab, "curtain: cannot save the clip: out of memory, or a frame took too long");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "Cannot save the clip");
     }
     gif_close(&gif);
 }

@@ -85,18 +85,19 @@ static void draw(struct cab *cab)
     struct picture *p = &cab->picture;
     struct waiting *w = &cab->waiting;
     struct canvas canvas;
-    struct page page = { title, w->why, w->more,
-                         w->settings
-                             ? "Waiting for a change in the file. Enter plays with the standard settings and keeps "
-                               "the file as it is; Escape leaves."
-                         : w->looks ? "looking at what changed"
-                                    : "Waiting for a change in the game's folder. Escape leaves.",
-                         .top = w->top };
+    struct page page = {
+        title, w->why, w->more,
+        w->settings
+            ? "Fix and save the file to continue. Enter: play with default settings, file unchanged. Escape: quit."
+        : w->looks ? "Checking the changes"
+                   : "Fix and save the file to continue. Escape: quit.",
+        .top = w->top
+    };
 
     if (w->settings)
-        snprintf(title, sizeof title, "The settings cannot be read");
+        snprintf(title, sizeof title, "Cannot read the settings");
     else
-        snprintf(title, sizeof title, "%s cannot be played yet", cab->options.path);
+        snprintf(title, sizeof title, "Cannot play %s", cab->options.path);
     memset(p->composed_rgb, 0, sizeof p->composed_rgb);
     fb_fill(&p->composed, 0);
     canvas_open(&canvas, &p->composed, p->composed_rgb);

@@ -43,7 +43,7 @@ static void read_border(struct cab *cab)
     if (png_read(lump.data, lump.size, &cab->window.border_rgba, &w, &h, why, sizeof why) &&
         border_open(&cab->window.border, cab->window.border_rgba, w, h, why, sizeof why))
         return;
-    cab_say(cab, "curtain: %s: the border is not shown: %s", cab_game(cab), why);
+    cab_say(cab, "curtain: %s: cannot show the border: %s", cab_game(cab), why);
     drop_border(cab);
 }
 

@@ -274,23 +274,23 @@ static void describe_section(const struct practice_menu *m, const struct section
         row->value_ink = CANVAS_GREY;
         return;
     }
-    snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "stage " : "  ", section->name, titled ? "  " : "",
+    snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "Stage " : "  ", section->name, titled ? "  " : "",
              section->title);
     snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
     if (m->records.damaged)
-        snprintf(row->help, sizeof row->help, "not counted: the file of tries is damaged");
+        snprintf(row->help, sizeof row->help, "Not counted: the attempts file is damaged.");
     else if (r && r->attempts)
-        snprintf(row->help, sizeof row->help, "won %d of %d tries", (int)r->captures, (int)r->attempts);
+        snprintf(row->help, sizeof row->help, "Cleared %d of %d attempts.", (int)r->captures, (int)r->attempts);
     else
-        snprintf(row->help, sizeof row->help, "never tried");
+        snprintf(row->help, sizeof row->help, "No attempts yet.");
     row->ink = stage ? CANVAS_CYAN : CANVAS_WHITE;
     row->value_ink = colour_of(r);
 }
 
 static void describe_setting(const struct practice_menu *m, struct row r, struct screen_row *row)
 {
-    static const char *const speeds[] = { "", "full", "half", "", "quarter" };
-    static const char *const names[] = { "", "difficulty", "lives", "", "invincible", "hit shapes", "speed" };
+    static const char *const speeds[] = { "", "100%", "50%", "", "25%" };
+    static const char *const names[] = { "", "Difficulty", "Lives", "", "Invincible", "Show Hitboxes", "Speed" };
 
     snprintf(row->label, sizeof row->label, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].name : names[r.kind]);
     row->changes = true;
@@ -299,17 +299,17 @@ static void describe_setting(const struct practice_menu *m, struct row r, struct
         snprintf(row->value, sizeof row->value, "%s", m->cart->m.difficulties[m->difficulty]);
         break;
     case ROW_LIVES:
-        snprintf(row->value, sizeof row->value, m->lives ? "%d" : "ship: %d",
+        snprintf(row->value, sizeof row->value, m->lives ? "%d" : "Default: %d",
                  m->lives ? m->lives : (int)m->sections.lives);
         break;
     case ROW_REGISTER:
         snprintf(row->value, sizeof row->value, "%d", (int)m->value[r.i]);
         break;
     case ROW_INVINCIBLE:
-        snprintf(row->value, sizeof row->value, "%s", m->invincible ? "yes" : "no");
+        snprintf(row->value, sizeof row->value, "%s", m->invincible ? "On" : "Off");
         break;
     case ROW_HITBOX:
-        snprintf(row->value, sizeof row->value, "%s", m->hitbox ? "shown" : "no");
+        snprintf(row->value, sizeof row->value, "%s", m->hitbox ? "On" : "Off");
         break;
     default:
         snprintf(row->value, sizeof row->value, "%s", speeds[m->slow]);
@@ -325,7 +325,7 @@ static void describe(void *of, int at, struct screen_row *row)
     if (r.kind == ROW_SECTION)
         describe_section(m, &m->sections.section[r.i], row);
     else if (r.kind == ROW_TITLE)
-        snprintf(row->label, sizeof row->label, "the game from its title");
+        snprintf(row->label, sizeof row->label, "Start from the Title");
     else if (r.kind != ROW_BLANK)
         describe_setting(m, r, row);
 }
@@ -336,7 +336,7 @@ static const char *text(void *of)
 }
 
 const struct screen_def practice_screen = {
-    .title = "practice", .text = text, .rows = count, .row = describe, .change = change, .accept = accept
+    .title = "Practice", .text = text, .rows = count, .row = describe, .change = change, .accept = accept
 };
 
 void practice_open(struct practice_menu *m, struct screens *screens, int slow)

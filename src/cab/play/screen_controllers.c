@@ -35,8 +35,8 @@ static const char *text(void *of)
 {
     struct cab *cab = of;
 
-    return players(cab) > 1 ? "The first one that is used is player 1's. START on another: player 2's."
-                            : "The first one that is used plays. START on another: that one does.";
+    return players(cab) > 1 ? "The first controller used is player 1's. Press START on another for player 2."
+                            : "The first controller used plays. Press START on another to switch to it.";
 }
 
 /* What is held on controller i, as it is printed there: "2: cross, L1  ". Returns its length. */
@@ -59,7 +59,7 @@ static void describe_pressed(struct cab *cab, char *out, size_t size)
 {
     size_t n = 0;
 
-    snprintf(out, size, "what is pressed is named here");
+    snprintf(out, size, "Press a button to identify a controller.");
     for (int i = 0; i < PLAT_CONTROLLERS && n < size; i++)
         n += describe_one(cab, i, out + n, size - n);
 }
@@ -70,15 +70,15 @@ static void describe(void *of, int at, struct screen_row *row)
     const int i = controller_at(cab, at), player = i < 0 ? -1 : seats_player(&cab->seats, i);
 
     if (i < 0) {
-        snprintf(row->label, sizeof row->label, "none is plugged in");
+        snprintf(row->label, sizeof row->label, "No controllers");
         row->faint = true;
         return;
     }
     snprintf(row->label, sizeof row->label, "%d %s", i + 1, cab_controller_name(&cab->seats.is[i]));
     if (player < 0)
-        snprintf(row->value, sizeof row->value, "nobody");
+        snprintf(row->value, sizeof row->value, "Unassigned");
     else
-        snprintf(row->value, sizeof row->value, "player %d", player + 1);
+        snprintf(row->value, sizeof row->value, "Player %d", player + 1);
     describe_pressed(cab, row->help, sizeof row->help);
     row->changes = true;
 }
@@ -109,7 +109,7 @@ static bool listen(void *of, const struct plat_input *in)
 }
 
 static const struct screen_def controllers = {
-    .title = "controllers", .rows = rows, .row = describe, .text = text, .change = change, .listen = listen
+    .title = "Controllers", .rows = rows, .row = describe, .text = text, .change = change, .listen = listen
 };
 
 void cab_open_controllers(struct cab *cab)

@@ -75,23 +75,16 @@ static void labels_of(struct cab *cab, int action, char *out, size_t size)
     }
 }
 
-static const char *button_name(int action)
-{
-    const char *dot = strchr(keys_action(action), '.');
-
-    return dot ? dot + 1 : keys_action(action);
-}
-
 static void describe_heading(struct cab *cab, int at, struct screen_row *row)
 {
     row->heading = at != standard_row(cab);
     if (!row->heading) {
-        snprintf(row->label, sizeof row->label, "all as they were");
-        snprintf(row->help, sizeof row->help, "every key and button does again what it does in a new installation");
+        snprintf(row->label, sizeof row->label, "Reset All");
+        snprintf(row->help, sizeof row->help, "Restore the default keys and buttons.");
     } else if (at < PADS * (PAD_BUTTONS + 1)) {
-        snprintf(row->label, sizeof row->label, "player %d", at / (PAD_BUTTONS + 1) + 1);
+        snprintf(row->label, sizeof row->label, "Player %d", at / (PAD_BUTTONS + 1) + 1);
     } else {
-        snprintf(row->label, sizeof row->label, "the cabinet");
+        snprintf(row->label, sizeof row->label, "General");
     }
 }
 
@@ -105,7 +98,10 @@ static void describe_how(struct cab *cab, const char *meaning, struct screen_row
         switch_label(SWITCH_CONTROLLER | PLAT_SOUTH, d->kind, more, sizeof more);
         switch_label(SWITCH_CONTROLLER | PLAT_NORTH, d->kind, less, sizeof less);
     }
-    snprintf(row->help, sizeof row->help, "%s\n%s: one more, by pressing it. %s: one less.", meaning, more, less);
+    char sentence[SCREEN_HELP / 2] = "";
+    if (meaning[0])
+        screen_sentence(sentence, sizeof sentence, meaning);
+    snprintf(row->help, sizeof row->help, "%s\n%s: add a key. %s: remove one.", sentence, more, less);
 }
 
 static void describe(void *of, int at, struct screen_row *row)
@@ -119,10 +115,10 @@ static void describe(void *of, int at, struct screen_row *row)
     }
     const int same =
         action < PADS * PAD_BUTTONS ? action % PAD_BUTTONS : action; /* both players' buttons mean the same */
-    snprintf(row->label, sizeof row->label, "%s", button_name(action));
+    snprintf(row->label, sizeof row->label, "%s", keys_label(action));
     labels_of(cab, action, row->value, sizeof row->value);
     if (cab->wait.listening && cab->wait.action == action)
-        snprintf(row->value, sizeof row->value, "press it ...");
+        snprintf(row->value, sizeof row->value, "Press a key...");
     describe_how(cab, keys_meaning(same), row);
 }
 
@@ -132,18 +128,20 @@ static void take(struct cab *cab, uint16_t code)
 {
     struct keys *k = &cab->config.keys;
     const char *name = keys_action(cab->wait.action), *other = keys_conflict(k, name, code);
-    char err[160], label[SWITCH_NAME];
+    char err[160], label[SWITCH_NAME], title[KEYS_TITLE], before[KEYS_TITLE];
 
     switch_label(code, k->cabinet.kind, label, sizeof label);
+    keys_title(name, title, sizeof title);
     if (!keys_add(k, name, code, err, sizeof err)) {
         screens_say(&cab->screens, "%s", err);
         return;
     }
     if (!other) {
-        screens_say(&cab->screens, "%s: %s", name, label);
+        screens_say(&cab->screens, "%s: %s", title, label);
         return;
     }
-    screens_say(&cab->screens, "%s: %s, which was %s before", name, label, other);
+    keys_title(other, before, sizeof before);
+    screens_say(&cab->screens, "%s: %s (was %s)", title, label, before);
     for (; other; other = keys_conflict(k, name, code))
         keys_drop(k, other, code);
 }
@@ -179,16 +177,17 @@ static void all_as_they_were(void *of)
 static void accept(void *of, int at)
 {
     struct cab *cab = of;
+    char title[KEYS_TITLE];
 
     if (at == standard_row(cab)) {
-        screens_ask(&cab->screens, "All keys and buttons that you have changed are as they were.", "yes",
-                    all_as_they_were, cab);
+        screens_ask(&cab->screens, "Reset all key bindings?", "Reset", all_as_they_were, cab);
         return;
     }
     cab->wait.listening = true;
     cab->wait.began = false;
     cab->wait.action = action_at(cab, at);
-    screens_say(&cab->screens, "%s: press a key or button. Escape: leave it.", keys_action(cab->wait.action));
+    keys_title(keys_action(cab->wait.action), title, sizeof title);
+    screens_say(&cab->screens, "%s: press a key or button. Escape: cancel.", title);
 }
 
 /* The last switch that may be taken away. */
@@ -200,9 +199,10 @@ static void drop_one(void *of, int at)
     for (int i = KEYS_EACH - 1; action >= 0 && i >= 0; i--) {
         const uint16_t code = cab->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
-            char label[SWITCH_NAME];
+            char label[SWITCH_NAME], title[KEYS_TITLE];
             switch_label(code, cab->config.keys.cabinet.kind, label, sizeof label);
-            screens_say(&cab->screens, "%s: no more %s", keys_action(action), label);
+            keys_title(keys_action(action), title, sizeof title);
+            screens_say(&cab->screens, "%s: removed %s", title, label);
             keys_drop(&cab->config.keys, keys_action(action), code);
             return;
         }
@@ -218,7 +218,7 @@ static void closed(void *of)
     cab_save_settings(cab);
 }
 
-const struct screen_def keys_screen = { .title = "keys",
+const struct screen_def keys_screen = { .title = "Key Bindings",
                                         .rows = rows,
                                         .row = describe,
                                         .accept = accept,

@@ -45,20 +45,20 @@ static int rows(void *of)
 static void row(void *of, int at, struct screen_row *row)
 {
     struct cab *cab = of;
-    static const char *const labels[] = { "go on", "play on from here", "back to the game", "replays", "settings",
-                                          "keys",  "controllers",       "practice",         "log",     "begin anew",
-                                          "leave" };
+    static const char *const labels[] = { "Resume",   "Play from Here", "Quit Replay", "Replays",
+                                          "Settings", "Key Bindings",   "Controllers", "Practice",
+                                          "Log",      "Quit to Title",  "Quit" };
     static const char *const helps[] = {
         "",
-        "from this frame on it is you who plays: for practice, or with a recording of your own",
-        "the replay ends, and the game begins at its title",
-        "the last runs: to watch, to save, to practise from any moment",
-        "picture, sound, how you play",
-        "every key and button, and what it does",
-        "who plays with which, and what is pressed on it",
-        "any stage, mark or phase by itself, as often as you like",
-        "what the game's scripts printed, and what went wrong",
-        "this run ends, and the game begins at its title",
+        "Take over: practise from this frame, or record a new demo.",
+        "End the replay and return to the title.",
+        "Watch or save recent runs, or practise from any frame.",
+        "Picture, sound and gameplay.",
+        "Change what each key and button does.",
+        "Choose which player uses which controller.",
+        "Practise any stage, mark or boss phase.",
+        "Script output and errors.",
+        "End this run and return to the title.",
         "",
     };
     const enum entry e = entry_at(cab, at);
@@ -120,25 +120,24 @@ static void accept(void *of, int at)
     case ANEW:
         if (cab_run_is_on(cab))
             screens_ask(&cab->screens,
-                        cab->keep.on && cab->config.replays > 0
-                            ? "The run that is on ends here. It stays among the replays."
-                            : "The run that is on ends, and is lost.",
-                        "begin anew", begin_anew, cab);
+                        cab->keep.on && cab->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
+                                                                : "Quit to the title and lose this run?",
+                        "Quit to Title", begin_anew, cab);
         else
             begin_anew(cab);
         break;
     default:
         if (cab_run_is_on(cab))
             screens_ask(&cab->screens,
-                        cab->keep.on && cab->keep.spare ? "A run is on. It is kept: next time you can go on with it."
-                                                        : "A run is on. Leave it, and lose it?",
-                        "leave", leave, cab);
+                        cab->keep.on && cab->keep.spare ? "Quit? You can resume this run next time."
+                                                        : "Quit and lose this run?",
+                        "Quit", leave, cab);
         else
             leave(cab);
     }
 }
 
-static const struct screen_def menu = { .title = "menu", .small = true, .rows = rows, .row = row, .accept = accept };
+static const struct screen_def menu = { .title = "Menu", .small = true, .rows = rows, .row = row, .accept = accept };
 
 void cab_open_menu(struct cab *cab)
 {

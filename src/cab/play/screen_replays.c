@@ -8,7 +8,6 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "../host/clean.h"
-#include "../store/replays_print.h"
 #include "cab_parts.h"
 
 /* ---- a replay in words ---- */
@@ -25,8 +24,10 @@ static void date_text(int64_t date, char *out, size_t size)
 /* What it was, in a sentence for the foot. */
 static void describe(const struct card *c, char *out, size_t size)
 {
+    static const char *const ends[CARD_ENDS] = { "unfinished", "all stages cleared", "game over", "quit",
+                                                 "script error" };
     const unsigned seconds = (c->last - c->first) / 60;
-    int n = snprintf(out, size, "%u:%02u, %s", seconds / 60, seconds % 60, replays_end_word(c->end));
+    int n = snprintf(out, size, "%u:%02u, %s", seconds / 60, seconds % 60, ends[c->end]);
 
     if (c->players > 1)
         n += snprintf(out + n, size - (size_t)n, ", two players: %" PRId64 " and %" PRId64, c->points[0], c->points[1]);
@@ -34,9 +35,9 @@ static void describe(const struct card *c, char *out, size_t size)
         if (c->flags >> i & 1)
             n += snprintf(out + n, size - (size_t)n, ", %s", demo_flag_name(i));
     if (c->rows)
-        n += snprintf(out + n, size - (size_t)n, ", among the scores as %s", c->row[0].row.name);
+        n += snprintf(out + n, size - (size_t)n, ", high score as %s", c->row[0].row.name);
     if (c->core != CORE_VERSION)
-        snprintf(out + n, size - (size_t)n, ", of core version %u: it may not play as it was", (unsigned)c->core);
+        snprintf(out + n, size - (size_t)n, ", core version %u: playback may diverge", (unsigned)c->core);
 }
 
 static const struct card *card(struct cab *cab, int i)
@@ -62,12 +63,12 @@ static int chosen(struct cab *cab)
 static void act_row(void *of, int at, struct screen_row *row)
 {
     struct cab *cab = of;
-    static const char *const labels[] = { "watch", "save under a name", "delete" };
-    static const char *const helps[] = { "from the run's start; T takes over, for practice from any moment",
-                                         "what has a name is kept until you delete it", "" };
+    static const char *const labels[] = { "Watch", "Save with a Name", "Delete" };
+    static const char *const helps[] = { "Watch from the start. T: take over and practise.",
+                                         "Named replays are saved until you delete them.", "" };
 
     snprintf(row->label, sizeof row->label, "%s",
-             at == NAME && card(cab, chosen(cab))->name[0] ? "another name" : labels[at]);
+             at == NAME && card(cab, chosen(cab))->name[0] ? "Rename" : labels[at]);
     snprintf(row->help, sizeof row->help, "%s", helps[at]);
 }
 
@@ -77,7 +78,7 @@ static const char *act_text(void *of)
 
     if (!cab->view.typing)
         return card(cab, chosen(cab))->name;
-    snprintf(cab->view.text, sizeof cab->view.text, "name: %s_\nEnter keeps it, Escape leaves it", cab->view.typed);
+    snprintf(cab->view.text, sizeof cab->view.text, "Name: %s_\nEnter: save. Escape: cancel.", cab->view.typed);
     return cab->view.text;
 }
 
@@ -128,7 +129,7 @@ static void act(void *of, int at)
     if (at == NAME) {
         begin_name(cab);
     } else if (at == DELETE) {
-        screens_ask(&cab->screens, "This replay is deleted for good.", "delete", delete, cab);
+        screens_ask(&cab->screens, "Delete this replay? This cannot be undone.", "Delete", delete, cab);
     } else {
         replays_path(&cab->view.list, i, path);
         const uint32_t first = card(cab, i)->first;
@@ -175,9 +176,9 @@ static void keep_name(struct cab *cab)
     if (!replays_name(&cab->view.list, cab->view.thumb_of, cab->view.typed, err, sizeof err))
         screens_say(&cab->screens, "%s", err);
     else if (card(cab, cab->view.thumb_of)->name[0])
-        screens_say(&cab->screens, "saved as \"%s\"", card(cab, cab->view.thumb_of)->name);
+        screens_say(&cab->screens, "Saved as \"%s\"", card(cab, cab->view.thumb_of)->name);
     else
-        screens_say(&cab->screens, "it has no name any more");
+        screens_say(&cab->screens, "Name removed");
 }
 
 /* Pressed now and not at the last look. */
@@ -214,7 +215,7 @@ static void act_closed(void *of)
     want_text(cab, false);
 }
 
-static const struct screen_def acts = { .title = "replay",
+static const struct screen_def acts = { .title = "Replay",
                                         .small = true,
                                         .rows = act_rows,
                                         .row = act_row,
@@ -249,7 +250,7 @@ static const char *text(void *of)
 {
     struct cab *cab = of;
 
-    return cab->view.list.n ? "" : "No run is kept yet. The last ones are, by themselves, when they are over.";
+    return cab->view.list.n ? "" : "No replays yet. Runs are saved automatically when they end.";
 }
 
 static void accept(void *of, int at)
@@ -265,7 +266,7 @@ static void ask_delete(void *of, int at)
     struct cab *cab = of;
 
     accept(of, at);
-    screens_ask(&cab->screens, "This replay is deleted for good.", "delete", delete, cab);
+    screens_ask(&cab->screens, "Delete this replay? This cannot be undone.", "Delete", delete, cab);
 }
 
 static void closed(void *of)
@@ -342,7 +343,7 @@ static void draw(void *of, int at, const struct canvas *canvas, struct screen_ar
     draw_words(card(cab, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
-static const struct screen_def replays = { .title = "replays",
+static const struct screen_def replays = { .title = "Replays",
                                            .rows = rows,
                                            .row = row,
                                            .text = text,
@@ -359,6 +360,6 @@ void cab_open_replays(struct cab *cab)
     replays_close(&cab->view.list);
     cab->view.thumb_of = -1;
     if (!replays_open(&cab->view.list, cab_cart(cab)->m.id))
-        screens_say(&cab->screens, "not enough memory for all of them");
+        screens_say(&cab->screens, "Out of memory: some replays are not listed");
     screens_open(&cab->screens, &replays, cab);
 }

@@ -21,9 +21,9 @@ static void row(void *of, int at, struct screen_row *row)
 {
     struct cab *cab = of;
 
-    snprintf(row->label, sizeof row->label, "%s", at == GO_ON ? "go on" : "begin anew");
+    snprintf(row->label, sizeof row->label, "%s", at == GO_ON ? "Resume" : "New Game");
     snprintf(row->help, sizeof row->help, "%s",
-             at == GO_ON ? "it is played again up to there, and waits for you" : "it stays among the replays");
+             at == GO_ON ? "Replays the run to where you left, then pauses." : "Saves the unfinished run as a replay.");
     row->faint = at == GO_ON && !cab->left.can;
 }
 
@@ -46,7 +46,7 @@ static void accept(void *of, int at)
 }
 
 static const struct screen_def question = {
-    .title = "you left in the middle", .small = true, .rows = rows, .row = row, .text = text, .accept = accept
+    .title = "Unfinished Run", .small = true, .rows = rows, .row = row, .text = text, .accept = accept
 };
 
 /* "3:41, heron, 120300 points", and whether it can go on. */
@@ -55,20 +55,20 @@ static void describe(struct cab *cab, const struct card *c)
     const struct rom *rom = cab_cart(cab)->rom;
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
-    int n = snprintf(cab->left.text, sizeof cab->left.text, "%u:%02u of a run%s%s%s. ", seconds / 60, seconds % 60,
-                     c->ship[0] ? " with " : "", c->ship, c->flags & DEMO_RESUMED ? ", gone on with before" : "");
+    int n = snprintf(cab->left.text, sizeof cab->left.text, "%u:%02u played%s%s%s. ", seconds / 60, seconds % 60,
+                     c->ship[0] ? " with " : "", c->ship, c->flags & DEMO_RESUMED ? ", resumed before" : "");
     char *more = cab->left.text + n;
     const size_t room = sizeof cab->left.text - (size_t)n;
 
     cab->left.changed = !same;
     cab->left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     if (c->core != CORE_VERSION)
-        snprintf(more, room, "It was played on core version %u, this is %d: it cannot go on.", (unsigned)c->core,
+        snprintf(more, room, "Cannot resume: it was recorded with core version %u, this is %d.", (unsigned)c->core,
                  CORE_VERSION);
     else if (!cab->left.can)
-        snprintf(more, room, "The game has changed since, and its older ROM is not kept: it cannot go on.");
+        snprintf(more, room, "Cannot resume: the game has changed and its old version is not stored.");
     else if (!same)
-        snprintf(more, room, "The game has changed since; the run goes on in the game as it was.");
+        snprintf(more, room, "The game has changed; the run resumes in the old version.");
 }
 
 /* Who changes a game's folder and plays it wants to see the change, which the run that was left does not show. */
@@ -88,7 +88,7 @@ void cab_open_resume(struct cab *cab)
         return;
     if (!cab_was_left(cab, &c)) {
         if (unasked)
-            cab_say(cab, "curtain: %s: --resume: no run was left", cab_game(cab));
+            cab_say(cab, "curtain: %s: --resume: no unfinished run", cab_game(cab));
         return;
     }
     if (unasked) {

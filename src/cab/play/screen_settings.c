@@ -60,15 +60,9 @@ static int rows(void *of)
 
 static void describe_value(struct cab *cab, const struct config_setting *s, struct screen_row *row)
 {
-    char value[SCREEN_VALUE / 2];
-
-    config_text(&cab->config, s, value, sizeof value);
-    if (s->zero && config_value(&cab->config, s) == 0)
-        snprintf(row->value, sizeof row->value, "%s", s->zero);
-    else
-        snprintf(row->value, sizeof row->value, "%s%s", value, s->unit ? s->unit : "");
+    config_label(&cab->config, s, row->value, sizeof row->value);
     snprintf(row->label, sizeof row->label, "%s", s->label);
-    snprintf(row->help, sizeof row->help, "%s", s->help);
+    screen_sentence(row->help, sizeof row->help, s->help);
     row->changes = true;
 }
 
@@ -85,15 +79,14 @@ static void describe(void *of, int at, struct screen_row *row)
         describe_value(cab, cab->list.row[at].setting, row);
         break;
     case SETTINGS_LANGUAGE:
-        snprintf(row->label, sizeof row->label, "language");
-        snprintf(row->value, sizeof row->value, "%s", cab->config.lang[0] ? cab->config.lang : "the game's own");
-        snprintf(row->help, sizeof row->help,
-                 "a run keeps its language: another one is there when the game begins anew");
+        snprintf(row->label, sizeof row->label, "Language");
+        snprintf(row->value, sizeof row->value, "%s", cab->config.lang[0] ? cab->config.lang : "Default");
+        snprintf(row->help, sizeof row->help, "Takes effect when the game restarts.");
         row->changes = true;
         break;
     case SETTINGS_TO_KEYS:
-        snprintf(row->label, sizeof row->label, "keys and buttons");
-        snprintf(row->help, sizeof row->help, "what each does, and how to change it");
+        snprintf(row->label, sizeof row->label, "Key Bindings");
+        snprintf(row->help, sizeof row->help, "Change what each key and button does.");
         break;
     }
 }
@@ -142,12 +135,11 @@ static void closed(void *of)
     cab_save_settings(cab);
     if (cab->quit || cab->session.demo || !other)
         return;
-    screens_ask(&cab->screens, "Another language is there when the game begins anew. What is on now ends then.",
-                "begin anew now", begin_anew, cab);
+    screens_ask(&cab->screens, "Restart now to change the language? The current run ends.", "Restart", begin_anew, cab);
 }
 
 static const struct screen_def settings = {
-    .title = "settings", .rows = rows, .row = describe, .change = change, .accept = accept, .closed = closed
+    .title = "Settings", .rows = rows, .row = describe, .change = change, .accept = accept, .closed = closed
 };
 
 /* ---- what others call ---- */
@@ -174,5 +166,5 @@ void cab_save_settings(struct cab *cab)
         folder--;
     cab_save_failed(cab, err);
     /* a small menu has three lines: the why matters, the folder stands in the notice and the log */
-    screens_say(&cab->screens, "not kept: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
+    screens_say(&cab->screens, "Not saved: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
 }

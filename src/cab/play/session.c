@@ -236,7 +236,7 @@ bool session_take_over(struct session *s, const char *record)
     uint32_t frame = board_frame(b) + (board_last(b)->fault != NULL); /* the tick that faulted is recorded too */
 
     if (!s->demo)
-        return fail(s, "nothing to take over: it is you who plays");
+        return fail(s, "Nothing to take over: you are already playing");
     session_stop(s);
     s->demo = NULL;
     s->differs = 0;
@@ -252,9 +252,9 @@ bool session_go_on(struct session *s, unsigned flags)
     const struct board *b = session_board(s);
 
     if (!s->demo || board_last(b)->fault || board_frame(b) != s->demo->frames)
-        return fail(s, "it does not come to its end");
+        return fail(s, "its recording does not replay to the end");
     if (s->differs)
-        return fail(s, "it is not the run that was recorded any more");
+        return fail(s, "playback diverged from the recording");
     session_stop(s);
     flags |= s->demo->flags;
     s->demo = NULL;
@@ -311,7 +311,7 @@ static bool reload_ended(struct session *s)
     if (out->fault)
         snprintf(s->err, sizeof s->err, "%s (in frame %u of the run)", out->fault->message, (unsigned)board_frame(b));
     else if (out->request == REQUEST_QUIT)
-        snprintf(s->err, sizeof s->err, "the changed game ends at frame %u of the run", (unsigned)board_frame(b));
+        snprintf(s->err, sizeof s->err, "the reloaded game ends at frame %u of the run", (unsigned)board_frame(b));
     else
         return false;
     session_stop(s);
@@ -330,7 +330,7 @@ bool session_reload(struct session *s, const char *path, bool nearest)
         return true;
     }
     if (strcmp(rom->cart.m.id, s->now->cart->m.id) != 0) {
-        snprintf(s->err, sizeof s->err, "it is another game now (\"%s\", was \"%s\")", rom->cart.m.id,
+        snprintf(s->err, sizeof s->err, "the folder now has another game (\"%s\", was \"%s\")", rom->cart.m.id,
                  s->now->cart->m.id);
         session_rom_free(rom);
         return false;

@@ -15,7 +15,7 @@ static bool take_ram(struct guard *g, char *err, size_t err_size)
         return false;
     g->block = g->ram_size <= SIZE_MAX - RAM_ALIGN ? malloc(g->ram_size + RAM_ALIGN - 1) : 0;
     if (!g->block) {
-        snprintf(err, err_size, "the board needs %zu KiB of memory, more than there is", g->ram_size / 1024);
+        snprintf(err, err_size, "the board needs %zu KiB of memory, more than is available", g->ram_size / 1024);
         return false;
     }
     g->ram = (void *)(((uintptr_t)g->block + RAM_ALIGN - 1) & ~(uintptr_t)(RAM_ALIGN - 1));

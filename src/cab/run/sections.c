@@ -125,7 +125,7 @@ static void listen(struct sections *p, struct guard *g, bool log)
     if (out->fault)
         snprintf(p->why, sizeof p->why, "%s", out->fault->message);
     else if (!done)
-        snprintf(p->why, sizeof p->why, "the game does not tell what can be practised");
+        snprintf(p->why, sizeof p->why, "the game does not list its sections");
 }
 
 void sections_list(struct sections *p, const struct rom *rom, const struct board_start *start, bool log)

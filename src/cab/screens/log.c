@@ -85,10 +85,10 @@ static void row(void *of, int at, struct screen_row *row)
 
 static const char *text(void *of)
 {
-    return log_kept(of) ? "" : "Nothing was printed yet.";
+    return log_kept(of) ? "" : "No messages yet.";
 }
 
-static const struct screen_def screen = { .title = "log", .rows = rows, .row = row, .text = text };
+static const struct screen_def screen = { .title = "Log", .rows = rows, .row = row, .text = text };
 
 void log_open(struct log *log, struct screens *screens)
 {

@@ -139,6 +139,13 @@ void screens_say(struct screens *s, const char *format, ...)
     s->said_for = SAID;
 }
 
+void screen_sentence(char *out, size_t size, const char *phrase)
+{
+    snprintf(out, size, "%s.", phrase);
+    if (out[0] >= 'a' && out[0] <= 'z')
+        out[0] = (char)(out[0] - 'a' + 'A');
+}
+
 /* ---- a question ---- */
 
 enum { ASK_NO, ASK_YES, ASK_ROWS };
@@ -158,7 +165,7 @@ static void ask_row(void *of, int at, struct screen_row *row)
 {
     const struct screens *s = of;
 
-    snprintf(row->label, sizeof row->label, "%s", at == ASK_NO ? "no" : s->asked.yes);
+    snprintf(row->label, sizeof row->label, "%s", at == ASK_NO ? "Cancel" : s->asked.yes);
 }
 
 static void ask_accept(void *of, int at)
@@ -171,7 +178,7 @@ static void ask_accept(void *of, int at)
 }
 
 static const struct screen_def ask = {
-    .title = "sure?", .small = true, .text = ask_text, .rows = ask_rows, .row = ask_row, .accept = ask_accept
+    .title = "Confirm", .small = true, .text = ask_text, .rows = ask_rows, .row = ask_row, .accept = ask_accept
 };
 
 void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of)

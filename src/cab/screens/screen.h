@@ -122,6 +122,9 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
 /* Draws the topmost screen. foot: a line that says what to press, "" for none. */
 void screens_draw(struct screens *s, const struct canvas *canvas, const char *foot);
 
+/* Writes a phrase of the help as a sentence: "Fill the screen." */
+void screen_sentence(char *out, size_t size, const char *phrase);
+
 /* For screen_draw.c and tests. */
 int screen_row_height(void);
 

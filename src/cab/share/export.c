@@ -72,7 +72,7 @@ static bool load_program(struct export *e)
 
     snprintf(e->from, sizeof e->from, "export: this program's own file");
     if (!plat_program(name, sizeof name))
-        return err_set(e->err, e->err_size, "export: this system does not say where the program's own file is");
+        return err_set(e->err, e->err_size, "export: cannot find this program's own file");
     return files_read(name, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
 }
 
@@ -91,7 +91,7 @@ static bool load_core(struct export *e)
         mark_read(e->file + at, &m);
     if (m.core == CORE_VERSION)
         return true;
-    return err_set(e->err, e->err_size, "%s: is of core version %u, this program of %d: make library makes it anew",
+    return err_set(e->err, e->err_size, "%s: has core version %u, this program has %d; rebuild it with make library",
                    e->from, (unsigned)m.core, CORE_VERSION);
 }
 
@@ -122,8 +122,8 @@ static bool build(struct export *e)
     m.at = (end + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
     if (!mark_find(e->file, end, &at))
         return err_set(e->err, e->err_size,
-                       e->want->kind == EXPORT_CORE ? "%s: is no core to put a game into: make library makes one"
-                                                    : "%s is not the one that runs",
+                       e->want->kind == EXPORT_CORE ? "%s: not a core that can hold a game; build one with make library"
+                                                    : "%s is not the running one",
                        e->from);
     if (e->want->kind == EXPORT_PROGRAM)
         blank_builtin(e->want, e->file, end);
@@ -182,8 +182,8 @@ static bool entry_holds(struct export *e)
         return true;
     for (const char *p = path, *end = path + strlen(path); p < end;)
         if (!utf8_may_show(utf8_next(&p, end)))
-            return err_set(e->err, e->err_size, "--desktop: %s: an entry cannot hold the end of a line and its like",
-                           e->out);
+            return err_set(e->err, e->err_size,
+                           "--desktop: %s: a desktop entry cannot contain line ends or control characters", e->out);
     return true;
 }
 
@@ -210,7 +210,7 @@ static bool may_write(struct export *e)
     if (!entry_holds(e))
         return false;
     if (plat_size(e->out) < 0 && plat_list(e->out, ignore, NULL) >= 0)
-        return err_set(e->err, e->err_size, "%s: is a folder; -o names the file to be written", e->out);
+        return err_set(e->err, e->err_size, "%s: is a folder; name the output file with -o", e->out);
     if (!free_beside(e))
         return false;
     if (plat_size(e->out) < 0)
@@ -220,7 +220,7 @@ static bool may_write(struct export *e)
     const bool exported = is_exported(e, there, size);
     free(there);
     return exported ? true
-                    : err_set(e->err, e->err_size, "%s: is already there, and is no exported %s: remove it first",
+                    : err_set(e->err, e->err_size, "%s: already exists and is not an exported %s; remove it first",
                               e->out, kinds[e->want->kind]);
 }
 
@@ -240,7 +240,7 @@ static bool save(struct export *e)
         return true;
     if (e->want->kind == EXPORT_CORE)
         return save_info(e);
-    return plat_runnable(e->out) ? true : result_host(e->err, e->err_size, "%s: cannot be made a program", e->out);
+    return plat_runnable(e->out) ? true : result_host(e->err, e->err_size, "%s: cannot be made executable", e->out);
 }
 
 /* A path in double quotes, as the line Exec of an entry wants it: the file's own escapes on top of the shell's. */
@@ -284,7 +284,7 @@ static bool save_entry(struct export *e)
     size_t size = 0;
 
     if (!plat_path(e->out, path, sizeof path - sizeof ".desktop"))
-        return err_set(e->err, e->err_size, "%s: the path is too long", e->out);
+        return err_set(e->err, e->err_size, "%s: path too long", e->out);
     quoted(path, exec, sizeof exec);
     clean_line(e->cart.m.title);
     escaped(e->cart.m.title, title);
@@ -347,12 +347,10 @@ static bool has_window(void)
 static bool may_export(struct export *e)
 {
     if (own_game()->rom)
-        return err_set(e->err, e->err_size, "export: this program is %s, exported already: export with curtain",
+        return err_set(e->err, e->err_size, "export: this program is %s, already exported; use curtain to export",
                        own_game()->m.title);
     if (e->want->kind == EXPORT_PROGRAM && !has_window())
-        return err_set(e->err, e->err_size,
-                       "export: this program has no window to play in: export with curtain, not "
-                       "with curtain-null");
+        return err_set(e->err, e->err_size, "export: this program has no window; use curtain, not curtain-null");
     return true;
 }
 

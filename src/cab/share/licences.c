@@ -45,10 +45,10 @@ static const char zlib[] =
     "   software.\n"
     "3. This notice may not be removed or altered from any source distribution.\n";
 
-static const char nothing[] = "Nothing has to be given along.\n";
+static const char nothing[] = "No notice is required.\n";
 static const char of_system[] =
-    "It belongs to the system that the program runs on, and is no part of its file: nothing has to be given along.\n";
-static const char unknown[] = "Its licence is not known here: ask whoever wrote this port of Curtain.\n";
+    "It belongs to the operating system and is not in the program's file: no notice is required.\n";
+static const char unknown[] = "Its licence is unknown: ask the author of this port of Curtain.\n";
 
 struct work {
     char name[32], version[128];
@@ -78,7 +78,7 @@ static bool of_port(struct work *w)
         *w = work("SDL", "zlib", "window, sound, controllers", "Copyright (C) Sam Lantinga and others", zlib);
         snprintf(w->version, sizeof w->version, "%s", about + 4);
     } else {
-        *w = work("port", "unknown", "window and the rest of the machine", "", unknown);
+        *w = work("port", "unknown", "window and other platform support", "", unknown);
         snprintf(w->version, sizeof w->version, "%s", about);
     }
     return true;
@@ -93,14 +93,14 @@ static int list(struct work all[WORKS])
     snprintf(all[n++].version, sizeof all->version, "%s", CURTAIN_VERSION);
     all[n] = work("Lua", "MIT", "runs the scripts", board_lua_copyright(), mit);
     snprintf(all[n++].version, sizeof all->version, "%s", board_lua_release());
-    all[n++] =
-        work("stb", "public domain", "reads and writes PNG", "Sean Barrett and others; also to be had as MIT", nothing);
+    all[n++] = work("stb", "public domain", "reads and writes PNG", "Sean Barrett and others; also available under MIT",
+                    nothing);
     n += of_port(&all[n]);
 #ifdef __GLIBC__
-    all[n] = work("glibc", "LGPL 2.1", "the C library, of the system", "the GNU C Library", of_system);
+    all[n] = work("glibc", "LGPL 2.1", "C library of the system", "the GNU C Library", of_system);
     snprintf(all[n++].version, sizeof all->version, "%d.%d", __GLIBC__, __GLIBC_MINOR__);
 #else
-    all[n++] = work("libc", "its own", "the C library, of the system", "the system's C library", of_system);
+    all[n++] = work("libc", "its own", "C library of the system", "the system's C library", of_system);
 #endif
     return n;
 }
@@ -122,16 +122,16 @@ enum result licences_run(bool full)
     const struct own *own = own_game();
 
     if (own->rom)
-        report_print("%s is the work of %s; the rest of this program:\n", own->m.title,
+        report_print("%s is by %s. Also in this program:\n", own->m.title,
                      own->m.author[0] ? own->m.author : "its author");
     for (int i = 0; i < n; i++)
         report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
                      all[i].what);
-    puts("Packing opens libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) where they are installed, for recordings,");
-    puts("and libexpat (MIT) for BulletML; a game that is played needs none of them.");
+    puts("When packing, the program loads libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) for recordings and");
+    puts("libexpat (MIT) for BulletML, if installed. Playing a game needs none of them.");
     if (full)
         print_texts(all, n);
     else
-        puts("Who gives this program to others gives along the texts that --full prints.");
+        puts("Include the texts that --full prints when you distribute this program.");
     return report_stdout(RESULT_DONE);
 }

@@ -31,8 +31,8 @@ static enum result take(uint8_t **in, size_t size, const struct mark *m, char *e
     char why[256];
 
     if (size < m->at || size - m->at < m->size) {
-        err_set(err, err_size, "%s is cut short: it has %zu bytes, and should have %" PRIu64 " with its game", itself,
-                size, m->at + m->size);
+        err_set(err, err_size, "%s is truncated: %zu bytes, expected %" PRIu64 " with its game", itself, size,
+                m->at + m->size);
         return RESULT_REFUSED;
     }
     own.size = (size_t)m->size; /* which fits, as the file does */
@@ -41,7 +41,7 @@ static enum result take(uint8_t **in, size_t size, const struct mark *m, char *e
     file = *in;
     if (!whole || !rom_open(&rom, file, own.size, why, sizeof why) || rom.crc != m->crc ||
         rom_find(&rom, "manifest") < 0) {
-        err_set(err, err_size, "%s is damaged: the game in it is not the one that was put there", itself);
+        err_set(err, err_size, "%s is damaged: the game in it has changed", itself);
         return RESULT_REFUSED;
     }
     rom_lump(&rom, rom_find(&rom, "manifest"), &lump);
@@ -64,7 +64,7 @@ enum result own_open(char *err, size_t err_size)
     if (!m.size || own.rom)
         return RESULT_DONE;
     if (!plat_program(name, sizeof name)) {
-        err_set(err, err_size, "%s, which has its game, cannot be found on this system", itself);
+        err_set(err, err_size, "%s, which contains the game, cannot be found on this system", itself);
         return RESULT_HOST;
     }
     if (!files_read(name, itself, MOST, &file, &size, err, err_size))
@@ -89,14 +89,13 @@ bool own_sealed(void)
 
 const char *own_refuses_command(const char *command, char *err, size_t err_size)
 {
-    err_set(err, err_size, "%s: this program plays %s, and has no other commands of Curtain (--help)", command,
-            own.m.title);
+    err_set(err, err_size, "%s: not available; this program only plays %s (see --help)", command, own.m.title);
     return err;
 }
 
 const char *own_refuses_game(const char *path, char *err, size_t err_size)
 {
-    err_set(err, err_size, "%s: this program plays %s, and nothing else (--help)", path, own.m.title);
+    err_set(err, err_size, "%s: cannot open; this program only plays %s (see --help)", path, own.m.title);
     return err;
 }
 
@@ -105,13 +104,13 @@ void own_help(void (*line)(const char *))
     char text[256];
 
     snprintf(text, sizeof text,
-             "%s%s%s, made with Curtain %s. Started without a word it is played; with one it says:", own.m.title,
+             "%s%s%s, made with Curtain %s. Run it without arguments to play. Commands:", own.m.title,
              own.m.author[0] ? ", by " : "", own.m.author, CURTAIN_VERSION);
     line(text);
     line("");
-    line("  licences [--full]     whose work is in this program, and under which licence");
-    line("  version               what it is made of");
-    line("  help [config]         this; the settings and their file");
+    line("  licences [--full]     print the authors and licences of the software in it");
+    line("  version               print the version and build");
+    line("  help [config]         print this help; or the settings and their file");
     line("");
     line("Options:");
 }

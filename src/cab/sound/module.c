@@ -64,7 +64,7 @@ static bool read_pass(const struct functions *f, openmpt_module *module, struct 
     for (size_t n; (n = f->read(module, SND_RATE, PART, part)) > 0;)
         if (!pcm_add(pass, part, n))
             return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
-    return pass->n > 0 ? true : err_set(err, err_size, "there is nothing to hear in it");
+    return pass->n > 0 ? true : err_set(err, err_size, "nothing to hear in it");
 }
 
 /* Does p end with the same frames? */
@@ -123,7 +123,7 @@ bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, cha
         return library_missing(LIBRARY_OPENMPT, err, err_size);
     openmpt_module *module = f.open(data, n, NULL, NULL, ignore, NULL, NULL, NULL, ctls);
     if (!module)
-        return err_set(err, err_size, "libopenmpt knows no module in it, or a damaged one");
+        return err_set(err, err_size, "libopenmpt does not recognise it, or it is damaged");
     const bool good = decode(&f, module, loops, out, err, err_size);
     f.close(module);
     if (!good)

@@ -72,8 +72,9 @@ bool pcm_check(const struct pcm *p, char *err, size_t err_size)
     if (p->n < 1 || p->n > most(p))
         return err_set(err, err_size, "expected 1 to %" PRIu64 " frames, got %" PRIu32, most(p), p->n);
     if (p->loop >= 0 && (p->loop >= end || end > p->n))
-        return err_set(err, err_size, "its loop, from frame %" PRId64 " up to %" PRId64 ", is not within its %" PRIu32,
-                       p->loop, end, p->n);
+        return err_set(err, err_size,
+                       "the loop from frame %" PRId64 " to %" PRId64 " is not inside its %" PRIu32 " frames", p->loop,
+                       end, p->n);
     return true;
 }
 

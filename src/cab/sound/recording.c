@@ -259,7 +259,7 @@ static bool marks_apart(const struct art_sound *s, const struct art_marker *mark
     for (int i = 1; i < s->n_markers; i++)
         if ((uint64_t)(places[i].tick - places[i - 1].tick) * TUNE_TICK < (uint64_t)SND_FRAME * tempo)
             return err_set(
-                err, err_size, "marker \"%s\" is within a frame (1/60 s) of \"%s\", which no script would see",
+                err, err_size, "marker \"%s\" is within a frame (1/60 s) of \"%s\", so scripts would never see it",
                 markers[s->first_marker + places[i].i].name, markers[s->first_marker + places[i - 1].i].name);
     return true;
 }
@@ -271,8 +271,8 @@ static bool place_markers(const struct art_sound *s, const struct art_marker *ma
         const struct art_marker *m = &markers[s->first_marker + i];
         out[i] = (struct place){ (uint32_t)llrint(m->beat * TUNE_QUARTER), i };
         if ((int64_t)out[i].tick * TUNE_TICK >= span.end)
-            return err_set(err, err_size, "marker \"%s\", at beat %g, lies behind its end, at beat %.2f", m->name,
-                           m->beat, (double)span.end / TUNE_TICK / TUNE_QUARTER);
+            return err_set(err, err_size, "marker \"%s\", at beat %g, is after the end, at beat %.2f", m->name, m->beat,
+                           (double)span.end / TUNE_TICK / TUNE_QUARTER);
     }
     qsort(out, (size_t)s->n_markers, sizeof *out, by_tick);
     return true;
@@ -335,7 +335,7 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     struct writer w;
 
     if (ticks_up(all) > TUNE_PAUSE)
-        return err_set(err, err_size, "too long: at that tempo it has %" PRIu32 " beats, expected at most %d",
+        return err_set(err, err_size, "too long: %" PRIu32 " beats at that tempo, expected at most %d",
                        ticks_up(all) / TUNE_QUARTER, TUNE_PAUSE / TUNE_QUARTER);
     if (!place_markers(s, markers, span, places, err, err_size) ||
         !marks_apart(s, markers, places, tempo, err, err_size))

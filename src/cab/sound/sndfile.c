@@ -111,9 +111,9 @@ static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t pro
         if (!pcm_add(out, part, (size_t)n))
             return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
     if (f->error(file) != 0)
-        return err_set(err, err_size, "it is damaged behind frame %" PRIu32 " (%s)", out->n, f->say(file));
+        return err_set(err, err_size, "damaged after frame %" PRIu32 " (%s)", out->n, f->say(file));
     if (promised != LENGTH_UNKNOWN && out->n != promised)
-        return err_set(err, err_size, "it says that it has %" PRId64 " frames, and has %" PRIu32, (int64_t)promised,
+        return err_set(err, err_size, "its header says %" PRId64 " frames, but it has %" PRIu32, (int64_t)promised,
                        out->n);
     return true;
 }
@@ -121,9 +121,9 @@ static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t pro
 static bool check_info(const SF_INFO *info, char *err, size_t err_size)
 {
     if (info->channels < 1 || info->channels > PCM_CHANNELS)
-        return err_set(err, err_size, "expected one channel or two, got %d", info->channels);
+        return err_set(err, err_size, "expected one or two channels, got %d", info->channels);
     if (info->samplerate < SAMPLE_RATE || info->samplerate > PCM_RATE)
-        return err_set(err, err_size, "expected %d to %d frames a second, got %d", (int)SAMPLE_RATE, (int)PCM_RATE,
+        return err_set(err, err_size, "expected a sample rate of %d to %d Hz, got %d", (int)SAMPLE_RATE, (int)PCM_RATE,
                        info->samplerate);
     return true;
 }
@@ -137,7 +137,7 @@ static bool decode(const struct functions *f, const uint8_t *data, size_t n, str
     SNDFILE *file = f->open(&io, SFM_READ, &info, &memory);
 
     if (!file)
-        return err_set(err, err_size, "it cannot be read (%s)", f->say(NULL));
+        return err_set(err, err_size, "cannot be read (%s)", f->say(NULL));
     bool good = check_info(&info, err, err_size);
     if (good) {
         out->channels = info.channels;

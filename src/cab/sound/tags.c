@@ -68,11 +68,11 @@ static bool read_comments(const uint8_t *p, size_t n, struct tags *out, char *er
         many = bytes_get32(p + at);
         at += 4;
     } else if (n > 0) {
-        return err_set(err, err_size, "its tags run past their end");
+        return err_set(err, err_size, "its tags are longer than the file");
     }
     for (; many > 0; many--) {
         if (n - at < 4 || bytes_get32(p + at) > n - at - 4)
-            return err_set(err, err_size, "its tags run past their end");
+            return err_set(err, err_size, "its tags are longer than the file");
         const size_t size = bytes_get32(p + at);
         if (!read_comment((const char *)p + at + 4, size, out, err, err_size))
             return false;
@@ -125,13 +125,13 @@ bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_
         return err_set(err, err_size, "expected a FLAC file (fLaC)");
     while (!last) {
         if (n - at < 4)
-            return err_set(err, err_size, "it ends before its samples");
+            return err_set(err, err_size, "truncated before its samples");
         const size_t size = (size_t)data[at + 1] << 16 | (size_t)data[at + 2] << 8 | data[at + 3];
         const int kind = data[at] & 127;
         last = data[at] >> 7;
         if (size > n - at - 4)
-            return err_set(err, err_size, "block %d, of %zu bytes, at byte %zu runs past the end of the file", kind,
-                           size, at);
+            return err_set(err, err_size, "block %d, of %zu bytes, at byte %zu is longer than the file", kind, size,
+                           at);
         if (kind == 0 && size == STREAMINFO_BYTES)
             open = !states_length(data + at + 4);
         if (kind == 4 && !read_comments(data + at + 4, size, out, err, err_size))
@@ -139,7 +139,7 @@ bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_
         at += 4 + size;
     }
     if (open && !ends_in_frame(data, at, n))
-        return err_set(err, err_size, "it ends in the middle of a frame");
+        return err_set(err, err_size, "truncated inside a frame");
     return true;
 }
 
@@ -170,11 +170,11 @@ static size_t page_size(const uint8_t *data, size_t n, size_t at, char *err, siz
     for (size_t i = 0; i < p[26] && PAGE + i < n - at; i++)
         size += 1u + p[PAGE + i];
     if (size > n - at)
-        err_set(err, err_size, "the page at byte %zu runs past the end of the file", at);
+        err_set(err, err_size, "the page at byte %zu is longer than the file", at);
     else if (crc_of(p, size) != bytes_get32(p + 22))
-        err_set(err, err_size, "the page at byte %zu is damaged: its checksum is another", at);
+        err_set(err, err_size, "damaged page at byte %zu: wrong checksum", at);
     else if (bytes_get32(p + 14) != bytes_get32(data + 14))
-        err_set(err, err_size, "expected one stream in it; at byte %zu begins another", at);
+        err_set(err, err_size, "expected a single stream; another starts at byte %zu", at);
     else
         return size;
     return 0;
@@ -215,7 +215,7 @@ static bool read_packets(const struct packets *k, struct tags *out, char *err, s
     const uint8_t *second = k->bytes + id;
 
     if (k->now < 2)
-        return err_set(err, err_size, "it ends before its tags");
+        return err_set(err, err_size, "truncated before its tags");
     if (id >= 7 && memcmp(k->bytes, "\1vorbis", 7) == 0 && n >= 7 && memcmp(second, "\3vorbis", 7) == 0) {
         out->codec = "Vorbis";
         return read_comments(second + 7, n - 7, out, err, err_size);
@@ -234,14 +234,14 @@ bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t
 
     *out = (struct tags){ "", -1, -1, -1 };
     if (n < PAGE || memcmp(data, "OggS", 4) != 0)
-        return err_set(err, err_size, "expected an OGG or FLAC file (which begins with OggS or fLaC)");
+        return err_set(err, err_size, "expected an OGG or FLAC file (starting with OggS or fLaC)");
     for (size_t at = 0, size; good && at < n; at += size) {
         size = page_size(data, n, at, err, err_size);
         good = size > 0 && add_page(&k, data + at, err, err_size);
         ended = good && data[at + 5] & LAST_PAGE;
     }
     if (good && !ended)
-        good = err_set(err, err_size, "it ends before its last page");
+        good = err_set(err, err_size, "truncated before its last page");
     good = good && read_packets(&k, out, err, err_size);
     free(k.bytes);
     return good;

@@ -34,13 +34,13 @@ static bool read_format(struct wav *w, const uint8_t *p, uint32_t n, char *err, 
     w->rate = bytes_get32(p + 4);
     w->bits = bytes_get16(p + 14);
     if (w->channels < 1 || w->channels > 2)
-        return err_set(err, err_size, "expected one channel or two, got %d", w->channels);
+        return err_set(err, err_size, "expected one or two channels, got %d", w->channels);
     if (real == FLOATS && w->bits != 32)
-        return err_set(err, err_size, "expected floats of 32 bits, got %d", w->bits);
+        return err_set(err, err_size, "expected 32-bit floats, got %d bits", w->bits);
     if (w->bits != 8 && w->bits != 16 && w->bits != 24 && w->bits != 32)
         return err_set(err, err_size, "expected samples of 8, 16, 24 or 32 bits, got %d", w->bits);
     if (w->rate < SAMPLE_RATE || w->rate > PCM_RATE)
-        return err_set(err, err_size, "expected %d to %d frames a second, got %" PRIu32, (int)SAMPLE_RATE,
+        return err_set(err, err_size, "expected a sample rate of %d to %d Hz, got %" PRIu32, (int)SAMPLE_RATE,
                        (int)PCM_RATE, w->rate);
     return true;
 }
@@ -85,18 +85,18 @@ static bool read_chunks(struct wav *w, const uint8_t *data, size_t n, char *err,
         if (size > left && w->samples && at >= 8 + (size_t)riff)
             break; /* not of the RIFF chunk */
         if (size > left)
-            return err_set(err, err_size, "chunk \"%.4s\" of %" PRIu32 " bytes runs past the end of the file",
+            return err_set(err, err_size, "chunk \"%.4s\" of %" PRIu32 " bytes is longer than the file",
                            (const char *)data + at, size);
         if (!read_chunk(w, data + at, size, err, err_size))
             return false;
         at += 8 + (size_t)size + (size & 1);
     }
     if (at < n && at < 8 + (size_t)riff && !unfinished)
-        return err_set(err, err_size, "it ends in the middle of a chunk");
+        return err_set(err, err_size, "truncated inside a chunk");
     if (w->bits == 0)
-        return err_set(err, err_size, "it has no chunk \"fmt \"");
+        return err_set(err, err_size, "no chunk \"fmt \"");
     if (w->samples == NULL)
-        return err_set(err, err_size, "it has no chunk \"data\"");
+        return err_set(err, err_size, "no chunk \"data\"");
     return true;
 }
 

@@ -317,12 +317,12 @@ void speaker_report(const struct speaker *s, char *line, size_t size)
     const double frame = 1000.0 / SPEAKER_RATE;
 
     if (s->state == SPEAKER_OFF || !n->looks) {
-        snprintf(line, size, "sound: none was played");
+        snprintf(line, size, "sound: nothing was played");
         return;
     }
     snprintf(line, size,
-             "sound: %.1f ms from a tick to the air, at most %.1f; the card's clock differs by %+.3f %%; "
-             "gaps %u, blocks left out %u",
+             "sound: latency %.1f ms on average, %.1f ms at most; clock drift of the sound card %+.3f %%; gaps %u, "
+             "dropped blocks %u",
              ((double)n->sum / (double)n->looks + RESAMPLE_AFTER) * frame, (n->most + RESAMPLE_AFTER) * frame,
              -100 * s->drift.sum, (unsigned)n->dry, (unsigned)n->refused);
 }

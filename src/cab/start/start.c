@@ -99,7 +99,7 @@ static bool save(struct start *s, const char *name, const void *data, size_t siz
     char path[TREE_PATH];
 
     if (!tree_join(path, s->dir, name) || s->n == (int)(sizeof s->path / sizeof *s->path)) {
-        snprintf(err, err_size, "%s: the path is too long", s->dir);
+        snprintf(err, err_size, "%s: path too long", s->dir);
         return false;
     }
     s->path[s->n++] = (char *)name;
@@ -211,14 +211,14 @@ static void say_next(const struct start *s)
 {
     static const struct {
         const char *words, *what;
-    } next[] = { { "play", "plays it; what you save in its folder is played on with" },
-                 { "check", "looks for mistakes in it" },
-                 { "test", "runs its tests" } };
+    } next[] = { { "play", "play it; the game reloads when you save a file" },
+                 { "check", "look for mistakes" },
+                 { "test", "run its tests" } };
     struct prose text = { 0 };
 
     add_word(&text, s->dir);
     if (!text.failed) {
-        report_print("%s: a game of %d files; README.md in it says more. Next:\n", s->dir, s->n);
+        report_print("%s: new game, %d files; see its README.md. Next:\n", s->dir, s->n);
         for (size_t i = 0; i < sizeof next / sizeof *next; i++)
             report_print("  curtain %-5s %-20s %s\n", next[i].words, text.bytes, next[i].what);
     }
@@ -236,14 +236,13 @@ enum result start_new(const char *dir, const char *from)
         return report_line(RESULT_REFUSED, "--from: expected %s, got \"%s\"", games, s.from);
     }
     if (!christen_name(dir, s.name))
-        return report_line(RESULT_REFUSED, "new: \"%s\" is no name to call a game by: expected a folder to make", dir);
+        return report_line(RESULT_REFUSED, "new: \"%s\" is not a valid game name; expected a folder to create", dir);
     christen_id(s.name, s.id);
     if (files_size(dir) >= 0)
-        return report_line(RESULT_REFUSED, "%s: is a file; new makes a folder", dir);
+        return report_line(RESULT_REFUSED, "%s: is a file; new creates a folder", dir);
     int files = plat_list(dir, ignore_file, NULL);
     if (files > 0)
-        return report_line(RESULT_REFUSED, "%s: has files in it already; new makes a folder, or fills an empty one",
-                           dir);
+        return report_line(RESULT_REFUSED, "%s: not empty; new creates a folder or fills an empty one", dir);
     if (!save_all(&s, err, sizeof err)) {
         take_back(&s, files == 0);
         return report_line(RESULT_HOST, "%s", err);

@@ -98,11 +98,11 @@ static bool check_one(const struct game_files *files, const char *game, const ch
                       char *err, size_t err_size)
 {
     if (game && plat_same(game, out->path))
-        return err_set(err, err_size, "%s: %s is the game that is read: name another file", out->option, out->path);
+        return err_set(err, err_size, "%s: %s is the game being read; choose another file", out->option, out->path);
     if (demo && plat_same(demo, out->path))
-        return err_set(err, err_size, "%s: %s is the demo that is played: name another file", out->option, out->path);
+        return err_set(err, err_size, "%s: %s is the demo being played; choose another file", out->option, out->path);
     if (game_files_have(files, out->path) && !(out->ours && is_ours(out->path, out->ours)))
-        return err_set(err, err_size, "%s: %s is a file of the game: name another one", out->option, out->path);
+        return err_set(err, err_size, "%s: %s is a file of the game; choose another one", out->option, out->path);
     return true;
 }
 
@@ -110,7 +110,7 @@ static bool check_two(const struct output_path *a, const struct output_path *b, 
 {
     if (strcmp(a->path, b->path) != 0 && !plat_same(a->path, b->path))
         return true;
-    return err_set(err, err_size, "%s: %s is what %s writes: name another file", b->option, b->path, a->option);
+    return err_set(err, err_size, "%s: %s is also written by %s; choose another file", b->option, b->path, a->option);
 }
 
 bool output_paths_check(const char *game, const char *demo, const struct output_path *out, int n, char *err,
@@ -139,7 +139,7 @@ bool output_path_derived(const char *game, const char *path, output_ours *ours, 
         return false;
     if (plat_size(path) < 0 || is_ours(path, ours))
         return true;
-    return err_set(err, err_size, "%s: is already there: remove it, or name another file with -o", path);
+    return err_set(err, err_size, "%s: already exists; remove it, or choose another file with -o", path);
 }
 
 bool output_path_temporary(const char *path, const char *ending, char *out, size_t size)

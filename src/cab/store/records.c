@@ -97,7 +97,7 @@ static bool read_line(struct records *r, const char *s, const char **why)
     *why = "expected CAPTURES ATTEMPTS DIFFICULTY MARK";
     if (digit && !read_record(&got, s))
         return false;
-    *why = "a second record of this piece";
+    *why = "second record of this section";
     if (digit && find(r, got.section, got.difficulty))
         return false;
     *why = "out of memory";
@@ -130,11 +130,11 @@ static bool read_lines(struct records *r, const char *text, size_t size, int *at
 
     for (size_t i = 0; i < size; ++*at) {
         const char *end = memchr(text + i, '\n', size - i);
-        *why = "cut short";
+        *why = "truncated";
         if (!end)
             return false;
         size_t n = (size_t)(end - (text + i));
-        *why = "not a line of text";
+        *why = "expected a line of text";
         if (!plain_line(text + i, n, line))
             return false;
         *why = "expected \"practice 1\"";
@@ -197,7 +197,7 @@ static bool read_file(struct records *r, const char *file, size_t size, char *er
     bool there = text && plat_load(file, text, size) == (long)size;
 
     if (!there)
-        snprintf(err, err_size, "cannot be read, or larger than %d bytes", RECORDS_BYTES);
+        snprintf(err, err_size, "cannot be read, or is larger than %d bytes", RECORDS_BYTES);
     if (there) {
         text[size] = 0;
         files_drop_mark(text, &size);
@@ -219,7 +219,7 @@ void records_load(struct records *r, const char *id)
     r->damaged = !good;
     if (good)
         return;
-    snprintf(line, sizeof line, "%s; practice is not counted, and the file is left as it is", why);
+    snprintf(line, sizeof line, "%s; practice is not counted, and the file is unchanged", why);
     report(file, line);
 }
 

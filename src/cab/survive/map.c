@@ -95,8 +95,8 @@ static const int leads_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30
 /* What the colours say, a line each: a sheet may be as narrow as one picture. */
 static void legend(const struct atlas *m)
 {
-    static const char *const words[KEYS] = { "can be reached, and the end from here",
-                                             "can be reached, but is a dead end", "the ship of the run" };
+    static const char *const words[KEYS] = { "reachable, and leads to the end", "reachable, but a dead end",
+                                             "the ship in the run found" };
     const int *const colours[KEYS] = { leads_colour, dead_colour, NULL };
 
     for (int k = 0; k < KEYS; k++) {

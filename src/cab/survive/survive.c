@@ -30,7 +30,7 @@ static void reached(void *user, uint32_t done, uint32_t of)
 {
     const struct survive *s = user;
 
-    progress_tell(done, of, "%s: survived to frame %u of at most %u", s->name, (unsigned)done, (unsigned)of);
+    progress_tell(done, of, "%s: survived to frame %u of %u", s->name, (unsigned)done, (unsigned)of);
 }
 
 /* ---- a section ---- */
@@ -98,7 +98,7 @@ static bool may_write(const struct survive *s, char *err, size_t err_size)
     const char *demo = demo_path(s);
 
     if (!other_ending(demo, picture, sizeof picture))
-        return err_set(err, err_size, "-o: the path is too long");
+        return err_set(err, err_size, "-o: path too long");
     const struct output_path out[] = { { "-o", demo, NULL }, { "--map", s->a->map, NULL }, { "-o", picture, NULL } };
     return output_paths_check(s->a->path, NULL, out, 3, err, err_size) &&
            output_path_derived(s->a->path, picture, png_is_signed, err, err_size) &&
@@ -132,7 +132,7 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
             result = report_line(RESULT_HOST, "%s", err);
     } else if (result == RESULT_DONE) {
         if (!other_ending(demo, picture, size))
-            return report_line(RESULT_REFUSED, "-o: the path is too long");
+            return report_line(RESULT_REFUSED, "-o: path too long");
         of->picture = picture;
         uint8_t *png = map_last(run, s->a->cart, &bytes);
         result = save_picture(picture, png, bytes);
@@ -181,7 +181,7 @@ static enum result compare(const struct survive *s, const struct section_run *ea
     if (s->a->bots)
         bots_compare(&easier->measure.bots, &harder->measure.bots, why, sizeof why);
     else if (!section_survived(easier) && section_survived(harder))
-        snprintf(why, sizeof why, "no way was found there, and one then");
+        snprintf(why, sizeof why, "no way was found, but one at the next difficulty");
     else
         measure_compare(&easier->measure, &harder->measure, why, sizeof why);
     if (!why[0])
@@ -206,7 +206,7 @@ static enum result keep_demo(struct survive *s, struct section_run *run, struct 
     if (start < 0 || (size_t)start + 1 >= size ||
         snprintf(path + start, size - (size_t)start, "%s%s%s.demo", of->section, of->difficulty[0] ? "-" : "",
                  of->difficulty) >= (int)(size - (size_t)start))
-        return report_line(RESULT_REFUSED, "-o: the path is too long");
+        return report_line(RESULT_REFUSED, "-o: path too long");
     for (char *c = path + start; *c; c++)
         if (*c == '/' || *c == ':')
             *c = '-';
@@ -299,10 +299,10 @@ static enum result all_sections(struct survive *s)
             result = worse(result, one_row(s, list->section[i].id, run));
         }
     if (n > 0 && list->why[0])
-        result = worse(result, report_line(RESULT_DIFFERS, "--all: not all sections are known: %s", list->why));
+        result = worse(result, report_line(RESULT_DIFFERS, "--all: cannot list all sections: %s", list->why));
     if (n == 0)
         result = report_line(RESULT_REFUSED, "--all: %s",
-                             list->why[0] ? list->why : "the game has no such stage or boss (--stage)");
+                             list->why[0] ? list->why : "no such stage or boss in the game (--stage)");
     free(list);
     free(run);
     return report_stdout(result);

@@ -15,13 +15,13 @@ const char *tell_verdict(enum seek_verdict v)
     case SEEK_LASTED:
         return "survived so far";
     case SEEK_CANNOT:
-        return "cannot be survived";
+        return "proved unavoidable";
     case SEEK_NO_SHIP:
         return "no ship";
     case SEEK_FAULT:
         return "fault";
     case SEEK_BOTS:
-        return "bots alone";
+        return "bots only";
     default:
         return "no way found";
     }
@@ -36,46 +36,45 @@ static void tell_survived(const struct seek *s)
 {
     report_print("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
                  tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
-                 s->verdict == SEEK_LASTED ? "; it was not over by then (--frames says how far to look)" : "");
+                 s->verdict == SEEK_LASTED ? "; not over by then (--frames sets the limit)" : "");
 }
 
 static void tell_cannot(const struct seek *s)
 {
-    report_print("cannot be survived: frame %u is the first in which no ship is left, whatever it pressed but bombs\n",
+    report_print("proved unavoidable: by frame %u every ship is hit, whatever it presses except bombs\n",
                  (unsigned)s->last);
     report_print(
-        "  covered: every place that any steering from frame %u on reaches, taken too large; what hits too small\n",
+        "  covered: every position that any steering from frame %u on can reach, rounded up; hitboxes rounded down\n",
         (unsigned)s->begin);
-    report_print(
-        "  it holds for these bullets; they flew alike in %u more runs with other buttons, fire held or not. It does "
-        "not\n  for a script that looks at the player where none of these was, or for one that is saved by a bomb\n",
-        (unsigned)s->probes);
-    report_print("  the longest run found lives to frame %u\n", (unsigned)s->frames);
+    report_print("  valid for these bullets; they flew identically in %u more runs with other buttons, fire held or "
+                 "not. Not valid\n  for a script that reads the player's position where none of these runs was, or for "
+                 "a ship saved by a bomb\n",
+                 (unsigned)s->probes);
+    report_print("  longest run found: until frame %u\n", (unsigned)s->frames);
 }
 
 static void tell_not_found(const struct seek *s)
 {
-    report_print(
-        "no way found: in %u plans none got past frame %u (begun at %u). That is no proof that there is none:\n",
-        (unsigned)s->plans, (unsigned)s->frames, (unsigned)s->begin);
-    report_print("  in a frame a ship has 17 ways, and of each %s cell of the field one place was followed\n",
+    report_print("no way found: in %u plans no ship got past frame %u (from frame %u). This does not prove that there "
+                 "is none:\n",
+                 (unsigned)s->plans, (unsigned)s->frames, (unsigned)s->begin);
+    report_print("  a ship has 17 moves a frame, and one position was followed in each %s cell of the field\n",
                  s->reacts ? "two-pixel" : "half-pixel");
     if (s->reacts)
-        report_print(
-            "  bullets depend on what the ship does (from frame %u on at the latest), so nothing can be proved\n",
-            (unsigned)s->reacts_at);
+        report_print("  bullets depend on what the ship does (from frame %u at the latest), so nothing can be proved\n",
+                     (unsigned)s->reacts_at);
     else
-        report_print("  --effort makes more of them\n");
+        report_print("  raise --effort to make more plans\n");
 }
 
 static void tell_measure(const struct measure *m, bool survived)
 {
     const struct bots *b = &m->bots;
 
-    report_print(
-        "  bots that live     %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); all last %u.%u s on average\n",
-        bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER], b->n[BOT_WANDER],
-        b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10, tenth(bots_mean(b)) % 10);
+    report_print("  bots that survive  %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); average lifetime %u.%u s\n",
+                 bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER],
+                 b->n[BOT_WANDER], b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10,
+                 tenth(bots_mean(b)) % 10);
     if (!survived)
         return;
     report_print("  narrowest gap      at least %d.%d px; the ship is %d.%d px wide\n", m->gap / 10, m->gap % 10,
@@ -84,11 +83,10 @@ static void tell_measure(const struct measure *m, bool survived)
                  (unsigned)(measure_per_second(m) / 10 % 10), (unsigned)m->most);
     if (m->aimed)
         report_print(
-            "  reaction           %d frames: of %d bullets that would hit the ship where it is, a tenth leave no "
-            "more\n",
+            "  reaction           %d frames: of %d bullets on course for the ship, a tenth leave no more time\n",
             m->reaction, m->aimed);
     else
-        report_print("  reaction           no bullet would hit the ship where it is\n");
+        report_print("  reaction           no bullet was on course for the ship\n");
 }
 
 static void tell_bots(const struct bots *b)
@@ -114,7 +112,7 @@ void tell_section(const struct tell_of *of, const struct section_run *s)
     else if (k->verdict == SEEK_CANNOT)
         tell_cannot(k);
     else if (k->verdict == SEEK_NO_SHIP)
-        report_print("no ship could be steered in %u frames\n", (unsigned)k->frames);
+        report_print("no ship could be controlled in %u frames\n", (unsigned)k->frames);
     else
         tell_not_found(k);
     if (k->verdict != SEEK_NO_SHIP)
@@ -130,9 +128,9 @@ void tell_section(const struct tell_of *of, const struct section_run *s)
 static const char *word(enum seek_verdict v)
 {
     static const char *const words[] = {
-        [SEEK_SURVIVED] = "survived",   [SEEK_LASTED] = "lasted",   [SEEK_CANNOT] = "cannot",
-        [SEEK_NOT_FOUND] = "not found", [SEEK_NO_SHIP] = "no ship", [SEEK_FAULT] = "fault",
-        [SEEK_NO_MEMORY] = "no memory", [SEEK_BOTS] = "bots",
+        [SEEK_SURVIVED] = "survived",       [SEEK_LASTED] = "lasted",   [SEEK_CANNOT] = "cannot",
+        [SEEK_NOT_FOUND] = "not found",     [SEEK_NO_SHIP] = "no ship", [SEEK_FAULT] = "fault",
+        [SEEK_NO_MEMORY] = "out of memory", [SEEK_BOTS] = "bots",
     };
 
     return words[v];

@@ -26,7 +26,7 @@ void tell_row(const struct tell_of *of, const struct section_run *s);
 void tell_bots_head(void);
 void tell_bots_row(const struct tell_of *of, const struct section_run *s);
 
-/* "cannot be survived" */
+/* "proved unavoidable" */
 const char *tell_verdict(enum seek_verdict v);
 
 #endif

@@ -165,7 +165,7 @@ static bool tell_difference(const struct golden *g, const char *name, const stru
 
     if (want->w != got->w || want->h != got->h) {
         outcome_say(g->out, SAYS_PICTURE, "%s", name);
-        return err_set(err, err_size, "the picture is %d x %d, and " GOLDEN "/%s.png is %d x %d", got->w, got->h, name,
+        return err_set(err, err_size, "the picture is %d x %d, but " GOLDEN "/%s.png is %d x %d", got->w, got->h, name,
                        want->w, want->h);
     }
     const struct difference d = differ(want, got);
@@ -174,7 +174,7 @@ static bool tell_difference(const struct golden *g, const char *name, const stru
     free_picture(&both);
     if (good)
         outcome_say(g->out, SAYS_PICTURE, "%s", name);
-    return err_set(err, err_size, "%" PRId64 " of %d pixels are not those of " GOLDEN "/%s.png, from %d,%d to %d,%d",
+    return err_set(err, err_size, "%" PRId64 " of %d pixels differ from " GOLDEN "/%s.png, from %d,%d to %d,%d",
                    d.pixels, want->w * want->h, name, d.x0, d.y0, d.x1, d.y1);
 }
 
@@ -198,7 +198,7 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
     struct picture want = { 0 };
 
     if (!path_of(g, path, GOLDEN, name, ".png"))
-        return err_set(err, err_size, "the path is too long");
+        return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.png", name);
     outcome_say(g->out, SAYS_TAKEN, "%s", shown);
     if (plat_size(path) < 0) {
@@ -206,8 +206,8 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
             return keep_picture(g, name, got);
         if (save_picture(g, FAILED, name, ".got.png", got))
             outcome_say(g->out, SAYS_PICTURE, "%s", name);
-        return err_set(err, err_size, "there is no %s yet: look at " FAILED "/%s.got.png, and --update keeps it", shown,
-                       name);
+        return err_set(err, err_size, "no %s yet: check " FAILED "/%s.got.png, then run with --update to save it",
+                       shown, name);
     }
     if (!read_kept(path, shown, &want, err, err_size))
         return g->update && keep_picture(g, name, got);
@@ -289,13 +289,13 @@ bool golden_hash(const struct golden *g, const struct board *b, const char *name
     size_t size;
 
     if (!path_of(g, path, GOLDEN, name, ".hash"))
-        return err_set(err, err_size, "the path is too long");
+        return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.hash", name);
     outcome_say(g->out, SAYS_TAKEN, "%s", shown);
     const size_t n = write_hashes(b, now, sizeof now);
     const bool there = plat_size(path) >= 0;
     if (!there && !g->update)
-        return err_set(err, err_size, "there is no %s yet: --update keeps the hashes of this frame", shown);
+        return err_set(err, err_size, "no %s yet: run with --update to save the hashes of this frame", shown);
     bool same = false;
     if (there) {
         if (!files_read_text(path, shown, HASH_FILE, &kept, &size, err, err_size))

@@ -55,7 +55,7 @@ static uint32_t judge(const struct testing *t, const char *name, struct demo_tes
         return 0;
     }
     if (!d->demo.complete) {
-        outcome_say(out, SAYS_WRONG, "%s: cut short: it has %u frames and no end mark", name, (unsigned)d->demo.frames);
+        outcome_say(out, SAYS_WRONG, "%s: truncated: %u frames and no end mark", name, (unsigned)d->demo.frames);
         return 0;
     }
     const enum result result = replay_run(&d->replay, t->cart, &d->demo, NULL, &d->verdict, err, sizeof err);
@@ -74,7 +74,7 @@ void one_demo(const struct testing *t, const char *name, FILE *out)
     uint32_t frames = 0;
 
     if (!d || snprintf(path, sizeof path, "%s/%s", t->dir, name) >= (int)sizeof path)
-        outcome_say(out, SAYS_HOST, "%s: %s", name, d ? "the path is too long" : "out of memory");
+        outcome_say(out, SAYS_HOST, "%s: %s", name, d ? "path too long" : "out of memory");
     else if (!demo_load(&d->demo, path, err, sizeof err))
         outcome_say(out, SAYS_WRONG, "%s", err);
     else

@@ -53,7 +53,7 @@ static uint8_t *read_script(const struct testing *t, const char *name, size_t *n
     uint8_t *data;
 
     if (snprintf(path, sizeof path, "%s/%s", t->dir, name) >= (int)sizeof path) {
-        err_set(err, err_size, "%s: the path is too long", name);
+        err_set(err, err_size, "%s: path too long", name);
         return NULL;
     }
     return files_read_text(path, name, TREE_SCRIPT, &data, n, err, err_size) ? data : NULL;
@@ -78,9 +78,9 @@ static bool load_demo(struct stage *s, struct run *r, const char *name, char *er
     char path[DEMO_PATH], why[300];
 
     if (!manifest_path_ok(name))
-        return err_set(err, err_size, "demo: expected a file of the game like \"demos/run.demo\", got \"%s\"", name);
+        return err_set(err, err_size, "demo: expected a file of the game, as in \"demos/run.demo\", got \"%s\"", name);
     if (snprintf(path, sizeof path, "%s/%s", s->t->dir, name) >= (int)sizeof path)
-        return err_set(err, err_size, "demo: the path is too long");
+        return err_set(err, err_size, "demo: path too long");
     if (!demo_load(&r->demo, path, err, err_size))
         return false;
     if (!demo_fits(&r->demo, s->t->cart, why, sizeof why))
@@ -117,7 +117,7 @@ static bool press(void *context, int run, const char *list, char *err, size_t er
     struct stage *s = context;
 
     if (s->run[run].plays && list[0])
-        return err_set(err, err_size, "pads: the demo's buttons are held");
+        return err_set(err, err_size, "pads: not allowed, the demo's buttons are in use");
     return s->t->press(s->t->user, run, list, err, err_size);
 }
 
@@ -176,9 +176,9 @@ static bool take(struct stage *s, const char *name, const char *ending, char *er
     snprintf(file, sizeof file, "%s%s", name, ending);
     for (int i = 0; i < s->n_taken; i++)
         if (strcmp(s->taken[i], file) == 0)
-            return err_set(err, err_size, "the name is taken twice in this test");
+            return err_set(err, err_size, "duplicate name in this test");
     if (s->n_taken == TAKEN)
-        return err_set(err, err_size, "more than %d names in one test", TAKEN);
+        return err_set(err, err_size, "expected at most %d names in a test", TAKEN);
     memcpy(s->taken[s->n_taken++], file, sizeof file);
     return true;
 }

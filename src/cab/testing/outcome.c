@@ -93,7 +93,7 @@ bool outcome_take(struct test *t, const char *said, size_t n, int signal)
     outcome_each(t, SAYS_COST, read_cost, t);
     if (!signal)
         return true;
-    snprintf(died, sizeof died, "the program died of signal %d while the test ran", signal);
+    snprintf(died, sizeof died, "the program was killed by signal %d during the test", signal);
     return outcome_add(t, died);
 }
 

@@ -165,7 +165,7 @@ void page_write(FILE *out, const char *dir, const char *title, const struct test
     for (int i = 0; i < s->tests; i++)
         if (tests[i].verdict != TEST_HOLDS)
             failed(&p, &tests[i]);
-    fputs("<h2>All of them</h2>\n<table>\n", out);
+    fputs("<h2>All tests</h2>\n<table>\n", out);
     for (int i = 0; i < s->tests; i++)
         row(out, &tests[i]);
     fputs("</table>\n</body></html>\n", out);

@@ -83,7 +83,7 @@ static enum result unknown_test(const struct all *a, const struct tree *files, c
     }
     if (near)
         return report_line(RESULT_REFUSED, "test: %s has no test \"%s\" (did you mean %s?)", a->t->dir, word, near);
-    return report_line(RESULT_REFUSED, "test: %s has no test \"%s\" (there are demos/*.demo and tests/*.lua)",
+    return report_line(RESULT_REFUSED, "test: %s has no test \"%s\" (tests are demos/*.demo and tests/*.lua)",
                        a->t->dir, word);
 }
 
@@ -116,8 +116,7 @@ static enum result choose(struct all *a, const struct tree *files)
     if (files->failed)
         return report_line(RESULT_HOST, "%s: %s", a->t->dir, tree_failed(files));
     if (files->n == 0)
-        return report_line(RESULT_REFUSED,
-                           "%s: there is nothing to test: no demos/*.demo and no tests/*.lua (curtain help test)",
+        return report_line(RESULT_REFUSED, "%s: no tests: no demos/*.demo and no tests/*.lua (see curtain help test)",
                            a->t->dir);
     if (word)
         return unknown_test(a, files, word);
@@ -211,8 +210,9 @@ static void look_for_taken(void *context, const char *words)
         outcome_each(&a->tests[k], SAYS_TAKEN, is_taken, &other);
         if (other.by < 0)
             continue;
-        snprintf(sentence, sizeof sentence, "%.100s is taken by %.100s too: each picture and hash is of one test",
-                 words, a->tests[k].name);
+        snprintf(sentence, sizeof sentence,
+                 "%.100s is also used by %.100s: pictures and hashes cannot be shared by tests", words,
+                 a->tests[k].name);
         a->no_memory |= !outcome_add(&a->tests[mine->i], sentence);
     }
 }
@@ -275,7 +275,7 @@ static bool report_file(const struct all *a, const char *path, void (*write)(FIL
         fclose(out);
     }
     if (!good)
-        report_line(RESULT_HOST, "%s: cannot be made (no room for a temporary file)", path);
+        report_line(RESULT_HOST, "%s: cannot create a temporary file", path);
     else if (!(good = files_save(path, text, (size_t)size, err, sizeof err)))
         report_line(RESULT_HOST, "%s", err);
     free(text);
@@ -323,7 +323,7 @@ static void tell_orphans(const struct all *a)
         for (int k = 0; k < a->n && !o.taken; k++)
             outcome_each(&a->tests[k], SAYS_TAKEN, is_orphans, &o);
         if (!o.taken)
-            report_print("%s%s: no test takes it\n", a->t->tap ? "# " : "", files.name[i]);
+            report_print("%s%s: not used by any test\n", a->t->tap ? "# " : "", files.name[i]);
     }
     tree_close(&files);
 }
@@ -364,7 +364,7 @@ static enum result run_all(struct all *a)
     progress_end();
     a->sums.usec = clock_since(begun);
     if (!good || a->no_memory)
-        return report_line(RESULT_HOST, good ? "out of memory" : "test: no process, or no memory");
+        return report_line(RESULT_HOST, good ? "out of memory" : "test: cannot start a process, or out of memory");
     return reports(a);
 }
 
@@ -388,6 +388,6 @@ enum result testing_run(const struct testing *t)
 
 void testing_help(void (*line)(const char *))
 {
-    line("Test scripts, tests/*.lua, are Lua with these beside its own names (docs/guide/27-testing.md):");
+    line("Test scripts, tests/*.lua, are Lua scripts that can also use these names (docs/guide/27-testing.md):");
     trial_help(line);
 }

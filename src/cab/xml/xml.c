@@ -77,7 +77,7 @@ static bool pass(struct xml *x, const char *tail, const char *what)
     while (x->at < x->end && !starts(x, tail))
         step(x);
     if (x->at == x->end)
-        return xml_refuse(x, line, "%s has no end, expected %s", what, tail);
+        return xml_refuse(x, line, "%s without an end, expected %s", what, tail);
     x->at += strlen(tail);
     return true;
 }
@@ -95,7 +95,8 @@ static bool check_encoding(struct xml *x)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (n == strlen(known[i]) && memcmp(name + 1, known[i], n) == 0)
             return true;
-    return xml_refuse(x, 1, "encoding \"%.*s\" is not read; save the file as UTF-8", (int)(n < 40 ? n : 40), name + 1);
+    return xml_refuse(x, 1, "encoding \"%.*s\" is not supported; save the file as UTF-8", (int)(n < 40 ? n : 40),
+                      name + 1);
 }
 
 bool xml_start(struct xml *x, char *text, size_t n, const char *file, char *err, size_t err_size)
@@ -139,7 +140,7 @@ static bool decode(struct xml *x, int line, char *value)
         const size_t n = *from == '&' ? strcspn(from, ";") : 0;
         const uint32_t code = n > 0 && from[n] == ';' ? reference(from + 1, n - 1) : 0;
         if (*from == '&' && code == 0)
-            return xml_refuse(x, line, "\"%.20s\" is not a character reference; write a plain & as &amp;", from);
+            return xml_refuse(x, line, "\"%.20s\" is not a character reference; write a literal & as &amp;", from);
         if (code == 0) {
             *to++ = *from++;
         } else {
@@ -190,7 +191,7 @@ static bool read_attribute(struct xml *x)
         return false;
     *key_end = x->at[-1] = '\0';
     if (strchr(value, '<') != NULL)
-        return xml_refuse(x, line, "<%.40s> %.40s: a value with \"<\"; is its closing quote missing?", x->name, key);
+        return xml_refuse(x, line, "<%.40s> %.40s: value contains \"<\"; is its closing quote missing?", x->name, key);
     if (xml_value(x, key) != NULL)
         return xml_refuse(x, line, "<%.40s> has %.40s twice", x->name, key);
     if (x->n == XML_ATTRIBUTES)
@@ -210,8 +211,8 @@ static enum xml_event close_tag(struct xml *x, char *name)
     x->at++;
     *name_end = '\0';
     if (x->depth == 0 || strcmp(x->open[x->depth - 1], name) != 0)
-        return xml_refuse(x, x->name_line, "</%.40s> closes nothing, expected %s%.40s", name, x->depth > 0 ? "</" : "",
-                          x->depth > 0 ? x->open[x->depth - 1] : "an element"),
+        return xml_refuse(x, x->name_line, "</%.40s> has no opening tag, expected %s%.40s", name,
+                          x->depth > 0 ? "</" : "", x->depth > 0 ? x->open[x->depth - 1] : "an element"),
                XML_BAD;
     x->name = x->open[--x->depth];
     return XML_CLOSE;
@@ -248,11 +249,10 @@ static enum xml_event read_tag(struct xml *x)
     if (closes)
         return close_tag(x, name);
     if (name == NULL)
-        return xml_refuse(x, x->line, "expected a name behind <"), XML_BAD;
+        return xml_refuse(x, x->line, "expected a name after <"), XML_BAD;
     if (x->depth == XML_NEST || (x->depth == 0 && x->started))
         return xml_refuse(x, x->line,
-                          x->started && x->depth == 0 ? "a second element behind the first"
-                                                      : "too many elements in one another"),
+                          x->started && x->depth == 0 ? "second root element" : "elements nested too deeply"),
                XML_BAD;
     x->name = name;
     x->n = 0;
@@ -277,7 +277,7 @@ static bool pass_type(struct xml *x)
             step(x);
         }
     if (x->at == x->end || *x->at == '[')
-        return xml_refuse(x, line, "a <!DOCTYPE> with declarations is not read; delete the line");
+        return xml_refuse(x, line, "<!DOCTYPE> with declarations is not supported; delete the line");
     x->at++;
     return true;
 }
@@ -294,7 +294,7 @@ static bool pass_markup(struct xml *x, bool *passed)
         return pass(x, "?>", "a <?");
     if (starts(x, "<!DOCTYPE") && !x->started)
         return pass_type(x);
-    return xml_refuse(x, x->line, "\"%.9s\" is not read here", x->at);
+    return xml_refuse(x, x->line, "\"%.9s\" is not supported here", x->at);
 }
 
 static enum xml_event next(struct xml *x, bool skipping)
@@ -312,7 +312,7 @@ static enum xml_event next(struct xml *x, bool skipping)
         if (x->at == x->end && x->depth == 0)
             return XML_END;
         if (x->at == x->end)
-            return xml_refuse(x, x->line, "the file ends within <%.40s>", x->open[x->depth - 1]), XML_BAD;
+            return xml_refuse(x, x->line, "the file ends inside <%.40s>", x->open[x->depth - 1]), XML_BAD;
         if (*x->at != '<')
             return xml_refuse(x, x->line, "expected <, got text"), XML_BAD;
         if (!pass_markup(x, &passed))

@@ -1,5 +1,5 @@
 -- stock: distinct with LUA_PATH=./a/rather/long/path/that/changes/when/the/collector/comes/round/?.lua
--- board: refused main.lua:4: the name __gc is not available (when it would run differs between machines)
+-- board: refused main.lua:4: __gc is not available (finalizers run at different times on different machines)
 local n, at = 0, {}
 local function note(self) at[#at + 1] = n setmetatable({}, getmetatable(self)) end local m = { __gc = note }
 setmetatable({}, m)

@@ -1,5 +1,5 @@
 -- stock: distinct with LUA_PATH=./a/rather/long/path/that/changes/when/the/collector/comes/round/?.lua
--- board: refused main.lua:3: the name __mode is not available (what it keeps differs between machines)
+-- board: refused main.lua:3: __mode is not available (weak tables hold different entries on different machines)
 local weak, at = setmetatable({}, { __mode = "v" }), {}
 for i = 1, 200000 do
   if not weak[1] then at[#at + 1] = i end

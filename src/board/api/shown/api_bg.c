@@ -326,7 +326,7 @@ static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
     char name[32];
 
     if (n > room)
-        api_error(L, def, "expected at most %d lines, the field's height, got %d", (int)room, (int)n);
+        api_error(L, def, "expected at most %d lines (the height of the field), got %d", (int)room, (int)n);
     vm_charge(L, n);
     for (uint32_t k = 0; k < n; k++) {
         struct api_param p = { name, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };

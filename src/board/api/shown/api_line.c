@@ -82,9 +82,9 @@ static bool place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx 
     if (!v[L_FOLLOW].given)
         return api_place(L, b, "text.line", v + L_PLACE, x, y);
     if (v[L_PLACE].given || v[L_PLACE + 1].given || v[L_PLACE + 2].given)
-        api_error(L, "text.line", "follow stands in the stead of x, y and from");
+        api_error(L, "text.line", "follow cannot be combined with x, y or from");
     if (v[L_SCREEN].i)
-        api_error(L, "text.line", "screen: what follows a thing is in the field");
+        api_error(L, "text.line", "screen cannot be combined with follow");
     return board_alive(b, v[L_FOLLOW].i);
 }
 

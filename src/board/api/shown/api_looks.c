@@ -45,13 +45,13 @@ void api_pictures_read(lua_State *L, const char *entry, const struct api_value *
         add(L, entry, p, first[fixed], lua_gettop(L), own);
         lua_pop(L, 1);
     }
-    const int n = api_sorted_names(L, entry, "pictures", "names with sprites, as { hurt = \"moth_hurt\" }", table->at,
+    const int n = api_sorted_names(L, entry, "pictures", "{ NAME = sprite }, as { hurt = \"moth_hurt\" }", table->at,
                                    names, most);
     for (int i = 0; i < n; i++) {
         if (is_first(p, fixed, names[i]))
             continue;
         if (p->n == most)
-            api_error(L, entry, "pictures: at most %d", most);
+            api_error(L, entry, "pictures: too many (at most %d)", most);
         lua_getfield(L, table->at, names[i]);
         add(L, entry, p, names[i], lua_gettop(L), own); /* the table keeps the name */
         lua_pop(L, 1);
@@ -64,8 +64,7 @@ void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uin
     for (int n = p->n; n > 0; n--) {
         int32_t row = slots_append(kinds);
         if (row == NO_SLOT)
-            api_error(L, entry, "no room: %d kinds are declared (each of a kind's pictures counts as one)",
-                      (int)kinds->cap);
+            api_error(L, entry, "too many kinds (at most %d; each picture of a kind counts as one)", (int)kinds->cap);
         sprite[row] = p->sprite[n - 1];
     }
 }
@@ -119,7 +118,7 @@ unsigned api_picture_named(lua_State *L, enum api_names of, int32_t kind, const 
     if (!name->given)
         return 0;
     if (!push_names(L, of, kind))
-        api_error(L, thing, "its kind has no pictures beside its sprite (pictures in %s.def)", thing);
+        api_error(L, thing, "its kind has no pictures (add `pictures` to its %s.def)", thing);
     lua_getfield(L, -1, lua_tostring(L, name->at));
     if (lua_isinteger(L, -1))
         n = (unsigned)lua_tointeger(L, -1);

@@ -50,7 +50,7 @@ static const struct api_param put[] = {
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the thing it follows; needs follow"),
 };
 
-#define OVER_BLEND "nothing blends in the layer over, for its colours are not those of the dimmed picture"
+#define OVER_BLEND "sprites in layer over cannot blend"
 
 /* Two ways to say where. */
 static void check_put(lua_State *L, const struct api_value *v)
@@ -63,9 +63,9 @@ static void check_put(lua_State *L, const struct api_value *v)
                   : v[PUT_X].given || v[PUT_Y].given ? "one of x and y"
                                                      : "neither");
     if (!v[PUT_FOLLOW].given && (v[PUT_DX].given || v[PUT_DY].given))
-        api_error(L, "sprite.put", "dx, dy: only with follow");
+        api_error(L, "sprite.put", "dx, dy: require follow");
     if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
-        api_error(L, "sprite.put", "follow: a sprite on the screen follows nothing in the field");
+        api_error(L, "sprite.put", "screen cannot be combined with follow");
     if (v[PUT_BLEND].given && v[PUT_LAYER].i == LAYER_OVER)
         api_error(L, "sprite.put", "blend: " OVER_BLEND);
 }
@@ -242,11 +242,11 @@ static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, 
 
     if (s->flags[i] & SPRITE_FOLLOW ? p == P_X || p == P_Y : p == P_DX || p == P_DY)
         api_error(L, "sprite",
-                  s->flags[i] & SPRITE_FOLLOW ? "%s: it follows a thing: write dx, dy"
-                                              : "%s: it follows nothing: write x, y",
+                  s->flags[i] & SPRITE_FOLLOW ? "%s: the sprite follows a thing; write dx and dy"
+                                              : "%s: the sprite follows nothing; write x and y",
                   props[p].value.name);
     if (!plate_is && (p == P_W || p == P_H))
-        api_error(L, "sprite", "%s: only a plate's is written; a picture has the size that rom.lua says",
+        api_error(L, "sprite", "%s: can only be written on a plate; a sprite's size comes from rom.lua",
                   props[p].value.name);
     if (plate_is && (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND))
         api_error(L, "sprite", "%s: a plate has no picture", props[p].value.name);
@@ -328,8 +328,9 @@ static const struct api_param spark_def[] = {
           "middle draws it below players and bullets, front above them"),
 };
 
-static const char NO_KINDS[] = "no room: rom.lua gives this chip no capacity, or %d kinds are declared (each of a "
-                               "kind's banks but the first counts as one)";
+static const char NO_KINDS[] =
+    "no kind is free: `board.sparks` in rom.lua is 0, or all %d are declared (each bank after "
+    "the first counts as one)";
 
 /* banks: the first is the kind's, and each other a row after it. drawn: the rest of `bank`. */
 static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
@@ -360,7 +361,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     if (i == NO_SLOT)
         return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
-        return api_error(L, "spark.def", "bank or banks, not both");
+        return api_error(L, "spark.def", "expected bank or banks, got both");
     const bool under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
     const unsigned drawn = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (under ? SPARK_UNDER : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
@@ -404,7 +405,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .radius = v[B_RADIUS].f };
 
     if (v[B_TO_X].given != v[B_TO_Y].given || (v[B_TO_X].given && v[B_RADIUS].given))
-        return api_error(L, "spark.burst", "shape: expected radius, or to_x and to_y, or none");
+        return api_error(L, "spark.burst", "shape: expected radius, or to_x and to_y, or neither");
     if (s.radius && !v[B_SPREAD].given)
         s.spread = 0;
     if (!api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
@@ -449,7 +450,8 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     int col = (int)v[TEXT_COL].i;
 
     if (v[TEXT_FONT].given && !b->cart.m.wide)
-        return api_error(L, "text.put", "font: cells have none; rom.lua asks for it: board = { wide = true }");
+        return api_error(L, "text.put",
+                         "font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
     if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
         return api_error(L, "text.put", "text: expected a string or a number, got a %s",
                          luaL_typename(L, v[TEXT_TEXT].at));
@@ -535,7 +537,7 @@ static const uint8_t *palette_named(lua_State *L, struct board *b, const char *e
     api_hint_begin(&near, lua_tostring(L, at));
     for (int i = 0; i < b->cart.palettes; i++)
         api_hint_add(&near, cart_palette_name(&b->cart, i));
-    api_error(L, entry, "palette \"%s\" is not in rom.lua%s", near.word, api_hint_push(L, &near, "it has"));
+    api_error(L, entry, "unknown palette \"%s\"%s", near.word, api_hint_push(L, &near, "in rom.lua"));
     return NULL;
 }
 
@@ -582,10 +584,10 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
 static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[CYCLE_FIRST].i > v[CYCLE_LAST].i)
-        return api_error(L, "palette.cycle", "first %d comes after last %d", (int)v[CYCLE_FIRST].i,
+        return api_error(L, "palette.cycle", "first %d is greater than last %d", (int)v[CYCLE_FIRST].i,
                          (int)v[CYCLE_LAST].i);
     if (!pal_cycle(&b->pal, (uint8_t)v[CYCLE_FIRST].i, (uint8_t)v[CYCLE_LAST].i, (uint16_t)v[CYCLE_EVERY].i))
-        return api_error(L, "palette.cycle", "all %d cycles are running; every = 0 stops one", CYCLES);
+        return api_error(L, "palette.cycle", "all %d cycles are running (every = 0 stops one)", CYCLES);
     return 0;
 }
 

@@ -58,7 +58,7 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
     fx x, y;
 
     if (v[P_PAN].given && v[P_FROM].given)
-        return api_error(L, "sound.play", "expected pan or from, not both");
+        return api_error(L, "sound.play", "expected pan or from, got both");
     struct cue cue = { cart_sound(&b->cart, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
                        (int16_t)(v[P_PAN].n * TUNE_PAN), (int32_t)(v[P_PITCH].n * PITCH_ONE) };
     if (v[P_FROM].given) {
@@ -85,7 +85,7 @@ static int music_play(lua_State *L, struct board *b, struct api_value *v)
     const char *at = v[M_AT].given ? lua_tostring(L, v[M_AT].at) : NULL;
 
     if (at && v[M_FADE].i)
-        return api_error(L, "music.play", "expected at or fade, not both");
+        return api_error(L, "music.play", "expected at or fade, got both");
     for (int i = 0; at && i < 2; i++)
         if (!strcmp(at, places[i]))
             how.at = i ? MUSIC_AT_BAR : MUSIC_AT_BEAT;

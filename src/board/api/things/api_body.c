@@ -10,12 +10,12 @@
 #include <string.h>
 #include "../../../base/trig.h"
 
-static const char LINE[] = "board = { bodies = true }";
+static const char OFF[] = "disabled; add `bodies = true` to `board`";
 
 void api_body_check(lua_State *L, const char *entry, const char *what)
 {
     if (!vm_board(L)->enemies.rate)
-        api_error(L, entry, "%s: " API_OFF, what, LINE);
+        api_error(L, entry, "%s: " API_OFF, what, OFF);
 }
 
 /* ---- the parts of a kind ---- */
@@ -100,12 +100,12 @@ void api_body_define(lua_State *L, int32_t kind, int at)
 
     api_body_check(L, "enemy.def", "parts");
     if (!n || n > MOST_PARTS)
-        api_error(L, "enemy.def", "parts: expected a list of 1 to %d, { { kind=, dx=, dy= }, .. }, got %d", MOST_PARTS,
-                  (int)n);
+        api_error(L, "enemy.def", "parts: expected a list of 1 to %d parts { kind = .., dx = .., dy = .. }, got %d",
+                  MOST_PARTS, (int)n);
     for (int i = 0; i < n; i++) {
         lua_pushcfunction(L, read_part);
         if (lua_rawgeti(L, at, i + 1) != LUA_TTABLE)
-            api_error(L, "enemy.def", "parts: entry %d: expected a table { kind=, dx=, dy= }, got %s", i + 1,
+            api_error(L, "enemy.def", "parts[%d]: expected { kind = .., dx = .., dy = .. }, got %s", i + 1,
                       luaL_typename(L, -1));
         lua_call(L, 1, 1);
         memcpy(list + DEEP_BYTES + i * PART_BYTES, lua_tostring(L, -1), PART_BYTES);
@@ -113,7 +113,7 @@ void api_body_define(lua_State *L, int32_t kind, int at)
         most = (int)int64_max(most, deep(L, bytes_get16(list + DEEP_BYTES + i * PART_BYTES)));
     }
     if (most == PARTS_DEEP)
-        api_error(L, "enemy.def", "parts: parts of parts go %d deep at most", PARTS_DEEP);
+        api_error(L, "enemy.def", "parts: nested more than %d deep", PARTS_DEEP);
     bytes_put32(list, (uint32_t)most + 1);
     lua_pushlstring(L, (const char *)list, DEEP_BYTES + (size_t)n * PART_BYTES);
     api_fold(L, vm_board(L), lua_gettop(L));
@@ -125,7 +125,7 @@ void api_body_define(lua_State *L, int32_t kind, int at)
 void api_body_check_depth(lua_State *L, const struct board *b, uint16_t kind, int64_t body)
 {
     if (enemies_depth(&b->enemies, handle_slot(body)) + 1 + deep(L, kind) > PARTS_DEEP)
-        api_error(L, "enemy.spawn", "follow: parts of parts go %d deep at most", PARTS_DEEP);
+        api_error(L, "enemy.spawn", "follow: parts nested more than %d deep", PARTS_DEEP);
 }
 
 void api_body_spawn_parts(lua_State *L, struct board *b, uint32_t body)
@@ -210,7 +210,8 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
         return;
     }
     if (!e->body[i])
-        vm_fault(L, FAULT_SCRIPT, "enemy: %s: this one is no part (enemy.spawn{ follow = .. } makes one)", names[p]);
+        vm_fault(L, FAULT_SCRIPT, "enemy: %s: this enemy is not a part (enemy.spawn { follow = .. } makes one)",
+                 names[p]);
     if (p == BODY_SHARE)
         e->share[i] = v;
     else if (p == BODY_DX)
@@ -262,9 +263,9 @@ static void check_orbit(lua_State *L, const struct api_value *v)
 
     api_body_check(L, name, "orbit");
     if (v[O_AROUND].given ? place : !(v[O_X].given && v[O_Y].given))
-        api_error(L, name, "expected either around (a thing), or x and y");
+        api_error(L, name, "expected either around (a thing) or x and y");
     if (v[O_RADIUS_TO].given && forever(&v[O_OVER]))
-        api_error(L, name, "radius_to: it is reached at the end of over, which is left out");
+        api_error(L, name, "radius_to: requires over");
 }
 
 static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -273,7 +274,7 @@ static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct ap
     struct enemies_orbit o = { v[O_AROUND].given ? v[O_AROUND].i : 0, v[O_X].f, v[O_Y].f, 0, 0, 0, 0, 0 };
 
     if (o.around == board_handle(b, H_ENEMY, (int32_t)i))
-        api_error(L, api_bound(L)->entry->name, "around: it cannot go round itself");
+        api_error(L, api_bound(L)->entry->name, "around: an enemy cannot orbit itself");
     if (o.around && !board_where(b, o.around, &o.x, &o.y))
         return;
     const fx dx = fx_sub(e->x[i], o.x), dy = fx_sub(e->y[i], o.y);

@@ -54,9 +54,9 @@ static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
     const int list = lua_gettop(L);
     const lua_Integer n = (lua_Integer)lua_rawlen(L, list) + 1;
     if (lua_getfield(L, list, name) != LUA_TNIL)
-        return api_error(L, "bomb.def", "bomb \"%s\" is declared already", name);
+        return api_error(L, "bomb.def", "bomb \"%s\" is already declared", name);
     if (n > MOST_BOMBS)
-        return api_error(L, "bomb.def", "more than %d bombs", MOST_BOMBS);
+        return api_error(L, "bomb.def", "too many bombs (at most %d)", MOST_BOMBS);
     struct bomb *bomb = lua_newuserdatauv(L, sizeof *bomb, 0);
     memset(bomb, 0, sizeof *bomb);
     bomb->over = (int32_t)v[D_OVER].i;
@@ -91,8 +91,8 @@ static void refuse_name(lua_State *L, const char *what, const char *name)
             if (lua_type(L, -2) == LUA_TSTRING)
                 api_suggest_nearer(name, lua_tostring(L, -2), &best, &found);
     if (found)
-        api_error(L, "player.def", "%s: bomb \"%s\" is not declared (did you mean \"%s\"?)", what, name, found);
-    api_error(L, "player.def", "%s: bomb \"%s\" is not declared (bomb.def comes before)", what, name);
+        api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", what, name, found);
+    api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", what, name);
 }
 
 uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v)

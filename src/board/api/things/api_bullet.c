@@ -57,10 +57,10 @@ static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_who
     const char *key = NULL;
 
     if (luakeys_push_stray(L, at, api_knows_field, &known))
-        api_error(L, entry, "hit: expected %s, got one with %s", api_hit_forms[whose], api_push_got(L, -1));
+        api_error(L, entry, "hit: expected %s, got a table with key %s", api_hit_forms[whose], api_push_got(L, -1));
     for (int k = 0; k < known.n; k++) {
         if (lua_getfield(L, at, keys[k].name) != LUA_TNIL && key)
-            api_error(L, entry, "hit: expected %s, got one with \"%s\" and \"%s\"", api_hit_forms[whose], key,
+            api_error(L, entry, "hit: expected %s, got a table with both \"%s\" and \"%s\"", api_hit_forms[whose], key,
                       keys[k].name);
         key = lua_isnil(L, -1) ? key : keys[k].name;
         lua_pop(L, 1);
@@ -99,7 +99,8 @@ static struct api_value item(lua_State *L, const char *entry, enum hit_whose who
 static void check_reach(lua_State *L, const char *entry, int64_t reach)
 {
     if (reach > (int64_t)MAX_SPEED << 16)
-        api_error(L, entry, "hit: it reaches %d px from its place; expected at most %d", (int)(reach >> 16), MAX_SPEED);
+        api_error(L, entry, "hit: the shape reaches %d px from its centre, expected at most %d", (int)(reach >> 16),
+                  MAX_SPEED);
 }
 
 /* A bullet's bar lies along its dir; an enemy, which has none, gives one. */
@@ -113,8 +114,9 @@ static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, 
     check_reach(L, entry, (int64_t)s->row[0].a + half);
     if (whose == HIT_BULLETS) {
         if (lua_rawgeti(L, -1, 3) != LUA_TNIL)
-            api_error(L, entry,
-                      "hit.capsule: expected { length, radius }, got a third; it lies along the bullet's dir");
+            api_error(
+                L, entry,
+                "hit.capsule: expected { length, radius }, got a third value (a bullet's capsule lies along its dir)");
         s->row[0].b = half;
         return;
     }
@@ -127,7 +129,7 @@ static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, 
     uint32_t n = lua_type(L, -1) == LUA_TTABLE ? (uint32_t)lua_rawlen(L, -1) : 0;
 
     if (n < 1 || n > SHAPE_PARTS)
-        api_error(L, entry, "hit.circles: expected a list of 1 to %d, as { { x, y, r }, .. }", SHAPE_PARTS);
+        api_error(L, entry, "hit.circles: expected a list of 1 to %d circles { x, y, r }", SHAPE_PARTS);
     s->shape = SHAPE_CIRCLES;
     s->rows = n;
     for (uint32_t i = 0; i < n; i++) {
@@ -152,15 +154,15 @@ static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, st
     api_check(L, entry, &sprite, at, &v);
     const char *name = lua_tostring(L, at);
     if (!cart_find_hit(&vm_board(L)->cart, name, &hit))
-        api_error(L, entry,
-                  "hit.sprite: no hit shape was drawn with \"%s\" (a slice named \"hit\" in its .ase draws one)", name);
+        api_error(L, entry, "hit.sprite: sprite \"%s\" has no hit shape (add a slice named \"hit\" to its .ase file)",
+                  name);
     if (whose == HIT_PLAYERS && hit.shape != SHAPE_CIRCLE)
         api_error(L, entry,
-                  "hit.sprite: a player has one circle about its place, and what was drawn with \"%s\" is not", name);
+                  "hit.sprite: expected one circle at the player's position, got another hit shape from \"%s\"", name);
     if (whose == HIT_BULLETS && hit.shape == SHAPE_CAPSULE && hit.row[0].y != 0)
         api_error(L, entry,
-                  "hit.sprite: the capsule of \"%s\" stands upright, and a bullet's lies along its dir: draw it "
-                  "pointing right",
+                  "hit.sprite: the capsule of \"%s\" is vertical, but a bullet's capsule lies along its dir (draw "
+                  "it pointing right)",
                   name);
     s->shape = (uint8_t)hit.shape;
     s->rows = hit.rows;
@@ -215,8 +217,8 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
         int32_t row = slots_append(kinds);
         if (row == NO_SLOT)
             api_error(L, entry,
-                      "no room: rom.lua gives this chip no capacity, or %d kinds are declared (a cloud, "
-                      "and each of several circles but the first, counts as one)",
+                      "no kind is free: the pool's capacity in rom.lua is 0, or all %d are declared (a cloud, and each "
+                      "circle after the first, counts as one)",
                       MAX_KINDS);
         k->shape[row] = s->shape;
         k->a[row] = s->row[i].a;
@@ -240,7 +242,7 @@ enum { D_CANCELS = D_ORDER + 1, D_PIERCE, D_EVERY };
 
 enum { MOST_ORDER = 100 };
 
-static const char NO_HP[] = "this game has no room for it; rom.lua asks for it: board = { hp = true }";
+static const char NO_HP[] = "bullet hp is disabled; add `hp = true` to `board` in rom.lua";
 
 static const struct api_param bullet_def[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
@@ -321,7 +323,7 @@ static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, con
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
 
     if (v[D_SPIN].a && vm_board(L)->pictures[v[D_SPRITE].i].rotations == 1)
-        api_error(L, entry, "spin: sprite \"%s\" has no turned copies (rotations in rom.lua)",
+        api_error(L, entry, "spin: sprite \"%s\" has no rotations (add `rotations` to it in rom.lua)",
                   lua_tostring(L, v[D_SPRITE].at));
     int32_t i = api_kind(L, entry, &k->s, &columns, &shape);
 
@@ -342,7 +344,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
 
     for (int p = D_SCORE; p <= D_DROPS; p++)
         if (v[p].given && !v[D_HP].given)
-            api_error(L, "bullet.def", "%s: only of a bullet that has hp", bullet_def[p].name);
+            api_error(L, "bullet.def", "%s: requires hp", bullet_def[p].name);
     if (!v[D_HP].given)
         return;
     if (!k->hp)
@@ -385,9 +387,9 @@ static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const str
     enum { USUAL = 6 };
 
     if (v[D_PIERCE].i && !k->pierce)
-        api_error(L, "shot.def", "pierce: " API_OFF, "board = { pierce = true }");
+        api_error(L, "shot.def", "pierce: " API_OFF, "piercing is disabled; add `pierce = true` to `board`");
     if (v[D_EVERY].given && !v[D_PIERCE].i)
-        api_error(L, "shot.def", "every: only of a shot that has pierce");
+        api_error(L, "shot.def", "every: requires pierce");
     if (!k->pierce)
         return;
     k->pierce[i] = api_or_forever(&v[D_PIERCE]);
@@ -410,7 +412,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *v)
 {
     if (v->given && !s->around)
-        api_error(L, entry, "around needs room in rom.lua: board = { around = true }");
+        api_error(L, entry, "around: orbits around things are disabled; add `around = true` to `board` in rom.lua");
 }
 
 #define FLIGHT(kind_type, def_dir)                                                                                     \
@@ -864,14 +866,14 @@ static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != FLIES_LAST)
-        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read of a group (only count can)", group_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read from a group (only count can)", group_props[p].value.name);
     count_tagged(L, &b->bullets, tag);
 }
 
 static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != FLIES_LAST)
-        vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read of a group (only count can)", shots_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read from a group (only count can)", shots_props[p].value.name);
     count_tagged(L, &b->shots, tag);
 }
 
@@ -1101,8 +1103,9 @@ struct reader {
     uint32_t n;
     int bounces; /* open ones */
     bool fine;
-    uint32_t brief;       /* after which row the last step stands that lasts, but may be over at once */
-    const char *brief_is; /* which, and when: "orbit takes no time once its thing is gone"; NULL: there was none */
+    uint32_t brief; /* after which row the last step stands that lasts, but may be over at once */
+    const char
+        *brief_is; /* which, and when: "orbit takes no time once its thing has despawned"; NULL: there was none */
 };
 
 static const char DEF[] = "motion.def";
@@ -1110,7 +1113,7 @@ static const char DEF[] = "motion.def";
 static struct motion_step *add_step(lua_State *L, struct reader *r)
 {
     if (r->n == MAX_STEPS)
-        api_error(L, DEF, "more than %d steps", MAX_STEPS);
+        api_error(L, DEF, "too many steps (at most %d)", MAX_STEPS);
     r->steps[r->n] = (struct motion_step){ 0 };
     return &r->steps[r->n++];
 }
@@ -1134,7 +1137,7 @@ static void unknown_key(lua_State *L, int step, const char *where)
     const char *name = luakeys_text(L, -1);
 
     if (name && (!strcmp(name, "fine") || !strcmp(name, "name")))
-        api_error(L, DEF, "step %d: %s belongs next to the steps: { %s = ..., { ... }, { ... } }", step, name, name);
+        api_error(L, DEF, "step %d: %s is not part of a step; write { %s = ..., { ... }, { ... } }", step, name, name);
     api_refuse_key(L, where, &step_fields);
 }
 
@@ -1189,7 +1192,7 @@ uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
     for (int k = 0; k < api_values(b, N_SHOT_VALUE); k++)
         api_suggest_nearer(name, api_names_at(b, N_SHOT_VALUE, k), &best, &found);
     if (found)
-        api_error(L, DEF, "step %d: %s: value \"%s\" is not declared (did you mean \"%s\"?)", step, key, name, found);
+        api_error(L, DEF, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
     api_error(L, DEF, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key, name);
     return 0;
 }
@@ -1231,13 +1234,13 @@ enum { LEADS = sizeof leads / sizeof *leads };
 static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step)
 {
     if (v[M_OVER].given == v[M_SPEED].given)
-        step_error(L, step, "go_to needs either over (frames) or speed");
+        step_error(L, step, "go_to requires either over (frames) or speed");
     if (v[M_SPEED].given && v[M_EASE].given)
-        step_error(L, step, "go_to: ease needs over; with speed it is linear");
+        step_error(L, step, "go_to: ease requires over (with speed the motion is linear)");
     if (v[M_SPEED].given && v[M_SPEED].at && v[M_SPEED].f <= 0)
         step_error(L, step, "go_to: speed: expected a number above 0");
     if (v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "go_to with over = forever never gets there");
+        step_error(L, step, "go_to with over = forever never arrives");
 }
 
 /* The key that leads, alone but for its settings; and its settings with it alone. */
@@ -1248,35 +1251,36 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
     for (int i = 0; i < LEADS; i++)
         if (v[leads[i].key].given) {
             if (found >= 0)
-                api_error(L, DEF, "step %d: %s and %s cannot stand in one step", step, step_keys[leads[found].key].name,
+                api_error(L, DEF, "step %d: %s and %s cannot be combined", step, step_keys[leads[found].key].name,
                           step_keys[leads[i].key].name);
             found = i;
         }
     const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
     if (v[M_WALLS].given)
-        step_error(L, step, "walls is a setting of bounce");
+        step_error(L, step, "walls requires bounce");
     if (v[M_MIRROR].given)
-        step_error(L, step, "mirror is a setting of path");
+        step_error(L, step, "mirror requires path");
     for (int k = 0; k < M_KEYS; k++) {
         if (found < 0 && v[k].given && own >> k & 1)
-            api_error(L, DEF, "step %d: %s is a setting of go_to, polar, wave or orbit", step, step_keys[k].name);
+            api_error(L, DEF, "step %d: %s requires go_to, polar, wave or orbit", step, step_keys[k].name);
         if (found < 0 || k == leads[found].key)
             continue;
         const char *word = step_keys[leads[found].key].name;
         if (v[k].given && k != M_KIND && k != M_BANK && !(leads[found].may >> k & 1))
-            api_error(L, DEF, "step %d: %s cannot stand beside %s", step, step_keys[k].name, word);
+            api_error(L, DEF, "step %d: %s cannot be combined with %s", step, step_keys[k].name, word);
         if (!v[k].given && leads[found].must >> k & 1)
-            api_error(L, DEF, "step %d: %s needs %s", step, word, step_keys[k].name);
+            api_error(L, DEF, "step %d: %s requires %s", step, word, step_keys[k].name);
     }
     if (found >= 0 && fine)
-        api_error(L, DEF, "step %d: %s is exact as it is, and not for a fine motion", step,
+        api_error(L, DEF, "step %d: %s cannot be used in a fine motion (it is already exact)", step,
                   step_keys[leads[found].key].name);
     if (v[M_GO_TO].given)
         go_to_alone(L, v, step);
     if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "radius_to with over = forever never gets there");
+        step_error(L, step, "radius_to with over = forever never arrives");
     if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.around && !vm_board(L)->shots.around)
-        step_error(L, step, "orbit needs at = { x, y }, or board = { around = true } in rom.lua to go round a thing");
+        step_error(L, step,
+                   "orbit requires at = { x, y }; to orbit a thing, add `around = true` to `board` in rom.lua");
 }
 
 /* A number of a place: itself, or a value's name. */
@@ -1352,15 +1356,15 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     if (!s->does)
         step_error(L, step, "does nothing");
     if (s->does & DOES_WAIT && (s->does != DOES_WAIT || v[M_OVER].given))
-        step_error(L, step, "wait stands alone in its step");
+        step_error(L, step, "wait cannot be combined with anything");
     if (s->does & DOES_DIR && v[M_OVER].given)
-        step_error(L, step, "dir is set at once; with over, use turn, aim or home");
+        step_error(L, step, "dir takes effect at once; with over, use turn, aim or home");
     if (s->does & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "speed with over = forever never gets there");
+        step_error(L, step, "speed with over = forever never arrives");
     if (s->does & DOES_DIE && v[M_OVER].given)
-        step_error(L, step, "die happens at once; put a wait before it");
+        step_error(L, step, "die takes effect at once; put a wait before it");
     if (s->does & DOES_HOME && !v[M_OVER].given)
-        step_error(L, step, "home needs over (frames)");
+        step_error(L, step, "home requires over (frames)");
     s->over = frames(&v[s->does & DOES_WAIT ? M_WAIT : M_OVER]);
     s->kind = (uint16_t)v[M_KIND].i;
     s->bank = (uint8_t)v[M_BANK].i;
@@ -1389,9 +1393,9 @@ static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, b
     uint64_t rounds = timed ? 1 : (uint64_t)count;
 
     if (!timed && count == LUA_MAXINTEGER)
-        untimed(L, r, open, "loop = forever without a frame of time inside never ends", step);
+        untimed(L, r, open, "infinite loop: no step in loop = forever takes time", step);
     if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
-        untimed(L, r, open, "this loop has no frame of time inside and too many steps to run at once", step);
+        untimed(L, r, open, "no step in this loop takes time, and it runs too many steps in one frame", step);
     return inside * rounds;
 }
 
@@ -1407,7 +1411,7 @@ static bool is_brief(struct reader *r, const char *is)
 static bool takes_time(struct reader *r, const struct motion_step *s)
 {
     if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
-        return is_brief(r, "orbit takes no time once its thing is gone");
+        return is_brief(r, "orbit takes no time once its thing has despawned");
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
@@ -1416,7 +1420,7 @@ static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
 {
     for (int k = 0; k < M_KEYS; k++)
         if (v[k].given && k != word && !(may >> k & 1))
-            api_error(L, DEF, "step %d: %s cannot stand beside %s", step, step_keys[k].name, step_keys[word].name);
+            api_error(L, DEF, "step %d: %s cannot be combined with %s", step, step_keys[k].name, step_keys[word].name);
 }
 
 /* Adds the legs of a route, kind and bank with the first. */
@@ -1428,14 +1432,14 @@ static void read_path(lua_State *L, struct reader *r, const struct api_value v[M
 
     word_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
     if (r->fine)
-        step_error(L, step, "path is exact as it is, and not for a fine motion");
+        step_error(L, step, "path cannot be used in a fine motion (it is already exact)");
     leg.does = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
     while (api_step_leg(L, step, &at, &leg)) {
         *add_step(L, r) = leg;
         leg = (struct motion_step){ 0 };
     }
     if (r->n == before)
-        step_error(L, step, "path: this route leads nowhere; it needs a second point");
+        step_error(L, step, "path: the route has no length; add a second point");
 }
 
 /* Reads a step that holds no others; does time pass in it? */
@@ -1460,7 +1464,7 @@ static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M
     if (v[M_WAIT_FOR].given) {
         word_alone(L, v, step, M_WAIT_FOR, 0);
         api_step_await(L, step, v[M_WAIT_FOR].at, s);
-        return s->how == HOW_SIGNAL || is_brief(r, "wait_for takes no time where its place is reached");
+        return s->how == HOW_SIGNAL || is_brief(r, "wait_for takes no time if its condition already holds");
     }
     fill_step(L, s, v, named, step, r->fine);
     return takes_time(r, s);
@@ -1484,13 +1488,13 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
         while (k < 4 && (strlen(words[k]) != n || strncmp(words[k], at, n)))
             k++;
         if (k == 4)
-            api_error(L, DEF, "step %d: walls: expected words of \"left right top bottom\", got \"%s\"", step,
+            api_error(L, DEF, "step %d: walls: expected one or more of \"left right top bottom\", got \"%s\"", step,
                       lua_tostring(L, v->at));
         walls |= (uint8_t)(1 << k);
         at += n;
     }
     if (!walls)
-        step_error(L, step, "walls: expected words of \"left right top bottom\"");
+        step_error(L, step, "walls: expected one or more of \"left right top bottom\"");
     return walls;
 }
 
@@ -1498,9 +1502,9 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
 static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
 {
     if (r->fine)
-        step_error(L, step, "bounce is exact as it is, and not for a fine motion");
+        step_error(L, step, "bounce cannot be used in a fine motion (it is already exact)");
     if (r->bounces++)
-        step_error(L, step, "bounce cannot stand inside bounce");
+        step_error(L, step, "bounce cannot be nested in bounce");
     r->steps[r->n - 1].does |= DOES_BOUNCE;
     struct motion_step *s = add_step(L, r);
     s->does = DOES_BOUNCE;
@@ -1518,10 +1522,10 @@ static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, con
     bool inner;
 
     if (depth == MOTION_DEPTH)
-        step_error(L, step, "loops nest at most 4 deep");
+        step_error(L, step, "loops nested more than 4 deep");
     for (int k = 0; k < M_KEYS; k++)
         if (v[k].given && k != word && !(bounce && (k == M_WALLS || k == M_OVER)))
-            api_error(L, DEF, "step %d: %s stands alone with its steps", step, step_keys[word].name);
+            api_error(L, DEF, "step %d: %s cannot be combined with %s", step, step_keys[k].name, step_keys[word].name);
     struct motion_step *s = add_step(L, r);
     s->does = DOES_LOOP;
     s->depth = (uint8_t)depth;
@@ -1556,7 +1560,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         uint64_t named = read_keys(L, top + 1, i, v);
         if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
-                step_error(L, i, "steps inside a step need loop = n or bounce = n");
+                step_error(L, i, "nested steps require loop = n or bounce = n");
             *timed |= read_step(L, r, v, named, i);
         } else
             work += read_loop(L, r, top + 1, depth, v, i, timed);
@@ -1610,9 +1614,9 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
     luaL_checktype(L, 1, LUA_TTABLE);
     const char *name = read_head(L, &r);
     if (!lua_rawlen(L, 1) && !r.fine)
-        api_error(L, DEF, "a motion has at least one step");
+        api_error(L, DEF, "expected at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
-        api_error(L, DEF, "too many steps to run at once");
+        api_error(L, DEF, "too many steps in one frame");
     uint32_t refused_before = b->steps.s.refused; /* tells which of the two pools was full */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)

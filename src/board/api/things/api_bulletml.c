@@ -66,7 +66,7 @@ static uint16_t program_of(lua_State *L, const struct board *b, const char *name
     api_hint_begin(&near, name);
     for (int k = 0; k < b->cart.bulletmls; k++)
         api_hint_add(&near, cart_bulletml_name(&b->cart, k));
-    api_error(L, ENTRY, "name: the game has no bulletml/%s.xml%s", name, api_hint_push(L, &near, "it has"));
+    api_error(L, ENTRY, "name: no bulletml/%s.xml in the game%s", name, api_hint_push(L, &near, "documents"));
     return 0;
 }
 
@@ -88,15 +88,15 @@ static void refuse_label(lua_State *L, const struct ml *ml)
     struct api_hint near;
 
     if (!label)
-        api_error(L, ENTRY, "kinds: expected kinds by label, { label = kind }, got one at %s", api_push_got(L, -1));
+        api_error(L, ENTRY, "kinds: expected { label = kind }, got key %s", api_push_got(L, -1));
     api_hint_begin(&near, label);
     for (uint32_t i = 0; i < ml->labels; i++) {
         api_hint_add(&near, ml_label(ml, i));
         if (!strcmp(ml_label(ml, i), label))
-            api_error(L, ENTRY, "kinds: label \"%s\" is beyond the first %d of the document", label, ML_KINDS);
+            api_error(L, ENTRY, "kinds: label \"%s\" is not one of the first %d labels of the document", label,
+                      ML_KINDS);
     }
-    api_error(L, ENTRY, "kinds: the document fires no bullet with the label \"%s\"%s", label,
-              api_hint_push(L, &near, "it has"));
+    api_error(L, ENTRY, "kinds: unknown label \"%s\"%s", label, api_hint_push(L, &near, "labels"));
 }
 
 /* Reads kinds = { label = kind } into out, the kind of each label. */
@@ -175,7 +175,7 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     if (v[P_PARAMS].given)
         s.params = read_params(L, b, v[P_PARAMS].at, param);
     if (v[P_STEER].i && !(from->given && handle_kind(from->i) == H_ENEMY))
-        api_error(L, ENTRY, "steer: only with from, of an enemy");
+        api_error(L, ENTRY, "steer: requires from (an enemy)");
     s.kinds = kinds;
     s.param = param;
     s.bank = v[P_BANK].given ? (uint8_t)v[P_BANK].i : 0;

@@ -183,7 +183,7 @@ static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
 {
     double px, py;
 
-    api_push_routes(L, "enemy.spawn", v[S_PATH].at, "path: expected a route (what path.def returned)");
+    api_push_routes(L, "enemy.spawn", v[S_PATH].at, "path: expected a route (from path.def)");
     lua_getfield(L, -1, "place");
     lua_rawgeti(L, v[S_PATH].at, 1);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
@@ -193,7 +193,7 @@ static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
     px = lua_tonumber(L, -2);
     py = lua_tonumber(L, -1);
     if (!fx_from_double(px, x) || !fx_from_double(py, y))
-        api_error(L, "enemy.spawn", "path: it starts outside the world");
+        api_error(L, "enemy.spawn", "path: the route starts outside the world");
     lua_pop(L, 3);
 }
 
@@ -253,16 +253,16 @@ static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v
         api_body_check(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
     if (v[S_FOLLOW].given) {
         if (place || v[S_PATH].given)
-            api_error(L, "enemy.spawn", "follow stands in the stead of a place and a path");
+            api_error(L, "enemy.spawn", "follow cannot be combined with a place or path");
         *x = *y = 0;
         return board_alive(b, v[S_FOLLOW].i);
     }
     if (v[S_SHARE].given)
-        api_error(L, "enemy.spawn", "share: only of a part, with follow");
+        api_error(L, "enemy.spawn", "share: requires follow");
     if (!v[S_PATH].given)
         return api_place(L, b, "enemy.spawn", at, x, y);
     if (place)
-        api_error(L, "enemy.spawn", "give a place or a path, not both");
+        api_error(L, "enemy.spawn", "expected a place or path, got both");
     path_start(L, v, x, y);
     return true;
 }
@@ -510,7 +510,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read of a group (only count can)", props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only count can)", props[p].value.name);
     push_count(L, b, tag);
 }
 
@@ -643,7 +643,7 @@ static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
     const bool x = v[MOVE_X].given, y = v[MOVE_Y].given, dx = v[MOVE_DX].given, dy = v[MOVE_DY].given;
 
     if (x != y || dx != dy || x == dx)
-        return api_error(L, api_bound(L)->entry->name, "expected either x and y, or dx and dy");
+        return api_error(L, api_bound(L)->entry->name, "expected either x and y or dx and dy");
     return api_enemy_act(L, b, move_one, v);
 }
 

@@ -11,7 +11,7 @@
 /* ---- tables with names ---- */
 
 enum { MOST_NAMES = ITEM_REGISTERS + 2 };
-#define NAMED "names with numbers, { NAME = n }"
+#define NAMED "{ NAME = n }"
 
 /* The whole number under a name of the table at `at`. */
 static int64_t number_of(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
@@ -125,7 +125,7 @@ static int register_number(lua_State *L, const char *name)
         return i;
     i = (int)vm_board(L)->names[N_ITEM_REGISTER].n;
     if (i == ITEM_REGISTERS)
-        api_error(L, DEF, "gives: the items of a game give at most %d different registers", ITEM_REGISTERS);
+        api_error(L, DEF, "gives: too many registers (items can give at most %d different ones)", ITEM_REGISTERS);
     api_names_declare(L, N_ITEM_REGISTER, DEF, name, i);
     return i;
 }
@@ -171,7 +171,7 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
-        return api_error(L, DEF, "more than %d kinds", (int)k->s.cap);
+        return api_error(L, DEF, "too many kinds (at most %d)", (int)k->s.cap);
     api_names_declare(L, N_ITEM, DEF, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = v[D_RADIUS].f;
@@ -221,12 +221,10 @@ static void refuse_register(lua_State *L, const struct board *b, int r)
         i++;
     const char *item = api_names_at(b, N_ITEM, (int)i);
     if (near)
-        api_error_at(L, DEF, item, "item \"%s\": no ship has a register \"%s\", nor the run (did you mean \"%s\"?)",
-                     item, name, near);
-    api_error_at(
-        L, DEF, item,
-        "item \"%s\": no ship has a register \"%s\", nor the run (registers = { %s = 0 } of player.def, or game.def)",
-        item, name, name);
+        api_error_at(L, DEF, item, "item \"%s\": unknown register \"%s\" (did you mean \"%s\"?)", item, name, near);
+    api_error_at(L, DEF, item,
+                 "item \"%s\": unknown register \"%s\" (add registers = { %s = 0 } to player.def or game.def)", item,
+                 name, name);
 }
 
 void api_items_check(lua_State *L, struct board *b)
@@ -239,8 +237,7 @@ void api_items_check(lua_State *L, struct board *b)
         if (name && !can_fill(L, b, name))
             api_error_at(
                 L, DEF, api_names_at(b, N_ITEM, (int)i),
-                "full: no ship's register \"%s\" has a max, nor the run's (registers = { %s = { max = n } } of "
-                "player.def, or game.def)",
+                "full: register \"%s\" has no max (write registers = { %s = { max = n } } in player.def or game.def)",
                 name, name);
     }
 }
@@ -357,7 +354,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read of a group (only count can)", props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only count can)", props[p].value.name);
     vm_charge(L, b->items.s.live);
     EACH_LIVE (i, &b->items.s)
         n += api_has_tag(b->items.tag, i, tag);

@@ -61,7 +61,8 @@ static fx read_hit(lua_State *L, int at)
         return -1;
     }
     if (luakeys_push_stray(L, at, api_knows_field, &fields))
-        api_error(L, "laser.def", "hit: expected %s, got one with %s", api_hit_forms[HIT_LASERS], api_push_got(L, -1));
+        api_error(L, "laser.def", "hit: expected %s, got a table with key %s", api_hit_forms[HIT_LASERS],
+                  api_push_got(L, -1));
     if (lua_getfield(L, at, "share") == LUA_TNIL)
         api_error(L, "laser.def", "hit: expected %s, got an empty table", api_hit_forms[HIT_LASERS]);
     api_check(L, "laser.def", &share, lua_gettop(L), &v);
@@ -80,10 +81,10 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
     const fx share = read_hit(L, v[D_HIT].at);
 
     if (v[D_EVERY].given && !v[D_DAMAGE].given)
-        api_error(L, "laser.def", "every: only of a laser that has damage");
+        api_error(L, "laser.def", "every: requires damage");
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
-        api_error(L, "laser.def", "no room: %d kinds are declared", MAX_LASER_KINDS);
+        api_error(L, "laser.def", "too many kinds (at most %d)", MAX_LASER_KINDS);
     api_names_declare(L, N_LASER, "laser.def", lua_tostring(L, v[D_NAME].at), i);
     k->strip[i] = (uint16_t)v[D_STRIP].i;
     k->head[i] = or_none(&v[D_HEAD]);
@@ -256,7 +257,7 @@ static bool beam_place(lua_State *L, struct board *b, const struct api_value *v,
     memcpy(place, v + F_PLACE, sizeof place);
     if (v[F_FOLLOW].given) {
         if (place[PLACE_X].given || place[PLACE_Y].given || place[PLACE_FROM].given)
-            api_error(L, "laser.beam", "follow stands in the place of x and y, or from");
+            api_error(L, "laser.beam", "follow cannot be combined with x, y or from");
         place[PLACE_FROM] = v[F_FOLLOW];
     }
     return api_place(L, b, "laser.beam", place, x, y);
@@ -268,7 +269,7 @@ static int beam(lua_State *L, struct board *b, struct api_value *v)
     fx x, y;
 
     if (v[F_TURNS].i && !follows)
-        api_error(L, "laser.beam", "turns: only of a beam that follows something");
+        api_error(L, "laser.beam", "turns: requires follow");
     if (!beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
         return push_laser(L, b, NO_SLOT);
     struct bullet_shape s = head_of(L, b, "laser.beam", v, x, y);
@@ -447,7 +448,7 @@ static void set_length(lua_State *L, struct board *b, uint32_t i, fx length)
     struct lasers *l = &b->lasers;
 
     if (l->form[i] == LASER_CURVE)
-        vm_fault(L, FAULT_SCRIPT, "laser: length: a curve is as long as it has flown in its frames (points)");
+        vm_fault(L, FAULT_SCRIPT, "laser: length: cannot be set on a curve (points sets its length)");
     l->length[i] = length;
     l->grown[i] = fx_min(l->grown[i], length);
 }
@@ -499,7 +500,8 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != L_STATE)
-        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read of a group (only count can)", lasers_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read from a group (only count can)",
+                 lasers_props[p].value.name);
     EACH_LIVE (i, &b->lasers.s)
         n += api_has_tag(b->laser_heads.tag, i, tag);
     vm_charge(L, b->lasers.s.live);

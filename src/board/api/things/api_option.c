@@ -23,7 +23,7 @@ static int option_def(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
-        return api_error(L, "option.def", "more than %d kinds", (int)k->s.cap);
+        return api_error(L, "option.def", "too many kinds (at most %d)", (int)k->s.cap);
     api_names_declare(L, N_OPTION, "option.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;
@@ -87,7 +87,7 @@ static uint32_t read_places(lua_State *L, const char *where, int at, fx place[OP
     char full[80];
 
     if (n > OPTION_PLACES)
-        api_error(L, PLAYER, "%s: at most %d options, got %d", where, OPTION_PLACES, (int)n);
+        api_error(L, PLAYER, "%s: expected at most %d options, got %d", where, OPTION_PLACES, (int)n);
     for (lua_Unsigned i = 0; i < n; i++) {
         snprintf(full, sizeof full, "%s[%d]", where, (int)i + 1);
         if (lua_rawgeti(L, at, (lua_Integer)i + 1) != LUA_TTABLE)
@@ -106,8 +106,10 @@ static void read_fixed(lua_State *L, const char *where, const struct api_value *
     if (!v[L_WIDE].given)
         api_error(L, PLAYER, "%s: wide: expected a list { { dx, dy }, .. }, got nil", where);
     if (v[L_N].given)
-        api_error(L, PLAYER, "%s: n is of the styles trail and orbit; a fixed level has as many as places in wide",
-                  where);
+        api_error(
+            L, PLAYER,
+            "%s: n applies to styles trail and orbit; a level of style fixed has one option for each place in wide",
+            where);
     snprintf(full, sizeof full, "%s.wide", where);
     level->n = read_places(L, full, v[L_WIDE].at, level->wide);
     memcpy(level->close, level->wide, sizeof level->close);
@@ -116,21 +118,21 @@ static void read_fixed(lua_State *L, const char *where, const struct api_value *
     snprintf(full, sizeof full, "%s.close", where);
     const uint32_t n = read_places(L, full, v[L_CLOSE].at, level->close);
     if (n != level->n)
-        api_error(L, PLAYER, "%s: expected as many places as in wide (%d), got %d", full, (int)level->n, (int)n);
+        api_error(L, PLAYER, "%s: expected as many places as wide (%d), got %d", full, (int)level->n, (int)n);
 }
 
 static void read_counted(lua_State *L, const char *where, const struct api_value *v, const struct option_plan *plan,
                          struct option_level *level)
 {
     if (v[L_WIDE].given || v[L_CLOSE].given)
-        api_error(L, PLAYER, "%s: %s is of the style fixed; %s has n", where, v[L_WIDE].given ? "wide" : "close",
-                  styles[plan->style]);
+        api_error(L, PLAYER, "%s: %s applies to style fixed; use n with style %s", where,
+                  v[L_WIDE].given ? "wide" : "close", styles[plan->style]);
     if (!v[L_N].given)
         api_error(L, PLAYER, "%s: n: expected a whole number from 0 to %d options, got nil", where, OPTION_PLACES);
     level->n = (uint32_t)v[L_N].i;
     if (plan->style == OPTION_TRAIL && level->n * plan->apart >= OPTION_WAY)
-        api_error(L, PLAYER, "%s: n times apart: a ship's way is kept for %d frames of flight, got %d", where,
-                  OPTION_WAY - 1, (int)(level->n * plan->apart));
+        api_error(L, PLAYER, "%s: n times apart: expected at most %d frames (the length of the recorded trail), got %d",
+                  where, OPTION_WAY - 1, (int)(level->n * plan->apart));
 }
 
 static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
@@ -183,8 +185,8 @@ static void check_style(lua_State *L, const struct api_value *v, enum option_sty
 
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (v[own[i].param].given && own[i].of != style)
-            api_error(L, PLAYER, "options.%s: is of the style %s (style = \"%s\")", ship_params[own[i].param].name,
-                      styles[own[i].of], styles[own[i].of]);
+            api_error(L, PLAYER, "options.%s: requires style = \"%s\"", ship_params[own[i].param].name,
+                      styles[own[i].of]);
     if (style == OPTION_ORBIT && !v[O_RADIUS].given)
         api_error(L, PLAYER, "options.radius: expected a number of px, got nil");
 }

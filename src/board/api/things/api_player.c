@@ -103,7 +103,7 @@ static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, 
     const int i = of_run < 0 ? api_register_expect(L, "player.def", "collect_full", kind, name) : of_run;
     const uint32_t first = of_run < 0 ? b->player_kinds.first[kind] : b->registers.first;
     if (registers_rule(&b->registers, first + (uint32_t)i).most == REGISTER_MOST)
-        api_error(L, "player.def", "collect_full: the register \"%s\" has no max (registers = { %s = { max = n } })",
+        api_error(L, "player.def", "collect_full: register \"%s\" has no max (write registers = { %s = { max = n } })",
                   name, name);
     return (uint8_t)(of_run < 0 ? i + 1 : PLAYER_FULL_RUN + i);
 }
@@ -140,7 +140,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
         k->radius[before] = PICTURE_ROW;
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
-        return api_error(L, "player.def", "more than %d kinds", (int)k->s.cap);
+        return api_error(L, "player.def", "too many kinds (at most %d)", (int)k->s.cap);
     api_names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = r;
@@ -175,7 +175,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     if (b->player.in[i])
         player_leave(&b->player, i);
     if (player_retired(&b->player, i))
-        return vm_fault(L, FAULT_SCRIPT, "player %d has been in %d games: the board has to be powered anew", (int)i + 1,
+        return vm_fault(L, FAULT_SCRIPT, "player %d has joined %d games; restart the board", (int)i + 1,
                         GENERATIONS - 1);
     b->player.in[i] = PLAYER_IN;
     for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */

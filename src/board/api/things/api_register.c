@@ -80,16 +80,15 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
     const struct register_rule *rule = &r->rule;
 
     if (rule->least > rule->most)
-        api_error(L, entry, "%s: min %d is more than max %d", name, (int)rule->least, (int)rule->most);
+        api_error(L, entry, "%s: min %d is greater than max %d", name, (int)rule->least, (int)rule->most);
     if (rule->start > rule->most)
-        api_error(L, entry, "%s: start %d is more than max %d", name, (int)rule->start, (int)rule->most);
+        api_error(L, entry, "%s: start %d is greater than max %d", name, (int)rule->start, (int)rule->most);
     if (rule->start < rule->least)
         api_error(L, entry, "%s: start %d is less than min %d", name, (int)rule->start, (int)rule->least);
     if (rule->most == REGISTER_MOST && r->show && !strcmp(r->show, "bar"))
-        api_error(L, entry, "%s: a bar needs a max", name);
+        api_error(L, entry, "%s: show = \"bar\" requires max", name);
     if (!rule->drain && rule->hold)
-        api_error(L, entry, "%s: hold is how long it does not drain, but it has no drain (drain = n, or forever)",
-                  name);
+        api_error(L, entry, "%s: hold requires drain (drain = n or forever)", name);
 }
 
 /* Reads { start = 3, max = 6, show = "icons" } at `at`. */
@@ -122,13 +121,13 @@ static void check_name(lua_State *L, const char *entry, int32_t kind, const char
     if (kind == RUN_REGISTERS) {
         for (int i = 0; of_run[i]; i++)
             if (!strcmp(of_run[i], name))
-                api_error(L, entry, "registers: game.%s is there already", name);
+                api_error(L, entry, "registers: game.%s already exists", name);
         return;
     }
     if (api_property(&api_player_thing, name) || !strcmp(name, "alive"))
-        api_error(L, entry, "registers: \"%s\" is a property of every player already", name);
+        api_error(L, entry, "registers: \"%s\" is already a property of players", name);
     if (api_push_method(L, H_PLAYER, name))
-        api_error(L, entry, "registers: \"%s\" is a verb of every player already", name);
+        api_error(L, entry, "registers: \"%s\" is already a method of players", name);
     lua_pop(L, 1);
 }
 
@@ -207,7 +206,8 @@ static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct
     lua_createtable(L, 0, n);
     for (int i = 0; i < n; i++) {
         if (registers_add(rows, &regs[i].rule) == NO_SLOT)
-            api_error(L, entry, "registers: more than %d in all (registers of board in rom.lua)", (int)rows->s.cap);
+            api_error(L, entry, "registers: too many (at most %d in all); raise `board.registers` in rom.lua",
+                      (int)rows->s.cap);
         keep_show(L, kind, i, &regs[i]);
         lua_pushinteger(L, i);
         lua_setfield(L, -2, regs[i].name);
@@ -293,8 +293,9 @@ int api_register_expect(lua_State *L, const char *entry, const char *what, int32
         return i;
     suggest(L, kind, name, &best, &found);
     if (found)
-        return api_error(L, entry, "%s: \"%s\" is no register of this ship (did you mean \"%s\"?)", what, name, found);
-    return api_error(L, entry, "%s: \"%s\" is no register of this ship (registers = { %s = 0 })", what, name, name);
+        return api_error(L, entry, "%s: unknown register \"%s\" (did you mean \"%s\"?)", what, name, found);
+    return api_error(L, entry, "%s: unknown register \"%s\" (add registers = { %s = 0 } to player.def)", what, name,
+                     name);
 }
 
 int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS])

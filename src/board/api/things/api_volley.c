@@ -221,7 +221,7 @@ int api_volley(lua_State *L, struct board *b, struct api_value *v)
 
     (void)b;
     if (!e || !(e->flags & API_FIRE) || pattern_of(name) == EMIT_ONE)
-        return api_error(L, "sys.volley", "no volley \"%s\"", name);
+        return api_error(L, "sys.volley", "unknown volley \"%s\"", name);
     api_push_bound(L, e, volley);
     return 1;
 }
