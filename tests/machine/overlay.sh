@@ -155,7 +155,7 @@ check 'in a playback nothing can be kept' says 'nothing can be saved'
 
 # ---- the guide ----
 
-sed -n '/^## Console/,/^## [^C]/s/^    //p' "$repo/docs/guide/17-trying-things.md" >session
+sed -n '/^## Console/,/^## [^C]/s/^    //p' "$repo/docs/guide/17-developing.md" >session
 { keys 30; keys 1 $BACKQUOTE; keys 1; sed -n 's/^> //p' session | while IFS= read -r text; do line "$text"; done
     keys 1; } >script
 mapfile -t want < <(cut -c1-50 session)
