@@ -307,7 +307,7 @@ static void rivals_table(void)
     report_text(
         "The references draw every bullet. In the largest crowds the engine draws only the visible ones, which is a "
         "different task. *Drawing all* is its frame when it also draws every bullet; the ratios use that column.");
-    report_table("Microseconds per frame, and ratio to the engine drawing all",
+    report_table("Microseconds per frame, and ratio to the engine drawing everything",
                  "n> | engine> | drawing all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
                  "minimum> | ratio>");
     for (int i = 0; i < n_sizes; i++) {

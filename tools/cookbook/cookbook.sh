@@ -60,7 +60,7 @@ price() { # NAME
     awk -v page="$1" -v book="$(book_work)" '$1 == page {
         if ($4) s = s "at most " $4 " bullet" ($4 > 1 ? "s" : "") "; "
         if ($5) s = s "at most " $5 " laser" ($5 > 1 ? "s" : "") "; "
-        printf "%s%.0f units of work per frame, at most %.0f\n", s, $6 - book, $7 - book }' $table | comma
+        printf "%s%.0f units of work per frame on average, at most %.0f\n", s, $6 - book, $7 - book }' $table | comma
 }
 
 page() {

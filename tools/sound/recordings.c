@@ -170,8 +170,8 @@ static void faster(void)
                    report_string("%.2f", lost(RATIOS[k], 10000)), report_string("%.2f", lost(RATIOS[k], 15000)), NULL);
     }
     report_table_end();
-    ear_figure("a sample up to two octaves up, aliases", report_string("%s dB", ear_db(worst)), "0 dB: no filter",
-               worst < -60);
+    ear_figure("aliasing of a sample played up to two octaves higher", report_string("%s dB", ear_db(worst)),
+               "0 dB: no filter", worst < -60);
 }
 
 void section_recordings(void)
