@@ -92,7 +92,7 @@ enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
 #define PLACE                                                                                                          \
     PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give x and y, or from"),       \
         PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),                            \
-        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used in place of x and y"),        \
+        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of x and y"),         \
         PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),           \
         PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from")
 enum {

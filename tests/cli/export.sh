@@ -113,7 +113,7 @@ for cut in 1 100 5000; do
     head -c $((size - cut)) game >cut
     chmod +x cut
     says "cut short by $cut bytes" 2 \
-        "curtain: $itself is truncated: $((size - cut)) bytes, expected $size with its game" ./cut
+        "curtain: $itself is truncated: $((size - cut)) bytes, expected $size including its game" ./cut
 done
 rom=$("$curtain" pack lanterns -o rom && stat -c %s rom)
 for at in 1 $((rom / 2)) $((rom - 1)); do

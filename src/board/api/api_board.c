@@ -12,7 +12,7 @@
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
 static const struct api_param name_opt[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL,
-                                                   "difficulty of rom.lua to switch to; only reads it if left out") };
+                                                   "difficulty from rom.lua to switch to; only reads it if left out") };
 static const struct api_param dip_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
                                                   "switch that rom.lua declares in dip") };
 static const struct api_param file_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,

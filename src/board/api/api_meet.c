@@ -11,7 +11,7 @@ const struct api_param api_meet_params[MEET_PARAMS] = {
     PARAM("second", A_STR, REQ, 0, 0, NULL, NULL, "tag of the second bullet of a pair"),
     PARAM("clear", A_MEET, OPT, 0, 0, NULL, "none", "which of the two is removed"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "spark a removed bullet leaves; that of its kind if left out; needs clear"),
+          "spark a removed bullet leaves; its kind's if left out; needs clear"),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too; needs clear"),
     PARAM("on_meet", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_meet(a, b): called with the first and the second bullet, before one is removed"),

@@ -352,8 +352,8 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
 #define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \
     PARAM("radius", A_FX, must, 0, most, "px", NULL, "radius of a circle around the position")
 #define SHAPE_BOX_PARAMS(must)                                                                                         \
-    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centered on the position; needs h"),                  \
-        PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centered on the position; needs w")
+    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centred on the position; needs h"),                   \
+        PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centred on the position; needs w")
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
     PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
           "horizontal end of a line from the position; needs to_y and width"),                                         \

@@ -180,7 +180,7 @@ static const struct api_param near[] = {
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),
     SHAPE_CIRCLE_PARAMS(REQ, 32767),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"),
-    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used in place of x and y"),
+    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of x and y"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from"),
 };

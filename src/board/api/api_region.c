@@ -181,8 +181,8 @@ enum {
         PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position of the shape; give x and y, or from"),   \
         PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the shape"),                            \
         SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
-        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),        \
-        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used in place of x and y"),        \
+        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),              \
+        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of x and y"),         \
         PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),           \
         PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from"),           \
         SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT),                                                                 \
@@ -267,7 +267,7 @@ enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, ARG_PLACE = SELF_ITEMS, ARG_ALL = ARG_PL
 
 const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL, "the thing itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
 };
 
@@ -289,7 +289,7 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
@@ -336,7 +336,7 @@ int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL, "the laser itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
     EVERY_PARAM,
 };
@@ -350,7 +350,7 @@ int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; that of its kind if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),

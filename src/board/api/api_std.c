@@ -13,7 +13,7 @@
     PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "numbers of the first and the last bullet to leave out"),    \
         PARAM("fire", A_FIRE, OPT, 0, 0, NULL, "bullet", "what to fire"),                                              \
         PARAM("each", A_FUNC, OPT, 0, 0, NULL, NULL,                                                                   \
-              "each(args, i): called for bullet i in place of firing it, with its arguments")
+              "each(args, i): called for bullet i instead of firing it, with its arguments")
 #define NAME(help)  PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, help)
 #define NEEDS(help) PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, help)
 #define LIMIT(help) PARAM("limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL, help)
@@ -47,7 +47,7 @@ static const struct api_param polygon[] = {
 };
 static const struct api_param star[] = {
     N, PARAM("points", A_INT, REQ, 2, 32767, NULL, NULL, "number of tips; n must be a multiple of twice as many"),
-    PARAM("inner", A_NUM, OPT, 0, 1, "of speed", "0.5", "speed of the inner corners, as a share of that of the tips"),
+    PARAM("inner", A_NUM, OPT, 0, 1, "of speed", "0.5", "speed of the inner corners, as a fraction of the tips' speed"),
     PATTERN
 };
 static const struct api_param ellipse[] = { N, SPEED_TO("speed across the axis"),
@@ -65,7 +65,7 @@ static const struct api_param whip[] = { N, SPEED_TO("speed of the last bullet; 
 static const struct api_param scatter[] = {
     N,
     PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL,
-          "angle of the cone, centered on dir, that the directions are drawn from"),
+          "angle of the cone, centred on dir, that the directions are drawn from"),
     SPEED_TO("other end of the range of speeds that starts at speed"), PATTERN
 };
 static const struct api_param figure[] = {
@@ -75,7 +75,7 @@ static const struct api_param figure[] = {
 static const struct api_param picture[] = {
     PARAM("dots", A_STR, REQ, 1, 4096, NULL, NULL,
           "rows of characters, one a line; a dot or a blank leaves a gap, all others are bullets"),
-    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "8", "distance between neighbors"), TURNS, PATTERN
+    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "8", "distance between neighbours"), TURNS, PATTERN
 };
 static const struct api_param spiral[] = {
     NF("number of volleys"),
@@ -120,20 +120,19 @@ static const struct api_param wave[] = {
     MIRROR,
     PARAM("dx", A_NUM, OPT, -WORLD, WORLD, "px", "0", "horizontal distance of each route from the one before"),
     PARAM("dy", A_NUM, OPT, -WORLD, WORLD, "px", "0", "vertical distance of each route from the one before"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task of each enemy; that of the kind if left out"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task of each enemy; the kind's if left out"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false",
           "leave them in the field when the boss phase that spawned them ends"),
-    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points of each; those of the kind if left out"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points of each; the kind's if left out"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-          "number added to the palette bank of the sprite; that of the kind if left out"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in; that of the kind if left out"),
+          "number added to the palette bank of the sprite; the kind's if left out"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in; the kind's if left out"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_death(e, p): called when p kills one; p may be nil; in place of that of the kind"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "items that each drops, { NAME = count }; those of the kind if left out"),
+          "on_death(e, p): called when p kills one; p may be nil; overrides the kind's"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items that each drops, { NAME = count }; the kind's if left out"),
     PARAM("formation", A_ANY, OPT, 0, 0, "v, line, column, circle, or a list of { x, y }", NULL,
           "places of the enemies; a list gives the distance of each from the route"),
-    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "24", "distance between neighbors in a formation by name")
+    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "24", "distance between neighbours in a formation by name")
 };
 static const struct api_param limit_only[] = { LIMIT("frames to wait at most; no limit if left out") };
 static const struct api_param name_only[] = { NAME("name of the mark") };
@@ -144,14 +143,14 @@ static const struct api_param boss_def[] = {
     PARAM("x", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "horizontal position where it fights and rests; needs y"),
     PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "vertical position where it fights and rests; needs x"),
     PARAM("phases", A_TABLE, REQ, 0, 0, NULL, NULL, "list of phases, in order; { talk = f } among them is dialogue"),
-    PARAM("cast", A_TABLE, OPT, 0, 0, NULL, NULL, "list of two or more who fight together, in place of kind, x and y"),
+    PARAM("cast", A_TABLE, OPT, 0, 0, NULL, NULL, "list of two or more who fight together, instead of kind, x and y"),
     PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite that crosses the field as a spell is declared"),
     PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, "false", "let the portrait come from the left, mirrored"),
     PARAM("warning", A_INT, OPT, 0, 65535, "frames", "0",
           "length of the WARNING before the boss flies in; 0 shows none"),
     PARAM("epithet", A_STR, OPT, 1, 63, NULL, NULL, "line above the title in the warning"),
     PARAM("entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark kind that it leaves behind as it flies in"),
-    PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, "background of bg.def, shown when the fight starts"),
+    PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, "background declared with bg.def, shown when the fight starts"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece during the fight")
 };
 static const struct api_param boss_cast[] = {
@@ -160,8 +159,8 @@ static const struct api_param boss_cast[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its enemy"),
     PARAM("x", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "horizontal position where it fights and rests"),
     PARAM("y", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "vertical position where it fights and rests"),
-    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "portrait of the phases it leads; that of the boss if left out"),
-    PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL, "side its portrait comes from; that of the boss if left out")
+    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "portrait of the phases it leads; the boss's if left out"),
+    PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL, "side its portrait comes from; the boss's if left out")
 };
 static const struct api_param boss_talk[] = { PARAM(
     "talk", A_FUNC, REQ, 0, 0, NULL, NULL,
@@ -185,7 +184,7 @@ static const struct api_param phase[] = {
     PARAM("spell", A_STR, OPT, 0, 127, NULL, NULL,
           "name of the spell card, declared on the screen; boss.history counts it"),
     PARAM("bonus", A_INT, OPT, 0, INT32_MAX, "points", "0",
-          "points for each player if the phase is captured: beaten with no death and no bomb"),
+          "points for each player if the phase is captured: beaten with no death or bomb"),
     PARAM("bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL,
           "value that the bonus falls to over time; it stays the same if left out"),
     PARAM("survive", A_BOOL, OPT, 0, 0, NULL, "false",
@@ -195,19 +194,18 @@ static const struct api_param phase[] = {
     PARAM("safe", A_INT, OPT, 0, 65535, "frames", "0", "frames at the start in which it takes no damage"),
     PARAM("armour", A_INT, OPT, 0, 65535, "frames", "0",
           "frames after safe in which it takes less damage; needs board = { bodies = true }"),
-    PARAM("rate", A_NUM, OPT, 0, 1, NULL, "0.25", "share of damage it takes during armour"),
+    PARAM("rate", A_NUM, OPT, 0, 1, NULL, "0.25", "fraction of damage it takes during armour"),
     PARAM("down", A_DOWN, OPT, 0, 0, NULL, "all", "with a bar each, whether all or any must be empty"),
     PARAM("cut_in", A_BOOL, OPT, 0, 0, NULL, NULL,
           "show the portrait with the spell; true if left out and there are both"),
-    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL,
-          "portrait of this phase; that of its leader or boss if left out"),
+    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "portrait of this phase; its leader's or boss's if left out"),
     PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL,
-          "side the portrait comes from; that of its leader or boss if left out"),
+          "side the portrait comes from; its leader's or boss's if left out"),
     PARAM("rest", A_INT, OPT, 0, 65535, "frames", "60",
           "frames to fly back to its place before the next phase; 0 skips that"),
     PARAM("clear", A_TABLE, OPT, 0, 0, NULL, NULL, "what the bullets turn into when the phase ends and clears them"),
     PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it is beaten, { NAME = count }"),
-    PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, "background of bg.def during the phase"),
+    PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, "background declared with bg.def during the phase"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece during the phase")
 };
 static const struct api_param phase_clear[] = {
@@ -259,7 +257,7 @@ static const struct api_param unlock_def[] = {
 static const struct api_param unlock_when[] = {
     PARAM("clear", A_ANY, OPT, 0, 0, "true, or a stage", NULL, "stage to clear; true: all stages"),
     PARAM("mode", A_STR, OPT, 1, 31, NULL, NULL, "mode of boot.run to play"),
-    PARAM("difficulty", A_STR, OPT, 1, 31, NULL, NULL, "difficulty to play; harder ones count too"),
+    PARAM("difficulty", A_STR, OPT, 1, 31, NULL, NULL, "difficulty to play; this one or any harder one counts"),
     PARAM("ship", A_STR, OPT, 1, 31, NULL, NULL, "ship to play"),
     PARAM("continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL, "continues that may be used at most"),
     PARAM("score", A_INT, OPT, 1, 1e12, "points", NULL, "score to reach, with that ship"),
@@ -297,9 +295,9 @@ static const struct api_param boot_run[] = {
     PARAM("stages", A_TABLE, OPT, 0, 0, NULL, NULL, "names of the stages, in order; give stages or modes"),
     PARAM("players", A_TABLE, REQ, 0, 0, NULL, NULL, "list of player kinds to choose from"),
     PARAM("demo", A_STR, OPT, 1, 63, NULL, NULL, "demo that the title shows after ten seconds, demos/NAME.demo"),
-    PARAM("demos", A_TABLE, OPT, 0, 0, NULL, NULL, "list of demos to show in turn, in place of demo"),
-    PARAM("modes", A_TABLE, OPT, 0, 0, NULL, NULL, "list of modes to choose from, in place of stages"),
-    PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, "texts for difficulties of rom.lua, { NAME = text }"),
+    PARAM("demos", A_TABLE, OPT, 0, 0, NULL, NULL, "list of demos to show in turn, instead of demo"),
+    PARAM("modes", A_TABLE, OPT, 0, 0, NULL, NULL, "list of modes to choose from, instead of stages"),
+    PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, "texts for difficulties from rom.lua, { NAME = text }"),
     PARAM("ships", A_TABLE, OPT, 0, 0, NULL, NULL, "what the choice of ship shows, by player kind"),
     PARAM("ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show, music }", NULL,
           "ending(run), called after the last stage; of a list, the first whose when holds"),
@@ -312,11 +310,11 @@ static const struct api_param boot_run[] = {
     PARAM("pages", A_TABLE, OPT, 0, 0, NULL, NULL, "list of the game's own pages in the title's menu"),
     PARAM("grades", A_FUNC, OPT, 0, 0, NULL, NULL,
           "grades(stage, p): returns a text that the results of the stage show, such as S"),
-    PARAM("screens", A_TABLE, OPT, 0, 0, NULL, NULL, "functions in place of the library's screens, by name")
+    PARAM("screens", A_TABLE, OPT, 0, 0, NULL, NULL, "functions that replace the library's screens, by name")
 };
 static const struct api_param boot_music[] = {
     PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece to play"),
-    PARAM("title", A_STR, OPT, 0, 63, NULL, NULL, "title in the list; that of rom.lua if left out"),
+    PARAM("title", A_STR, OPT, 0, 63, NULL, NULL, "title in the list; rom.lua's title if left out"),
     PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "text below the list"), NEEDS("unlock that opens the piece")
 };
 #ifndef WITHOUT_HELP /* scripts/boot/check.lua checks these */
@@ -335,7 +333,7 @@ static const struct api_param boot_ship[] = { BOOT_SHIP("its kind"),
                                               PARAM("forms", A_TABLE, OPT, 0, 0, NULL, NULL,
                                                     "list of forms to choose from, after the ship") };
 static const struct api_param boot_form[] = {
-    PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "player kind of the form"), BOOT_SHIP("the ship's")
+    PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "player kind that the form uses"), BOOT_SHIP("the ship's")
 };
 #define BOOT_WHEN                                                                                                      \
     PARAM("when", A_ANY, OPT, 0, 0, "conditions, or a function", NULL,                                                 \
@@ -387,8 +385,7 @@ static const struct api_param talk_face[] = { PARAM("face", A_SPRITE, REQ, 0, 0,
                                                     "sprite of the portrait") };
 static const struct api_param talk_run[] = {
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): says and asks with say and choose"),
-    PARAM("hold", A_STR, OPT, 0, 0, NULL, "fire",
-          "what players cannot do: fire (and bomb), all (not move either) or none"),
+    PARAM("hold", A_STR, OPT, 0, 0, NULL, "fire", "what players cannot do: fire (or bomb), all (nor move) or none"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "true", "remove all bullets and lasers at the start"),
     PARAM("skip", A_BOOL, OPT, 0, 0, NULL, "true", "let the player skip it by holding special"),
     PARAM("clock", A_BOOL, OPT, 0, 0, NULL, "false", "let the stage's clock run meanwhile")
@@ -427,7 +424,7 @@ static const struct api_entry entries[] = {
     LUA("by_difficulty", values, 1, API_GLOBAL, "value",
         "returns the value for the difficulty being played, or the nearest easier one, or the easiest given"),
     LUA("pattern.ring", ring, 0, API_FIRE, NULL, "fires n bullets in all directions, evenly spaced, the first at dir"),
-    LUA("pattern.fan", fan, 0, API_FIRE, NULL, "fires n bullets in a fan, centered on dir"),
+    LUA("pattern.fan", fan, 0, API_FIRE, NULL, "fires n bullets in a fan, centred on dir"),
     LUA("pattern.arc", arc, 0, API_FIRE, NULL, "fires n bullets over an arc that starts at dir"),
     LUA("pattern.stack", stack, 0, API_FIRE, NULL,
         "fires n bullets in one direction, at speeds from speed to speed_to"),
@@ -447,7 +444,7 @@ static const struct api_entry entries[] = {
     LUA("pattern.points", figure, 0, API_FIRE, NULL,
         "fires a bullet from each point of a list; all fly in the same direction"),
     LUA("pattern.picture", picture, 0, API_FIRE, NULL,
-        "fires a bullet for each character of a picture made of text, centered on the position"),
+        "fires a bullet for each character of a picture made of text, centred on the position"),
     LUA("pattern.spiral", spiral, 0, API_FIRE, NULL,
         "fires volleys that turn by step each time; takes time, so call it in a task"),
     LUA("pattern.aimed", aimed, 0, API_FIRE, NULL,
@@ -485,7 +482,7 @@ static const struct api_entry entries[] = {
     LUA("bg.def", bg_def, 2, API_LOAD, NULL,
         "declares a background: a task that sets up bg.layer and bg.plane, all of which are off at its start"),
     LUA("bg.show", bg_show, 1, 0, NULL,
-        "fades through black to a background of bg.def, whose task starts in the middle of the fade"),
+        "fades through black to a background declared with bg.def, whose task starts in the middle of the fade"),
     LUA("score.rule", rule, 0, API_LOAD, NULL,
         "declares what an event is worth, in points and in registers: chains, multipliers, gauges"),
     LUA("score.count", count, 3, 0, NULL, "reports that a rule's own event happened n times"),

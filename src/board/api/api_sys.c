@@ -1056,7 +1056,7 @@ static const struct api_entry entries[] = {
       HELP("on the way to a mark the stage's clock was put so many frames on") },
     { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
       HELP("on the way to a mark a fight with that music was passed over") },
-    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("the music of rom.lua") },
+    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("the music from rom.lua") },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", HELP("game time") },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

@@ -146,6 +146,6 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a number that each bullet, shot or enemy has; needs values in board of rom.lua") },
+      HELP("declares a number that each bullet, shot or enemy has; needs values in rom.lua's board") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

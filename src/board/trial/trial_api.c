@@ -55,7 +55,7 @@ static const struct {
         "the values of a line of the game's Lua, as the console reads it; what it does is undone" },
       trial_run_eval },
     { { "run:exec", "line: string", "any", "the same, and what it does stays" }, trial_run_exec },
-    { { "run:live", "part: string", "integer", "live things of a part: \"bullets\", \"enemies\"" }, trial_run_live },
+    { { "run:live", "part: string", "integer", "what is alive in a part: \"bullets\", \"enemies\"" }, trial_run_live },
     { { "run:refused", "part: string", "integer", "how often that part had no room for one" }, trial_run_refused },
     { { "run:heard", "sound: string", "integer", "how often that sound was begun" }, trial_run_heard },
     { { "run:printed", "words: string", "boolean", "was a line printed that has these words?" }, trial_run_printed },

@@ -32,7 +32,7 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
     size_t size;
 
     if (d->checksum_parts != UINT64_MAX) {
-        snprintf(err, err_size, "%s: the demo has no checksums of every part to write", path);
+        snprintf(err, err_size, "%s: the demo has no per-part checksums to write", path);
         return false;
     }
     uint8_t *bytes = demo_bytes(d, &size);

@@ -39,9 +39,9 @@ static const struct config_setting settings[] = {
     { "fullscreen", "Fullscreen", "Picture", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
       NULL },
     { "turn", "Rotate", "Picture", AT(turn), 0, 3, 0, turns, turn_labels, 1,
-      "turn the picture, for a monitor on its side", NULL, NULL },
+      "turn the picture, for a rotated monitor; over: upside down", NULL, NULL },
     { "scaling", "Scaling", "Picture", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
-      "sharp pixels in whole steps, or smooth to fill the window", NULL, NULL },
+      "whole: sharp, at integer scale; smooth: fills the window", NULL, NULL },
     { "crt", "CRT Filter", "Picture", AT(crt), 0, 1, 0, no_yes, off_on, 1, "scanlines and shadow mask of a CRT", NULL,
       NULL },
     { "border", "Border", "Picture", AT(border), 0, 1, 1, no_yes, off_on, 1,
@@ -55,7 +55,7 @@ static const struct config_setting settings[] = {
     { "dim", "Dim Backgrounds", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
       "darken backgrounds by a quarter to three quarters", NULL, NULL },
     { "flashes", "Flashes", "Accessibility", AT(flashes), 0, 1, 0, views_flashes, flash_labels, 1,
-      "soft: screen flashes at a quarter of their strength", NULL, NULL },
+      "soft: flashes at quarter strength", NULL, NULL },
     { "colours", "Colour-Blind Mode", "Accessibility", AT(colours), 0, 3, 0, views_colours, colour_labels, 1,
       "colours that are easier to tell apart", NULL, NULL },
     { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1,
@@ -66,9 +66,9 @@ static const struct config_setting settings[] = {
       "volume of everything but music in percent", "%", NULL },
     { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
     { "resample", "Resample", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
-      "off: bit-exact sound at the sound card's own pace", NULL, NULL },
+      "no: bit-exact sound, paced by the sound card", NULL, NULL },
     { "away", "When Unfocused", "Gameplay", AT(away), 0, 1, 1, aways, away_labels, 1,
-      "what happens when another window has the focus", NULL, NULL },
+      "without the focus, go-on keeps playing and stop pauses", NULL, NULL },
     { "keep_replays", "Replays Saved", "Gameplay", AT(replays), 0, 1000, 50, NULL, NULL, 10,
       "recent runs saved per game; named replays don't count", NULL, "None" },
     { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
@@ -282,6 +282,6 @@ void config_help(void (*line)(const char *))
         snprintf(text, sizeof text, "  %-15s %-42s %s", s->name, value, s->help);
         line(text);
     }
-    snprintf(text, sizeof text, "  %-15s %-42s %s", "lang", "(none)", "language of games that have several");
+    snprintf(text, sizeof text, "  %-15s %-42s %s", "lang", "(none)", "language, in games that offer more than one");
     line(text);
 }

@@ -130,7 +130,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_DIM] = { "--dim", "WORD", FOR_VIEW, WORD(dim, views_dim),
                      "darken backgrounds: none, quarter, half, most (three quarters)" },
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_VIEW, WORD(flashes, views_flashes),
-                         "full, or soft: screen flashes at a quarter of their strength" },
+                         "full, or soft: flashes at quarter strength" },
     [OPTION_COLOURS] = { "--colours", "WORD", FOR_VIEW, WORD(colours, views_colours),
                          "colour-blind mode: normal, protan, deutan, tritan" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, TEXT(sheet),

@@ -392,7 +392,7 @@ static struct mml_inst read_kind(struct mml *m, uint32_t *at, uint32_t end)
     inst = plain_of(kind_named(word));
     if (inst.inst.kind == INST_SAMPLE) {
         *at = mml_skip(m, *at, end);
-        mml_word(m, at, end, inst.sample, "sample NAME, a sound of rom.lua that is a sample");
+        mml_word(m, at, end, inst.sample, "sample NAME, a sound from rom.lua that is a sample");
     }
     return inst;
 }

@@ -669,7 +669,7 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
         const char *sample = inst_sample(tune_inst(&t, i));
         const struct art_sound *found = sample[0] ? find_recording(p, sample) : NULL;
         if (sample[0] && !found)
-            return err_set(p->err, p->err_size, "%s: \"%s\" is not a sample (.wav, .ogg, .flac) in sounds of rom.lua",
+            return err_set(p->err, p->err_size, "%s: \"%s\" is not a sample (.wav, .ogg, .flac) in rom.lua's sounds",
                            where, sample);
         if (found && found->stereo)
             return err_set(p->err, p->err_size, "%s: sample \"%s\" is stereo; instruments need mono samples", where,

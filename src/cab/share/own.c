@@ -31,7 +31,7 @@ static enum result take(uint8_t **in, size_t size, const struct mark *m, char *e
     char why[256];
 
     if (size < m->at || size - m->at < m->size) {
-        err_set(err, err_size, "%s is truncated: %zu bytes, expected %" PRIu64 " with its game", itself, size,
+        err_set(err, err_size, "%s is truncated: %zu bytes, expected %" PRIu64 " including its game", itself, size,
                 m->at + m->size);
         return RESULT_REFUSED;
     }

@@ -420,7 +420,7 @@ static const struct api_entry entries[] = {
           "returns the plane of the background, a floor or a ceiling seen in perspective"),
     { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL, HELP("shifts each line of a layer sideways") },
 #ifndef WITHOUT_HELP
-    { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL, HELP("a wave in place of a list") },
+    { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL, HELP("a wave instead of a list") },
 #endif
     { "sys.bg_fade", sys_bg_fade, PARAMS(fade_params), 1, API_SYS | API_CHANGES, "frames",
       HELP("the background goes black and comes back; returns when it is black") },

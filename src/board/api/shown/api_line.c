@@ -27,7 +27,7 @@ static const struct api_param line_put[] = {
           "string or number to write, up to 240 characters; \\n starts a new row"),
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
           "thing it moves with, dx and dy away from it; the line is removed when that thing is; not with x, y or from"),
-    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font of rom.lua; the cells' own font if left out"),
+    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; the cells' own font if left out"),
     PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows break; only \\n breaks them if left out"),
     PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at x"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
@@ -221,7 +221,7 @@ static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_entry entries[] = {
     { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
       HELP("writes a line of text at any pixel, in the field, on the screen or attached to a thing; needs lines in "
-           "board of rom.lua") },
+           "board in rom.lua") },
     { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
 };
 const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

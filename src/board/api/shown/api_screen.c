@@ -42,7 +42,7 @@ static const struct api_param put[] = {
     PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it left to right"),
     PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it top to bottom"),
     PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; opaque if left out"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; opaque if left out"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
     PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL,
           "thing it moves with; the sprite is removed when that thing is"),
@@ -319,9 +319,9 @@ static const struct api_param spark_def[] = {
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
     PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until it disappears"),
     PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0", "downward acceleration"),
-    PARAM("drag", A_FX, OPT, 0, 1, "of the speed a frame", "0", "share of its speed that it loses each frame"),
+    PARAM("drag", A_FX, OPT, 0, 1, "of the speed a frame", "0", "fraction of its speed that it loses each frame"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture; give bank or banks"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; opaque if left out"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; opaque if left out"),
     PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL,
           "list of up to eight banks to go through, each for an equal part of its life"),
     PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front",
@@ -430,7 +430,7 @@ static const struct api_param text_put[] = {
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
     PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of the text at col"),
     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL,
-          "font of rom.lua; the cells' own font if left out; needs board = { wide = true }"),
+          "font from rom.lua; the cells' own font if left out; needs board = { wide = true }"),
     PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", "outline the letters in the darkest colour of the bank"),
     PARAM("size", A_INT, OPT, 1, 2, NULL, "1", "2 draws letters two cells wide and two high"),
 };
@@ -500,13 +500,13 @@ static const struct api_param set_colour[] = {
 enum { ARG_NAME };
 
 static const struct api_param load[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                               "palette of rom.lua; main is the one the game starts with") };
+                                               "a palette from rom.lua; main is the one the game starts with") };
 
 enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
 
 static const struct api_param fade[] = {
     PARAM("to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL,
-          "colour to fade to, or the palette of rom.lua; main is the one the game starts with"),
+          "colour to fade to, or a palette from rom.lua; main is the one the game starts with"),
     PARAM("over", A_INT, REQ, 0, 65535, "frames", NULL, "frames the fade takes"),
     PARAM("first", A_INT, OPT, 0, 255, NULL, "0", "first palette entry to fade"),
     PARAM("last", A_INT, OPT, 0, 255, NULL, "255", "last palette entry to fade"),
@@ -680,9 +680,9 @@ static const struct api_entry entries[] = {
       HELP("returns a text in the language of the run, from lang/NAME.txt; without a translation, the text itself") },
     { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL,
-      HELP("sets all 256 colours at once from a palette of rom.lua") },
+      HELP("sets all 256 colours at once from a palette from rom.lua") },
     { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,
-      HELP("fades colours to one colour or to a palette of rom.lua") },
+      HELP("fades colours to one colour or to a palette from rom.lua") },
     { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
       HELP("rotates a range of colours by one entry every few frames, up to 8 ranges at once") },
     { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,

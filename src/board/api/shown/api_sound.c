@@ -15,25 +15,26 @@ enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 120 beats a minute */ };
 
 static const struct api_param play[] = {
-    PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound of rom.lua"),
-    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "share of the volume that rom.lua gives it"),
+    PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
+    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of the volume that rom.lua gives it"),
     PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "position between left, -1, and right, 1; give pan or from"),
     PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL,
           "thing whose position in the field decides between left and right; if it is dead, nothing plays"),
-    PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "shift of the pitch"),
+    PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "pitch shift"),
 };
 static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
-                                               "sound of rom.lua to stop; all sounds if left out") };
+                                               "sound from rom.lua to stop; all sounds if left out") };
 static const struct api_param music_play_params[] = {
-    PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of rom.lua"),
+    PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of music from rom.lua"),
     PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
-          "frames in which the current music fades out first; not with at"),
+          "frames in which the current music fades out first; cannot be combined with at"),
     PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", "restart it if it is playing already; otherwise it continues"),
     PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
           "set the current music aside, up to three pieces deep, and continue it when this piece ends or when "
           "music.play asks for it"),
     PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL,
-          "\"beat\" or \"bar\": start on the next one of the current music; at once if left out; not with fade"),
+          "\"beat\" or \"bar\": start on the next one of the current music; at once if left out; cannot be combined "
+          "with fade"),
 };
 static const struct api_param volume[] = {
     PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; only reads it if left out"),
@@ -284,10 +285,10 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
-      HELP("plays a sound of rom.lua; silent while a stage is skipped on the way to a practice mark") },
+      HELP("plays a sound from rom.lua; silent while a stage is skipped on the way to a practice mark") },
     { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("stops a sound, or all of them") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
-      HELP("plays a piece of rom.lua's music in place of the current one") },
+      HELP("plays a piece of music from rom.lua, instead of the current one") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
       HELP("stops the music, including pieces that were set aside") },
     { "music.volume", music_volume, PARAMS(volume), 2, API_CHANGES, "number",

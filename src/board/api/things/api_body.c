@@ -29,8 +29,8 @@ static const struct api_param part_params[] = {
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below its body"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage it takes that its body takes too"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
-    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points, in place of those of its kind"),
-    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "factor on the damage it takes, in place of that of its kind"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
 };
 static const struct api_entry part_entry = { .name = "enemy.def part", .params = part_params, .count = P_RATE + 1 };
 
@@ -229,24 +229,24 @@ static const struct api_param orbit[] = {
     SELF,
     PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
           "thing to circle; once it is gone, the point where it was; give around, or x and y"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal center of the circle"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical center of the circle"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the circle"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the circle"),
     PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the start; its present distance if left out"),
     PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the end of over; radius if left out; needs over"),
-    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees it moves around the center per frame, clockwise"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction from the center at the start; its present one if left out"),
+    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees it moves around the centre per frame, clockwise"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction from the centre at the start; its present one if left out"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", "duration"),
 };
 
 enum { W_W = 1, W_H, W_EVERY, W_OVER, W_X, W_Y, W_EASE };
 static const struct api_param wander[] = {
     SELF,
-    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, "width of the area, centered on x and y"),
-    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centered on x and y"),
+    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, "width of the area, centred on x and y"),
+    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centred on x and y"),
     PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the next"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; at most every"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal center of the area; where it is if left out"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical center of the area; where it is if left out"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the area; where it is if left out"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the area; where it is if left out"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
           "how its speed changes on the way: in starts slowly, out ends slowly, both does both"),
 };

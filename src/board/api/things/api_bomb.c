@@ -22,7 +22,7 @@ enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
 
 static const struct api_param def[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
-          "name of the bomb, for bomb and bomb_focus of player.def; must be new"),
+          "name of the bomb, for bomb and bomb_focus in player.def; must be new"),
     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
           "frames it lasts; then run is stopped, with all that it started and spawned"),
     PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),

@@ -254,7 +254,7 @@ static const struct api_param bullet_def[] = {
           "rotate the sprite to the direction of flight; the sprite needs rotations in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
           "test the whole path of each frame for hits; false tests only where the frame ends"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs rotations in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
@@ -283,7 +283,7 @@ static const struct api_param shot_def[] = {
           "rotate the sprite to the direction of flight; the sprite needs rotations in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
           "test the whole path of each frame for hits; false tests only where the frame ends"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs rotations in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
@@ -426,7 +426,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
-              "number added to the palette bank of its sprite; the bank of its kind if left out"),                     \
+              "number added to the palette bank of its sprite; its kind's if left out"),                               \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
 #define AROUND                                                                                                         \
@@ -594,7 +594,7 @@ static const struct api_param bullet_sweep[] = {
     PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
     PARAM("over", A_INT, REQ, 1, 65535, "frames", NULL, "duration of the sweep"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only bullets with this tag"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark each bullet leaves; that of its kind if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark each bullet leaves; its kind's if left out"),
     PARAM("hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0", "damage dealt once to each enemy the circle reaches"),
     PARAM("by", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that hurt kills"),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove bullets with clearable = false too"),
@@ -1080,8 +1080,8 @@ static const struct api_param step_keys[M_KEYS] = {
           "distance it swings to each side of its path; needs over and every"),
     PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of a circle around at or around its thing; needs over"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of go_to"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the center of polar or orbit, clockwise"),
-    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "{ x, y } in the field: the center of polar or orbit"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of polar or orbit, clockwise"),
+    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "{ x, y } in the field: the centre of polar or orbit"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of wave"),
     PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "part of the period at which wave starts, in degrees"),
     PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that orbit reaches at the end of over"),
@@ -1684,7 +1684,7 @@ static const struct api_entry entries[] = {
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       HELP("makes a motion program: a list of steps that any number of bullets run") },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL,
-      HELP("one step; in place of a number may be the name of a value (value.def)") },
+      HELP("one step; a number can be replaced by the name of a value (value.def)") },
     { "motion.def emit", NULL, PARAMS(api_emit_params), 0, API_LUA | API_SYS, NULL,
       HELP("what emit fires, from where the bullet is") },
     { "motion.def wait_for", NULL, PARAMS(api_await_params), 0, API_LUA | API_SYS, NULL,

@@ -42,7 +42,7 @@ static const struct api_param params[] = {
     PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", "start it again when it has ended"),
     PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", "let it move the enemy given as from"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-          "number added to the palette bank of its bullets; that of their kind if left out"),
+          "number added to the palette bank of its bullets; their kind's if left out"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put its bullets in"),
     PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),

@@ -110,7 +110,7 @@ static const struct api_param def[] = {
     PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "highest speed it falls at"),
     PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true", "flies to ships that attract it; false flies only when pulled"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL, "on_take(p, item): called after the player got what it gives"),
 };
 
@@ -251,7 +251,7 @@ static const struct api_param drop[] = {
     PLACE,
     PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "direction of the middle of them, clockwise from the right"),
-    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", "angle they are spread over evenly, centered on dir"),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", "angle they are spread over evenly, centred on dir"),
     PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", "speed they start at"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
 };

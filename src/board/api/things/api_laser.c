@@ -32,12 +32,12 @@ static const struct api_param laser_def[] = {
     PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
           "sprite repeated along it and stretched to its width, drawn pointing right"),
     PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "width once it has grown"),
-    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "share of its width that hits; \"none\" never hits"),
+    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of its width that hits; \"none\" never hits"),
     PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
     PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend of rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
           "frames until a player can graze it again; 0 makes it impossible to graze"),
     PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "clears remove it; false makes it immune unless they say all"),
@@ -111,10 +111,9 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "point at the nearest target: an enemy if its kind has damage, otherwise a player"),                     \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
-              "number added to the palette banks of its sprites; that of its kind if left out"),                       \
+              "number added to the palette banks of its sprites; its kind's if left out"),                             \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
-        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL,                                                        \
-              "width once it has grown; that of its kind if left out"),                                                \
+        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL, "width once it has grown; its kind's if left out"),    \
         PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
               "player who owns it and gets its score; the owner of from or follow if left out")
 enum {
@@ -159,7 +158,7 @@ static const struct api_param curve_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
 static const struct api_param beam_params[] = {
     LASER_PARAMS,
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing to start from, dx and dy away; the beam ends with it; in place of x and y, or from"),
+          "thing to start from, dx and dy away; the beam ends with it; use instead of x and y, or from"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
           "turn with the bullet, shot or laser that it follows; needs follow"),
     PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from its start to its end"),

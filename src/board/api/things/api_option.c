@@ -10,7 +10,7 @@
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in options of player.def; must be new"),
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in options in player.def; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", "layer of sprites to draw it in"),
@@ -51,10 +51,11 @@ static const struct api_param ship_params[O_PARAMS] = {
     PARAM("style", A_STR, OPT, 0, 0, NULL, "fixed",
           "fixed at places around the ship, trail on its path, orbit on a circle"),
     PARAM("apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8",
-          "frames of flight from one to the next; only of trail"),
-    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of the circle; only of orbit, which needs it"),
-    PARAM("close", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius while focused; radius if left out; only of orbit"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only of orbit"),
+          "frames of flight from one to the next; only for trail"),
+    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of the circle; only for orbit, where it is required"),
+    PARAM("close", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
+          "radius while focused; the same as radius if left out; only for orbit"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only for orbit"),
 };
 
 enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
@@ -62,11 +63,11 @@ enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
 static const struct api_param level_params[L_PARAMS] = {
     PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "value of the register from which the level applies"),
     PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL,
-          "number of options; only of trail and orbit, which need it"),
+          "number of options; only for trail and orbit, where it is required"),
     PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "places around the ship, { { dx, dy }, .. } in px; only of fixed, which needs it"),
+          "places around the ship, { { dx, dy }, .. } in px; only for fixed, where it is required"),
     PARAM("close", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "places while focused, as many as in wide; wide if left out; only of fixed"),
+          "places while focused, as many as in wide; the same as wide if left out; only for fixed"),
 };
 
 static fx place_axis(lua_State *L, const char *where, int axis)

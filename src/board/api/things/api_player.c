@@ -49,10 +49,9 @@ static const struct api_param def[] = {
           "register of the ship or the run; while it is at its max, all items fly to it"),
     PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed of the items that fly to it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 15 sprites that it can show by name, { NAME = sprite }; left and right show as it flies there"),
+          "up to 15 sprites, { NAME = sprite }; left and right are used when it flies that way"),
     PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb that the bomb button starts, a name of bomb.def"),
-    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL,
-          "bomb that the button starts while the ship is focused; bomb if left out"),
+    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, "bomb used while focused; the same as bomb if left out"),
     PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
           "frames after a hit in which a bomb saves it; at 0 it dies at once"),
     PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -428,7 +427,7 @@ static const struct api_param enter[] = {
     PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, "points to enter"),
     PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose own table it goes into"),
     PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, "number of the stage reached"),
-    PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "all stages were cleared; in place of stage"),
+    PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "all stages were cleared; use instead of stage"),
     PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "number of continues used")
 };
 
@@ -518,7 +517,7 @@ static const struct api_entry entries[] = {
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
       HELP("returns true when a button goes down and, once held for 20 frames, every 5 frames") },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
-      HELP("adds points to a player's score, from 0 to 999,999,999,999 in all; they may bring lives (extends of "
+      HELP("adds points to a player's score, from 0 to 999,999,999,999 in all; they may bring lives (extends in "
            "rom.lua)") },
     { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
       HELP("returns up to ten rows of a saved table, best first: { name, score, ship, stage, clear, continues }") },
