@@ -207,7 +207,9 @@ static void a_minute_backwards(void **state)
     uint64_t again = p.again;
     assert_true(rewind_to(&p, r.b, 3600));
     same_frame(&glasstide, &r, 3600);
-    assert_in_range(p.again - again, 0, 512); /* the key frames ahead are still there */
+    /* A key frame near the end is still there: the last minute isn't computed again from its start. How far apart key
+     * frames are depends on their sizes, and those of Lua's strings differ from run to run. */
+    assert_in_range(p.again - again, 0, 1024);
     rewind_close(&p);
 
     rig_free(&r);

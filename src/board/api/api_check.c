@@ -180,7 +180,8 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
     if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
         return;
     if (!strcmp(p->name, "self")) {
-        const char *type = lua_pushlstring(L, entry, strcspn(entry, ":"));
+        const char *colon = strchr(entry, ':');
+        const char *type = lua_pushlstring(L, entry, colon ? (size_t)(colon - entry) : strlen(entry));
         api_error(L, entry, "self: expected %s, got %s (call it with a colon)", type, api_push_got(L, at));
     }
     for (int k = 1; k < HANDLES; k++)
