@@ -41,7 +41,7 @@ static bool allowed(const struct args *a, char *err, size_t err_size)
     return false;
 }
 
-/* Does what is to be written leave what is read as it is? -o of render is a folder. */
+/* Can the outputs be written without overwriting an input? For render, -o is a directory. */
 static bool outputs(const struct args *a, char *err, size_t err_size)
 {
     const struct output_path out[] = { { "-o", a->out, NULL },

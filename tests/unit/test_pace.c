@@ -145,7 +145,7 @@ static void test_no_rate(void **state)
     assert_int_equal(p.refresh, 0);
 }
 
-/* Frames at this clock until so many ticks were handed out; each wait ends at the time that is asked for. */
+/* Runs frames on this clock until that many ticks are handed out. Each wait ends exactly on time. */
 static uint64_t runs(struct pace *p, int refresh, uint64_t now, int ticks)
 {
     for (int frames = 0; ticks > 0; frames++) {

@@ -347,6 +347,16 @@ struct api_region {
     fx to_x, to_y; /* where a line ends */
 };
 
+/* Arguments of what flies: bullets, shots and lasers, alone and as groups. */
+#define SELF_OF(kinds) PARAM("self", A_THING, REQ, kinds, 0, NULL, NULL, "the thing itself")
+
+#define AIM_ADD PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "degrees added to the direction of the target, clockwise")
+
+#define TURN_BY PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "degrees to turn, clockwise; negative turns counterclockwise")
+
+#define SHIFT_DX PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left")
+#define SHIFT_DY PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
+
 /* Shape words stand behind those of PLACE, in this order. */
 enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
 #define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \

@@ -1053,7 +1053,7 @@ static const struct api_entry entries[] = {
     { "sys.music_back", sys_music_back, PARAMS(music_on), 2, API_SYS | API_CHANGES, NULL,
       HELP("ends that piece: what was put aside goes on") },
     { "sys.music_clock", sys_music_clock, PARAMS(music_clock), 1, API_SYS | API_CHANGES, NULL,
-      HELP("on the way to a mark the stage's clock was put so many frames on") },
+      HELP("advances the stage's clock by that many frames on the way to a mark") },
     { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
       HELP("on the way to a mark a fight with that music was passed over") },
     { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("the music from rom.lua") },

@@ -77,7 +77,7 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     return true;
 }
 
-enum { AN_EVENT = 30, A_HANDLER = 10 /* work: an event, and each function that is told of it, beside its own */ };
+enum { AN_EVENT = 30, A_HANDLER = 10 /* work of an event, and of each handler called, apart from the handler's own */ };
 
 static void count(struct board *b, uint64_t work)
 {

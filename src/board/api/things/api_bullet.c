@@ -1008,21 +1008,11 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
-static const struct api_param self_add[] = { PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself"),
-                                             PARAM("add", A_DIR, OPT, 0, 0, NULL, "0",
-                                                   "degrees added to the direction of the target, clockwise") };
-static const struct api_param self_by[] = { PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself"),
-                                            PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL,
-                                                  "degrees to turn, clockwise; negative turns counterclockwise") };
-static const struct api_param self_shift[] = {
-    PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself"),
-    PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left"),
-    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
-};
-static const struct api_param self_only[] = { PARAM("self", A_THING, REQ, FLYING, 0, NULL, NULL, "the thing itself") };
-
-static const struct api_param self_group[] = { PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL,
-                                                     "the group itself") };
+static const struct api_param self_add[] = { SELF_OF(FLYING), AIM_ADD };
+static const struct api_param self_by[] = { SELF_OF(FLYING), TURN_BY };
+static const struct api_param self_shift[] = { SELF_OF(FLYING), SHIFT_DX, SHIFT_DY };
+static const struct api_param self_only[] = { SELF_OF(FLYING) };
+static const struct api_param self_group[] = { SELF_OF(1 << H_GROUP | 1 << H_SHOTS) };
 
 /* ---- motion programs ---- */
 
