@@ -12,14 +12,15 @@ done
 child= xvfb= wm=
 trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
 
-# soon COMMAND...: tries until it holds. Gives up when the program has gone on for 10 s of the processor's time, however
-# long that takes; one that does not go on is given 2000 tries.
+# soon COMMAND...: tries until it holds. Gives up when the program has used 10 s of the processor's time, however long
+# that takes; one that uses none is given 2000 tries. The last try comes after that look: a program that ended between
+# the two has no time to read.
 soon() {
     local from try=0
     from=$(used)
     until "$@"; do
         try=$((try + 1))
-        [ $try -lt 2000 ] && { [ $try -lt 100 ] || [ $(($(used) - from)) -lt 1000 ]; } || return 1
+        [ $try -lt 2000 ] && { [ $try -lt 100 ] || [ $(($(used) - from)) -lt 1000 ]; } || { "$@"; return; }
         sleep 0.05
     done
 }

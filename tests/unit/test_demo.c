@@ -903,7 +903,7 @@ static void test_old_format(void **state)
         assert_int_equal(demo_differs(&d, f, hashes) & 1, 1);
     }
     assert_false(demo_save(&d, path, err, sizeof err)); /* it says too little for the newest format */
-    assert_non_null(strstr(err, "no checksums of every part"));
+    assert_non_null(strstr(err, "no per-part checksums"));
     demo_free(&d);
 }
 
