@@ -63,7 +63,7 @@ end
 local function bullets_a_side(name, n, sides)
   if n % sides ~= 0 then
     local near = math.max(sides, (n + sides // 2) // sides * sides)
-    local text = "n: expected a multiple of %d, for as many bullets on each side, got %d (did you mean %d?)"
+    local text = "n: expected a multiple of %d (the sides), got %d (did you mean %d?)"
     sys.fail(name, text:format(sides, n, near))
   end
   return n // sides
@@ -112,7 +112,7 @@ function pattern.points(args)
   local own, a = open("pattern.points", args)
   for i, p in ipairs(own.list) do
     if type(p) ~= "table" or math.type(p[1]) == nil or math.type(p[2]) == nil then
-      sys.fail("pattern.points", ("point %d: expected { x, y }, two numbers of px"):format(i))
+      sys.fail("pattern.points", ("point %d: expected { x, y } in px"):format(i))
     end
   end
   local put = around(own, a, own.turns)
@@ -139,9 +139,9 @@ end
 function pattern.picture(args)
   local own, a = open("pattern.picture", args)
   local odd = own.dots:match("[^ -~\n]")
-  if odd then sys.fail("pattern.picture", ("dots: expected rows of plain signs, got byte %d"):format(odd:byte())) end
+  if odd then sys.fail("pattern.picture", ("dots: expected rows of ASCII characters, got byte %d"):format(odd:byte())) end
   local list, left, right, top, bottom = read_dots(own.dots)
-  if #list == 0 then sys.fail("pattern.picture", "dots: expected a sign for each bullet, got dots and blanks alone") end
+  if #list == 0 then sys.fail("pattern.picture", "dots: expected a character for each bullet, got only dots and spaces") end
   local put, col, row = around(own, a, own.turns), (left + right) / 2, (top + bottom) / 2
   for i, p in ipairs(list) do put(i, (p[1] - col) * own.gap, (p[2] - row) * own.gap) end
 end

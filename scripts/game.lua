@@ -19,12 +19,12 @@ function read.frames() return sys.run("frames") end
 local function unknown(field)
   local names = sys.run_names()
   for word in pairs(read) do names[#names + 1] = word end
-  sys.fail("game", ('there is no "%s"%s'):format(tostring(field), sys.hint(field, names)))
+  sys.fail("game", ('unknown field "%s"%s'):format(tostring(field), sys.hint(field, names)))
 end
 
 local function def(args)
   local a = sys.check("game.def", args)
-  if defined then sys.fail("game.def", "a game is declared once") end
+  if defined then sys.fail("game.def", "can be called only once") end
   defined = true
   sys.run_registers(a.registers)
 end
@@ -37,7 +37,7 @@ local function index(_, field)
 end
 
 local function newindex(_, field, value)
-  if read[field] then sys.fail("game", field .. " is read only") end
+  if read[field] then sys.fail("game", field .. " is read-only") end
   if not sys.run_set(field, value) then unknown(field) end
 end
 

@@ -25,7 +25,7 @@ local function checked(i, entry)
 end
 
 function path.def(list)
-  if not sys.loading() then sys.fail("path.def", "a route is declared while scripts load, not later") end
+  if not sys.loading() then sys.fail("path.def", "declare routes while scripts load, not later") end
   if type(list) ~= "table" or #list == 0 then sys.fail("path.def", "expected a list of points") end
   for _, key in ipairs(sys.keys(list)) do
     if math.type(key) ~= "integer" then sys.fail("path.def", ('unknown argument "%s"'):format(tostring(key))) end
@@ -62,7 +62,7 @@ end
 
 function path.run(e, route, mirror)
   local a = sys.check("path.run", e, route, mirror)
-  if not path.known(a.route) then sys.fail("path.run", "route: expected what path.def returned") end
+  if not path.known(a.route) then sys.fail("path.run", "route: expected a route from path.def") end
   follow(a.e, a.route, a.mirror, 0, 0)
 end
 

@@ -16,7 +16,7 @@ local function open(name, args, aim)
   own.fire = own.fire or "bullet"
   own.shots = own.fire == "shot"
   if own.fire == "beam" and not a.speed and (own.speed_to or own.sides or own.inner) then
-    sys.fail(name, "fire: a beam has no speed, of which this figure is made")
+    sys.fail(name, "fire: this figure sets speeds, and a beam has none")
   end
   if not a.speed and (own.speed_to or own.sides or own.inner) then -- with `each`, the bullet's own may be left out
     sys.fail(name, "speed: expected a number of px/frame, got nil")
@@ -31,7 +31,7 @@ end
 local function check_place(own, a)
   local named = a.x or a.y
   if a.follow then
-    if named or a.from then sys.fail(own.name, "follow: expected no x, y or from with it") end
+    if named or a.from then sys.fail(own.name, "follow: cannot be combined with x, y or from") end
   elseif a.from and named or not (a.from or a.x and a.y) then
     local want = (a.from or named) and "either x and y, or from" or "x and y, or from (a thing), got neither"
     sys.fail(own.name, "place: expected " .. want)

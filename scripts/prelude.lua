@@ -3,17 +3,19 @@ local sys = ... -- functions that only the standard library gets; src/board/api/
 
 local FEW = 12 -- names that one sentence may list
 
--- What to write in place of a word that is not in the list.
+-- What to write instead of a word that is not in the list.
 function sys.hint(word, list)
   local near = sys.near(word, list)
   if near then return (' (did you mean "%s"?)'):format(near) end
-  if #list == 0 then return " (there is none)" end
-  return #list <= FEW and (" (there is %s)"):format(table.concat(list, ", ")) or ""
+  if #list == 0 then return " (known: none)" end
+  return #list <= FEW and (" (known: %s)"):format(table.concat(list, ", ")) or ""
 end
 
--- Ends the run over a name that nobody declared, and suggests the nearest that somebody did. of: as of sys.fail.
+-- Stops the run because of an unknown name and suggests the nearest known one. what: a noun, or "where: noun"; of: as in
+-- sys.fail.
 function sys.unknown(api, what, word, list, of)
-  sys.fail(api, ('%s "%s" is not declared%s'):format(what, word, sys.hint(word, list)), of)
+  local where, noun = what:match("^(.*: )(.*)$")
+  sys.fail(api, ('%sunknown %s "%s"%s'):format(where or "", noun or what, word, sys.hint(word, list)), of)
 end
 
 local function wait_until(f, limit)
@@ -46,7 +48,7 @@ end
 -- A list has the easiest difficulty's value first: as a table by their names.
 local function named(values, names)
   if #values > #names then
-    sys.fail("by_difficulty", ("%d values for %d difficulties"):format(#values, #names))
+    sys.fail("by_difficulty", ("got %d values for %d difficulties"):format(#values, #names))
   end
   local by_name = {}
   for _, i in ipairs(sys.keys(values)) do by_name[names[i] or i] = values[i] end
@@ -57,7 +59,7 @@ end
 -- answer; if none was given so far, the answer is the first one given for a harder difficulty.
 local function by_difficulty(values)
   local names, value, reached = sys.difficulties(), nil, false
-  if sys.loading() then sys.fail("by_difficulty", "the difficulty is not chosen yet; call it where the game runs") end
+  if sys.loading() then sys.fail("by_difficulty", "no difficulty is chosen while scripts load; call it during the game") end
   if type(values) ~= "table" then sys.fail("by_difficulty", "expected a table, got " .. type(values)) end
   if values[1] ~= nil then values = named(values, names) end
   local known = {}
@@ -70,7 +72,7 @@ local function by_difficulty(values)
     if name == board.difficulty() then reached = true end
     if reached and value ~= nil then return value end
   end
-  sys.fail("by_difficulty", "no value is given")
+  sys.fail("by_difficulty", "expected at least one value")
 end
 
 return { wait_until = wait_until, wait_for = wait_for, by_difficulty = by_difficulty }

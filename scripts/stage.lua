@@ -25,7 +25,7 @@ local function clock(s) return (s.fights > 0 and s.stopped or sys.clock()) - s.b
 
 function stage.def(name, f, args)
   local a = sys.check("stage.def", name, f, args)
-  if not sys.loading() then sys.fail("stage.def", "a stage is declared while scripts load, not later") end
+  if not sys.loading() then sys.fail("stage.def", "declare stages while scripts load, not later") end
   if stages[a.name] then sys.fail("stage.def", ('stage "%s" is declared twice'):format(a.name)) end
   stages[a.name] = a.f
   if a.needs then
@@ -48,7 +48,7 @@ end
 function stage.at(n)
   local frame, s = sys.check("stage.at", n).n, current("stage.at")
   local time = clock(s)
-  if time > frame then sys.fail("stage.at", ("frame %d is past: the stage's clock is at %d"):format(frame, time)) end
+  if time > frame then sys.fail("stage.at", ("frame %d has passed; the stage is at frame %d"):format(frame, time)) end
   if s.skip then
     s.base = s.base - (frame - time)
     sys.music_clock(frame - time)
@@ -75,7 +75,7 @@ end
 
 function stage.wave(args)
   local a = sys.check("stage.wave", args)
-  if not path.known(a.path) then sys.fail("stage.wave", "path: expected what path.def returned") end
+  if not path.known(a.path) then sys.fail("stage.wave", "path: expected a route from path.def") end
   if a.drops then sys.check_drops("stage.wave", a.drops) end
   if a.formation then a.place = sys.read("stage/formation")(a) end
   if stage.skipping() then return sys.pass() end

@@ -32,7 +32,7 @@ function talk.def(who, def)
   if talkers[a.who] then sys.fail("talk.def", ('"%s" is declared twice'):format(a.who)) end
   expect_side("talk.def", a.side)
   for _, face in ipairs(sys.keys(a.faces or {})) do
-    if type(face) ~= "string" then sys.fail("talk.def", "faces: expected names, as in { calm = SPRITE }") end
+    if type(face) ~= "string" then sys.fail("talk.def", "faces: expected names as keys, as in { calm = SPRITE }") end
     sys.check("talk.def face", a.faces[face])
     list[#list + 1] = face
   end
@@ -49,7 +49,7 @@ local function passed() return stage.skipping() or sys.skipping() end
 local function begin(a)
   if not sys.task() then sys.fail("talk.run", "only a task can talk; start one with task.go") end
   if now and task.alive(now.task) then
-    sys.fail("talk.run", "a talk is running: say and choose speak in it (a phase { talk = f } is one)")
+    sys.fail("talk.run", "a talk is already running; call say and choose in it (a phase { talk = f } runs one)")
   end
   local t = sys.read("talk/box")(talk.look, a.skip, fire)
   t.task = sys.task()
@@ -101,7 +101,7 @@ end
 
 function sys.say(who, words, args)
   if words == nil and type(who) == "string" and not talkers[who] then
-    sys.fail("say", ("expected who and what, as say(nil, \"%s\"): nil for nobody"):format(who))
+    sys.fail("say", ("expected a talker and a text; for no talker write say(nil, \"%s\")"):format(who))
   end
   local a = sys.check("say", who, words, args)
   local talker = a.who and talkers[a.who]
@@ -118,16 +118,16 @@ function sys.say(who, words, args)
 end
 
 function sys.choose(list, args)
-  if type(list) ~= "table" then sys.fail("choose", 'list: expected a list of texts, as choose { "YES", "NO" }') end
+  if type(list) ~= "table" then sys.fail("choose", 'list: expected a list of strings, as in choose { "YES", "NO" }') end
   local a, items = sys.check("choose", list, args), {}
   for _, key in ipairs(sys.keys(a.list)) do
     if math.type(key) ~= "integer" then
-      sys.fail("choose", ('list: expected texts, got "%s": settings go in a second table'):format(tostring(key)))
+      sys.fail("choose", ('list: expected strings, got the key "%s"; options go in a second table'):format(tostring(key)))
     end
   end
-  if #a.list == 0 then sys.fail("choose", "list: expected at least one text") end
+  if #a.list == 0 then sys.fail("choose", "list: expected at least one string") end
   for i, item in ipairs(a.list) do
-    if type(item) ~= "string" then sys.fail("choose", ("list: %d: expected a text, got a %s"):format(i, type(item))) end
+    if type(item) ~= "string" then sys.fail("choose", ("list: %d: expected a string, got a %s"):format(i, type(item))) end
     items[i] = text.lang(item)
   end
   for _, key in ipairs { "chosen", "back" } do

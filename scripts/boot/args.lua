@@ -10,12 +10,12 @@ local function check_players(list)
   for i = 1, #list do
     if not known[list[i] or 0] then sys.unknown("boot.run", "player", tostring(list[i]), kinds) end
   end
-  if #list == 0 then sys.fail("boot.run", "players: expected a list of at least one, got none") end
+  if #list == 0 then sys.fail("boot.run", "players: expected at least one player, got none") end
 end
 
 local function check_stages(list)
   if not list or #list == 0 then
-    sys.fail("boot.run", "stages: expected a list of at least one, got " .. (list and "none" or "nil"))
+    sys.fail("boot.run", "stages: expected at least one stage, got " .. (list and "none" or "nil"))
   end
   for i = 1, #list do stage.expect("boot.run", tostring(list[i])) end
 end

@@ -45,7 +45,7 @@ end
 
 -- modes: a list of { name, stages, text?, needs? }.
 local function check_modes(modes)
-  if #modes == 0 then fail("modes", "a list of at least one", "none") end
+  if #modes == 0 then fail("modes", "a list of at least one mode", "none") end
   for i = 1, #modes do
     local mode = modes[i]
     local what = ("mode %d"):format(i)
@@ -85,7 +85,7 @@ end
 -- The forms of a ship, each of a kind of player: a list of { kind, title?, text?, figures? }.
 local function check_forms(ship, forms)
   expect_type(ship .. ": forms", forms, "table")
-  if #forms == 0 then fail(ship .. ": forms", "a list of at least one", "none") end
+  if #forms == 0 then fail(ship .. ": forms", "a list of at least one form", "none") end
   local kinds, known = sys.kinds("player"), {}
   for _, kind in ipairs(kinds) do known[kind] = true end
   for i = 1, #forms do
@@ -136,7 +136,7 @@ local function check_staff(parts)
   for i = 1, #parts do
     local part = parts[i]
     local what = ("staff %d"):format(i)
-    if type(part) ~= "table" then fail(what, 'a list of texts, as { "Art", "A. Name" }', type(part)) end
+    if type(part) ~= "table" then fail(what, 'a list of strings such as { "Art", "A. Name" }', type(part)) end
     for k = 1, #part do expect_text(("%s: text %d"):format(what, k), part[k], true) end
     check_when(what, "the staff", part.when)
   end
@@ -149,10 +149,10 @@ local function check_pages(pages)
   for i = 1, #pages do
     local p = pages[i]
     local what = ("page %d"):format(i)
-    if type(p) ~= "table" then fail(what, 'a table, as { name = "how to score", show = f }', type(p)) end
+    if type(p) ~= "table" then fail(what, 'a table such as { name = "how to score", show = f }', type(p)) end
     expect_names("argument of a page:", p, { "name", "show" })
     expect_text(what .. ": name", p.name, true)
-    if known[p.name] then sys.fail("boot.run", ('%s: "%s" is there already'):format(what, p.name)) end
+    if known[p.name] then sys.fail("boot.run", ('%s: "%s" is used twice'):format(what, p.name)) end
     if type(p.show) ~= "function" then fail(('page "%s": show'):format(p.name), "a function", type(p.show)) end
     known[p.name] = true
   end

@@ -16,7 +16,7 @@ local function check(list)
   for _, key in ipairs(sys.keys(list)) do
     local song = list[key]
     if type(key) ~= "number" and not known[key] then
-      sys.fail("boot.run", ('unknown screen of music: "%s"%s'):format(tostring(key), sys.hint(tostring(key), SCREENS)))
+      sys.fail("boot.run", ('unknown music screen "%s"%s'):format(tostring(key), sys.hint(tostring(key), SCREENS)))
     end
     if type(key) ~= "number" and key ~= "room" then sys.check("boot.run music", { name = song }) end
   end
@@ -40,7 +40,7 @@ local function room(list)
   for i = 1, #list do
     local m = list[i]
     if type(m) ~= "table" then
-      sys.fail("boot.run", ('music %d: expected a table, as { name = "tide" }, got a %s'):format(i, type(m)))
+      sys.fail("boot.run", ('music %d: expected a table such as { name = "tide" }, got a %s'):format(i, type(m)))
     end
     rows[i] = sys.check("boot.run music", m)
     rows[i].title = rows[i].title or title[rows[i].name]

@@ -72,7 +72,7 @@ local function grades(run, name)
   for p = 1, run.players do
     list[p] = run.grades(name, player.get(p))
     if type(list[p]) ~= "string" then
-      sys.fail("boot.run", 'grades: expected a text, as "S", got ' .. type(list[p]))
+      sys.fail("boot.run", 'grades: expected a string such as "S", got ' .. type(list[p]))
     end
   end
   return list

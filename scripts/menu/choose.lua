@@ -4,7 +4,7 @@ local page = sys.read("menu/page")
 
 return function(a)
   if type(a) ~= "table" or type(a.items) ~= "table" or #a.items == 0 then
-    sys.fail("menu.choose", 'items: expected a list of texts, as { items = { "YES", "NO" }, row = 12 }')
+    sys.fail("menu.choose", 'items: expected a list of strings, as in { items = { "YES", "NO" }, row = 12 }')
   elseif not math.tointeger(a.row) then
     sys.fail("menu.choose", ("row: expected a whole number, got %s"):format(tostring(a.row)))
   end

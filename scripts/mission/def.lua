@@ -14,7 +14,7 @@ local function check_counts(m, field)
   local there = false
   for _, name in ipairs(sys.keys(m[field] or {})) do
     if type(name) ~= "string" or math.type(m[field][name]) ~= "integer" then
-      fail("%s: expected { NAME = n, .. }, whole numbers", field)
+      fail("%s: expected { NAME = n, .. } with whole numbers", field)
     end
     there = true
   end

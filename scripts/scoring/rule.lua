@@ -23,7 +23,7 @@ end
 
 local function kind(a, of)
   if not a.kind then return end
-  if not of then fail("kind: only of kill, graze and take") end
+  if not of then fail("kind: only for kill, graze and take") end
   for _, k in ipairs(sys.kinds(of)) do
     if k == a.kind then return end
   end
@@ -31,7 +31,7 @@ local function kind(a, of)
 end
 
 return function(a, events)
-  if (a.on == nil) == (a.name == nil) then fail("expected either on (an event) or name (of its own, for score.count)") end
+  if (a.on == nil) == (a.name == nil) then fail("expected either on (an event) or name (for score.count)") end
   if a.on and events[a.on] == nil or a.name and events[a.name] ~= nil then
     local list = {}
     for name in pairs(events) do list[#list + 1] = name end

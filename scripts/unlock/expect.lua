@@ -12,7 +12,7 @@ end
 local function spell_of(unlock, name)
   local of, id = name:match("^(.-)/(.*)$")
   if not of then
-    local text = 'spell: expected "boss/id", the name of a boss and of its phase, got "%s"'
+    local text = 'spell: expected "boss/id", a boss and the id of its phase, got "%s"'
     sys.fail("unlock.def", text:format(name), unlock)
   end
   local bosses, ids = {}, nil

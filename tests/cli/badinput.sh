@@ -361,17 +361,17 @@ LUA
 says 'a stage' 0 '' hash s --stage one --frames 20
 says 'a mark' 0 '' hash s --stage one:guard --frames 20
 says 'a phase' 0 '' hash s --stage queen/bloom --frames 20
-says 'unknown stage' 2 'main.lua:6: boot.run: stage "oen" is not declared (did you mean "one"?)' hash s --stage oen \
+says 'unknown stage' 2 'main.lua:6: boot.run: unknown stage "oen" (did you mean "one"?)' hash s --stage oen \
     --frames 20
-says 'unknown mark' 2 'main.lua:6: stage one: mark "gurad" is not declared (did you mean "guard"?)' hash s \
+says 'unknown mark' 2 'main.lua:6: stage one: unknown mark "gurad" (did you mean "guard"?)' hash s \
     --stage one:gurad --frames 20
-says 'unknown boss' 2 'main.lua:6: boot.run: boss "quene" is not declared (did you mean "queen"?)' hash s \
+says 'unknown boss' 2 'main.lua:6: boot.run: unknown boss "quene" (did you mean "queen"?)' hash s \
     --stage quene/bloom --frames 20
-says 'unknown phase' 2 'main.lua:6: boot.run: phase "bloon" is not declared (did you mean "bloom"?)' hash s \
+says 'unknown phase' 2 'main.lua:6: boot.run: unknown phase "bloon" (did you mean "bloom"?)' hash s \
     --stage queen/bloon --frames 20
 says 'a game without stages' 2 '--stage: cannot start at "one"; main.lua does not call boot.run' hash g \
     --stage one
-says 'a mark far off' 2 'main.lua:6: stage one: mark "middle" is not declared (there is guard)' hash s \
+says 'a mark far off' 2 'main.lua:6: stage one: unknown mark "middle" (known: guard)' hash s \
     --stage one:middle --frames 20
 says 'a stage that waits for ever on the way to its mark' 2 \
     'main.lua:5: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)' hash \
@@ -393,7 +393,7 @@ easy 1 3 7 4
 normal 1 3 8 5
 hard 3 3 8 6
 DIFFICULTIES
-refuse "more values than difficulties" "main.lua:5: by_difficulty: 4 values for 3 difficulties" "$curtain" \
+refuse "more values than difficulties" "main.lua:5: by_difficulty: got 4 values for 3 difficulties" "$curtain" \
     hash d --frames 3
 
 bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
@@ -424,7 +424,7 @@ says 'a register the ship has not, near one' 2 \
     'main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)' \
     hash s --stage one --register bombz=1
 says 'a register the ship has not' 2 \
-    'main.lua:6: --register: ship "p" has no register "speed" (there is bombs, power)' hash s --stage one \
+    'main.lua:6: --register: ship "p" has no register "speed" (known: bombs, power)' hash s --stage one \
     --register speed=1
 bad 'practice and a demo' '--lives cannot be combined with --demo: the demo sets it' hash g --lives 1 --demo a.demo
 bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in ASCII' hash g --stage $'o\tne'

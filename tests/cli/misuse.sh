@@ -115,7 +115,7 @@ done
 bad 'test of nothing' 'test: expected DIR [NAME...], got "" (see curtain help test)' test ''
 bad 'export of nothing' 'export: expected ROM, got "" (see curtain help export)' export ''
 bad 'a fault while measuring' \
-    'nope: frame 0: main.lua:21: boot.run: stage "nope" is not declared (did you mean "one"?)' bench g --stage nope
+    'nope: frame 0: main.lua:21: boot.run: unknown stage "nope" (did you mean "one"?)' bench g --stage nope
 
 # ---- links, devices, disks ----
 

@@ -323,8 +323,8 @@ test.run { pads = function() return 3 end, frames = 1 }|pads: expected the funct
 test.run { demo = "../x.demo" }|test.run: demo: expected a file of the game, as in "demos/run.demo", got "../x.demo"
 test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start and buttons; combine demo only \
 with frames and faults
-test.run { stage = "two" }|the game stopped at frame 0: main.lua:19: boot.run: stage "two" is not \
-declared (there is one)
+test.run { stage = "two" }|the game stopped at frame 0: main.lua:19: boot.run: unknown stage \
+"two" (known: one)
 test.run():step(-1)|run:step: expected a whole number of frames from 0 to 216000
 test.run():wait("true")|run:wait: expected a whole number of frames from 0 to 216000
 test.run():press(3)|run:press: expected buttons such as "fire,left@60:90" or a function, got number

@@ -687,7 +687,7 @@ static void test_said(void **state)
         { "bg.lines(1, { 1, 'x' })", "bg.lines: line 2: expected a number from -16383 to 16383 px, got \"x\"" },
         { "bg.plane().fog = { to = 'blue', far = 3 }",
           "plane: fog: to: expected a colour, 0x000000 to 0xffffff, got \"blue\"" },
-        { "bg.def('a', print) bg.show('b')", "bg.show: background \"b\" is not declared (there is a)" },
+        { "bg.def('a', print) bg.show('b')", "bg.show: unknown background \"b\" (known: a)" },
     };
     struct board_start start = { .difficulty = -1 };
     struct manifest m = rig_manifest();

@@ -621,9 +621,8 @@ static void test_formations(void **state)
     forms("n = 1, formation = 'circle'", "100.00 60.00\n");
     forms("n = 2, formation = { { 1, 2 }, { 3, 4.5 } }, dx = 5, dy = 1", "101.00 62.00, 108.00 65.50\n");
     forms("n = 1, formation = { { 20, 2 } }, mirror = true", "120.00 62.00\n");
-    forms("n = 1, formation = 'vee'",
-          "stage.wave: formation \"vee\" is not declared (there is circle, column, line, v)");
-    forms("n = 2, formation = { { 1, 2 } }", "stage.wave: formation: expected 2 places, one for each of n, got 1");
+    forms("n = 1, formation = 'vee'", "stage.wave: unknown formation \"vee\" (known: circle, column, line, v)");
+    forms("n = 2, formation = { { 1, 2 } }", "stage.wave: formation: expected 2 places (n), got 1");
     forms("n = 1, formation = { 1 }", "stage.wave: formation: entry 1: expected { x, y }");
 }
 

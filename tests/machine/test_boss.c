@@ -373,12 +373,12 @@ static void test_errors(void **state)
     says("boss.def('b', { title = 'B', x = 5, y = 5, phases = { phase {} } })",
          "boss.def: kind: expected a name, got nil");
     says("one(phase {}) alone() alone()",
-         "boss.fight: boss \"b\": \"b\" is fighting; for two at once declare one boss with "
+         "boss.fight: boss \"b\": \"b\" is still fighting; for two bosses at once, declare one with "
          "cast = { ... }");
     says("one(phase {}) task.go(function() boss.history('b', 'aa') end)",
-         "boss.history: phase \"aa\" is not declared (did you mean \"a\"?)");
+         "boss.history: unknown phase \"aa\" (did you mean \"a\"?)");
     says("one(phase {}) task.go(function() boss.history('b', 'a', { difficulty = 'norml' }) end)",
-         "boss.history: difficulty \"norml\" is not declared (did you mean \"normal\"?)");
+         "boss.history: unknown difficulty \"norml\" (did you mean \"normal\"?)");
     says("one(phase {}) alone { clok = true }", "boss.fight: unknown argument \"clok\" (did you mean \"clock\"?)");
 }
 

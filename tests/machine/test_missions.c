@@ -234,25 +234,23 @@ static void test_mistakes(void **state)
     mission_says("stage = 'reef', goal = {}", "mission.def: goal: expected { NAME = n, .. }, got none");
     mission_says("stage = 'reef', goal = 5", "mission.def: goal: expected { NAME = n, .. } or a function, got integer");
     mission_says("stage = 'reef', goal = { chain = 1.5 }",
-                 "mission.def: goal: expected { NAME = n, .. }, whole numbers");
+                 "mission.def: goal: expected { NAME = n, .. } with whole numbers");
     mission_says("stage = 'reef', goal = { chian = 5 }",
-                 "mission.def: count \"chian\" is not declared (did you mean \"chain\"?)");
+                 "mission.def: unknown count \"chian\" (did you mean \"chain\"?)");
     mission_says("stage = 'reef', clear = true, medals = { 5 }", "mission.def: medals: expected 2 values, got 1");
-    mission_says("stage = 'reef', clear = true, by = 'tim'", "mission.def: count \"tim\" is not declared");
-    mission_says("stage = 'rief', clear = true",
-                 "mission.def: stage \"rief\" is not declared (did you mean \"reef\"?)");
-    mission_says("boss = 'kong', clear = true", "mission.def: boss \"kong\" is not declared (did you mean \"king\"?)");
+    mission_says("stage = 'reef', clear = true, by = 'tim'", "mission.def: unknown count \"tim\"");
+    mission_says("stage = 'rief', clear = true", "mission.def: unknown stage \"rief\" (did you mean \"reef\"?)");
+    mission_says("boss = 'kong', clear = true", "mission.def: unknown boss \"kong\" (did you mean \"king\"?)");
     mission_says("boss = 'king', phase = 'bew', clear = true", "bew");
-    mission_says("stage = 'reef', clear = true, ship = 'tern'", "mission.def: ship \"tern\" is not declared");
-    mission_says("stage = 'reef', clear = true, needs = 'x'", "unlock \"x\" is not declared");
-    mission_says("stage = 'reef', clear = true, registers = { bmobs = 1 }",
-                 "mission.def: register \"bmobs\" is not declared");
+    mission_says("stage = 'reef', clear = true, ship = 'tern'", "mission.def: unknown ship \"tern\"");
+    mission_says("stage = 'reef', clear = true, needs = 'x'", "unknown unlock \"x\"");
+    mission_says("stage = 'reef', clear = true, registers = { bmobs = 1 }", "mission.def: unknown register \"bmobs\"");
     says("mission.def('a', { title = 'A', stage = 'reef', clear = true })\n"
          "mission.def('a', { title = 'A', stage = 'reef', clear = true })",
          "mission.def: mission \"a\" is declared twice");
-    forms_say("{}", "boot.run: ship heron: forms: expected a list of at least one, got none");
+    forms_say("{}", "boot.run: ship heron: forms: expected a list of at least one form, got none");
     forms_say("{ 'heron' }", "boot.run: ship heron: form 1: expected a table, got string");
-    forms_say("{ { kind = 'hreon' } }", "boot.run: ship heron: form 1: player \"hreon\" is not declared");
+    forms_say("{ { kind = 'hreon' } }", "boot.run: ship heron: form 1: unknown player \"hreon\"");
     forms_say("{ { kind = 'heron', name = 'X' } }", "boot.run: unknown argument of ship heron: form 1: \"name\"");
     forms_say("{ { kind = 'lens', figures = { 'x' } } }", "boot.run: ship heron: form 1: figures: expected a list of");
 }

@@ -763,10 +763,10 @@ static void test_room_mistakes(void **state)
 {
     (void)state;
     refuses(BOOT "{ titel = 'tide' } }",
-            "main.lua:2: boot.run: unknown screen of music: \"titel\" (did you mean \"title\"?)");
+            "main.lua:2: boot.run: unknown music screen \"titel\" (did you mean \"title\"?)");
     refuses(BOOT "{ title = 'tidy' } }", "main.lua:2: boot.run music: unknown music \"tidy\" (did you mean \"tide\"?)");
     refuses(BOOT "{ 'tide' } }",
-            "main.lua:2: boot.run: music 1: expected a table, as { name = \"tide\" }, got a string");
+            "main.lua:2: boot.run: music 1: expected a table such as { name = \"tide\" }, got a string");
     refuses(BOOT "{ { name = 'deap' } } }",
             "main.lua:2: boot.run music: unknown music \"deap\" (did you mean \"deep\"?)");
     refuses(BOOT "{ { nam = 'deep' } } }",
@@ -774,9 +774,9 @@ static void test_room_mistakes(void **state)
     refuses(BOOT "{ { name = 'deep' }, room = true } }",
             "main.lua:2: boot.run: music: expected room = true or a list of pieces, got both");
     refuses(BOOT "{ { name = 'deep', needs = 'all' } } }",
-            "main.lua:2: boot.run: unlock \"all\" is not declared (there is none)");
+            "main.lua:2: boot.run: unknown unlock \"all\" (known: none)");
     refuses("unlock.def('one', { when = { clear = true } })\n" BOOT "{ { name = 'deep', needs = 'ane' } } }",
-            "main.lua:3: boot.run: unlock \"ane\" is not declared (did you mean \"one\"?)");
+            "main.lua:3: boot.run: unknown unlock \"ane\" (did you mean \"one\"?)");
 }
 
 /* At the bounds nothing breaks; in an event, while scripts load, in a task that ends at once. */

@@ -470,24 +470,24 @@ static void test_errors(void **state)
     says(RING "fire = 'shot' }", "main.lua:2: pattern.ring: unknown shot kind \"dot\" (found bullet kind \"dot\")");
     says(RING "by = player.get(1) }", "main.lua:2: pattern.ring: by requires a shot (did you forget fire = \"shot\"?)");
     says("pattern.polygon {" DOT "n = 12, sides = 5 }",
-         "main.lua:2: pattern.polygon: n: expected a multiple of 5, for as many bullets on each side, got 12 (did you "
+         "main.lua:2: pattern.polygon: n: expected a multiple of 5 (the sides), got 12 (did you "
          "mean 10?)");
     says("pattern.polygon {" DOT "n = 1, sides = 5 }",
-         "main.lua:2: pattern.polygon: n: expected a multiple of 5, for as many bullets on each side, got 1 (did you "
+         "main.lua:2: pattern.polygon: n: expected a multiple of 5 (the sides), got 1 (did you "
          "mean 5?)");
     says("pattern.polygon {" DOT "n = 4, sides = 2 }",
          "main.lua:2: pattern.polygon: sides: expected a whole number from 3 to 65535, got 2");
     says("pattern.star {" DOT "n = 15, points = 5 }",
-         "main.lua:2: pattern.star: n: expected a multiple of 10, for as many bullets on each side, got 15 (did you "
+         "main.lua:2: pattern.star: n: expected a multiple of 10 (the sides), got 15 (did you "
          "mean 20?)");
     says("pattern.rose {" DOT "n = 9, petals = 3 }",
          "main.lua:2: pattern.rose: speed_to: expected a number from -8191 to 8191 px/frame, got nil");
     says("pattern.points {" DOT "list = { { 1, 2 }, { x = 3, y = 4 } } }",
-         "main.lua:2: pattern.points: point 2: expected { x, y }, two numbers of px");
+         "main.lua:2: pattern.points: point 2: expected { x, y } in px");
     says("pattern.picture {" DOT "dots = '. .' }",
-         "main.lua:2: pattern.picture: dots: expected a sign for each bullet, got dots and blanks alone");
+         "main.lua:2: pattern.picture: dots: expected a character for each bullet, got only dots and spaces");
     says("pattern.picture {" DOT "dots = 'x\\tx' }",
-         "main.lua:2: pattern.picture: dots: expected rows of plain signs, got byte 9");
+         "main.lua:2: pattern.picture: dots: expected rows of ASCII characters, got byte 9");
     says("pattern.line { kind = 'dot', speed = 1, n = 3, width = 9, aim = true }",
          "main.lua:2: pattern.line: place: expected x and y, or from (a thing), got neither");
 }

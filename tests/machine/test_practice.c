@@ -206,7 +206,7 @@ static void test_unknown_registers(void **state)
     add_register(&near, "bomb", 1);
     expect_fault(&near, "main.lua:40: --register: ship \"ship\" has no register \"bomb\" (did you mean \"bombs\"?)");
     add_register(&far, "speed", 1);
-    expect_fault(&far, "main.lua:40: --register: ship \"ship\" has no register \"speed\" (there is bombs, power)");
+    expect_fault(&far, "main.lua:40: --register: ship \"ship\" has no register \"speed\" (known: bombs, power)");
 }
 
 static void expect_refusal(const struct board_start *start, const char *message)

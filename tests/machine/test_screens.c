@@ -736,10 +736,9 @@ static void test_mistakes(void **state)
     (void)state;
     says("screens = { titel = print }", "boot.run: unknown screen \"titel\" (did you mean \"title\"?)");
     says("screens = { title = 'mine' }", "boot.run: screen title: expected a function, got string");
-    says("modes = {}", "boot.run: modes: expected a list of at least one, got none");
+    says("modes = {}", "boot.run: modes: expected a list of at least one mode, got none");
     says("modes = { { stages = { 'one' } } }", "boot.run: mode 1: name: expected a string, got nil");
-    says("modes = { { name = 'a', stages = { 'oen' } } }",
-         "boot.run: stage \"oen\" is not declared (did you mean \"one\"?)");
+    says("modes = { { name = 'a', stages = { 'oen' } } }", "boot.run: unknown stage \"oen\" (did you mean \"one\"?)");
     says("modes = { { name = 'a', stage = 'one' } }",
          "boot.run: unknown argument of a mode: \"stage\" (did you mean \"stages\"?)");
     says("difficulties = { clam = 'x' }", "boot.run: unknown difficulty \"clam\" (did you mean \"calm\"?)");
@@ -751,7 +750,8 @@ static void test_mistakes(void **state)
          "boot.run: unknown condition of an ending: \"shpi\" (did you mean \"ship\"?)");
     says("ending = { { when = 5, show = print } }", "boot.run: ending 1: when: expected a table, got number");
     says("opening = 5", "opening: expected a function");
-    says("staff = { 'me' }", "boot.run: staff 1: expected a list of texts, as { \"Art\", \"A. Name\" }, got string");
+    says("staff = { 'me' }",
+         "boot.run: staff 1: expected a list of strings such as { \"Art\", \"A. Name\" }, got string");
     says("staff = { { 'me', when = { shpi = 'heron' } } }",
          "boot.run: unknown condition of the staff: \"shpi\" (did you mean \"ship\"?)");
     says("staff = { { 'me', when = 5 } }", "boot.run: staff 1: when: expected a table, got number");
@@ -871,7 +871,7 @@ static void test_page_mistakes(void **state)
     } wrong[] = {
         { "pages = { 3 }", "page 1: expected a table" },
         { "pages = { { show = print } }", "page 1: name: expected a string" },
-        { "pages = { { name = 'music', show = print } }", "\"music\" is there already" },
+        { "pages = { { name = 'music', show = print } }", "\"music\" is used twice" },
         { "pages = { { name = 'a' } }", "page \"a\": show: expected a function, got nil" },
         { "pages = { { name = 'a', shows = print } }", "shows" },
         { "grades = 3", "grades" },

@@ -593,29 +593,29 @@ static void says_at_load(const char *line, const char *want)
 static void test_errors(void **state)
 {
     (void)state;
-    says("say('irl', 'A')", "main.lua:2: say: talker \"irl\" is not declared (did you mean \"iri\"?)");
+    says("say('irl', 'A')", "main.lua:2: say: unknown talker \"irl\" (did you mean \"iri\"?)");
     says("say('iri', 'A', { face = 'calmer' })",
-         "main.lua:2: say: \"iri\": face \"calmer\" is not declared (did you mean \"calm\"?)");
+         "main.lua:2: say: \"iri\": unknown face \"calmer\" (did you mean \"calm\"?)");
     says("say('iri')", "main.lua:2: say: text: expected a string, got nil");
     says("say('iri', 'A', { leter = 3 })", "main.lua:2: say: unknown argument \"leter\" (did you mean \"letter\"?)");
     says("say('iri', 'A', { side = 'center' })", "main.lua:2: say: side: expected left or right, got \"center\"");
-    says("choose({})", "main.lua:2: choose: list: expected at least one text");
+    says("choose({})", "main.lua:2: choose: list: expected at least one string");
     says("choose { 'A', title = 'T' }",
-         "main.lua:2: choose: list: expected texts, got \"title\": settings go in a second table");
-    says("choose({ 'A', 2 })", "main.lua:2: choose: list: 2: expected a text, got a number");
+         "main.lua:2: choose: list: expected strings, got the key \"title\"; options go in a second table");
+    says("choose({ 'A', 2 })", "main.lua:2: choose: list: 2: expected a string, got a number");
     says("choose({ 'A' }, { chosen = 2 })", "main.lua:2: choose: chosen: expected a number from 1 to 1, got 2");
     says("talk.run(function() end, { hold = 'al' })",
          "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
     says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
     says("talk.run(function() talk.run(print) end)",
-         "main.lua:2: talk.run: a talk is running: say and choose speak in it (a phase { talk = f } is one)");
+         "main.lua:2: talk.run: a talk is already running; call say and choose in it (a phase { talk = f } runs one)");
     says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
     says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
                  "main.lua:1: talk.def face: unknown sprite \"dto\" (did you mean \"dot\"?)");
     says_at_load("talk.def('a', { name = 'A' }) talk.def('a', { name = 'A' })",
                  "main.lua:1: talk.def: \"a\" is declared twice");
     says_at_load("talk.def('a', { name = 'A', faces = { 'dot' } })",
-                 "main.lua:1: talk.def: faces: expected names, as in { calm = SPRITE }");
+                 "main.lua:1: talk.def: faces: expected names as keys, as in { calm = SPRITE }");
     says_at_load("say(nil, 'A')", "main.lua:1: talk.run: only a task can talk; start one with task.go");
 }
 

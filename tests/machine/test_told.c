@@ -151,11 +151,11 @@ static void test_later(void **state)
     SAYS("text.printed()", "main.lua:2: attempt to call a nil value (field 'printed')");
     SAYS("hud.center(3, 'a')",
          "main.lua:2: attempt to call a nil value (field 'center') (did you mean score.enter or hud.centre?)");
-    SAYS("hud.banner('GO', 60)", "main.lua:2: hud.banner: lines: expected a list of texts, as { \"GO\" }");
-    SAYS("hud.banner({ 'GO' })", "main.lua:2: hud.banner: frames: expected how long it is shown");
+    SAYS("hud.banner('GO', 60)", "main.lua:2: hud.banner: lines: expected a list of strings such as { \"GO\" }");
+    SAYS("hud.banner({ 'GO' })", "main.lua:2: hud.banner: frames: expected a number of frames");
     SAYS("hud.centre('a', 3)", "main.lua:2: hud.centre: row: expected a whole number, got a");
     SAYS("menu.choose { 'a', 'b' }",
-         "main.lua:2: menu.choose: items: expected a list of texts, as { items = { \"YES\", \"NO\" }, row = 12 }");
+         "main.lua:2: menu.choose: items: expected a list of strings, as in { items = { \"YES\", \"NO\" }, row = 12 }");
     SAYS("menu.choose { items = { 'a' } }", "main.lua:2: menu.choose: row: expected a whole number, got nil");
     SAYS("sprite.put('dot', 10, 20)",
          "main.lua:2: sprite.put: expected a table of named arguments (sprite.put { ... }), got 3 arguments");
@@ -167,8 +167,8 @@ static void test_later(void **state)
     SAYS("board.dip('coin')", "main.lua:2: board.dip: unknown DIP switch \"coin\" (in rom.lua: none)");
     SAYS("board.live('bulets')", "main.lua:2: board.live: unknown chip \"bulets\" (did you mean \"bullets\"?)");
     SAYS("palette.load('dusk')", "main.lua:2: palette.load: unknown palette \"dusk\" (in rom.lua: main, other)");
-    SAYS("say('Hello')", "main.lua:2: say: expected who and what, as say(nil, \"Hello\"): nil for nobody");
-    SAYS("choose('a', 'b')", "main.lua:2: choose: list: expected a list of texts, as choose { \"YES\", \"NO\" }");
+    SAYS("say('Hello')", "main.lua:2: say: expected a talker and a text; for no talker write say(nil, \"Hello\")");
+    SAYS("choose('a', 'b')", "main.lua:2: choose: list: expected a list of strings, as in choose { \"YES\", \"NO\" }");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
          "main.lua:2: pattern.ring: unknown argument \"needle\" (arguments: n, skip, fire, each, kind, speed, x, y, "
          "from, dx, dy, "
@@ -303,13 +303,13 @@ static void test_fights(void **state)
         script_says(QUEEN "task.go(function() boss.fight 'queen' end)\n"
                           "task.go(function() wait(70)\n"
                           "  boss.fight 'king' end)\n"),
-        "main.lua:6: boss.fight: boss \"king\": \"queen\" is fighting; for two at once declare one boss with "
+        "main.lua:6: boss.fight: boss \"king\": \"queen\" is still fighting; for two bosses at once, declare one with "
         "cast = { ... }");
     assert_string_equal(
         script_says(QUEEN "task.go(function() boss.fight 'queen' end)\n"
                           "task.go(function()\n"
                           "  boss.fight 'queen' end)\n"),
-        "main.lua:6: boss.fight: boss \"queen\": \"queen\" is fighting; for two at once declare one boss with "
+        "main.lua:6: boss.fight: boss \"queen\": \"queen\" is still fighting; for two bosses at once, declare one with "
         "cast = { ... }");
     /* one after the other; and after one whose task was stopped, in the same frame and later */
     assert_string_equal(script_says(QUEEN "task.go(function() print(boss.fight 'queen', boss.fight 'king') end)\n"),
@@ -493,11 +493,11 @@ static void test_places(void **state)
     (void)state;
     assert_string_equal(script_says("stage.def('s', function() wait(1) end)\n"
                                     "task.go(boss.fight,\n'quen')"),
-                        "main.lua:3: boss.fight: boss \"quen\" is not declared (there is none)");
+                        "main.lua:3: boss.fight: unknown boss \"quen\" (known: none)");
     assert_string_equal(
         script_says(QUEEN "task.go(boss.fight, 'queen')\n"
                           "task.go(boss.fight, 'king')\n"),
-        "main.lua:5: boss.fight: boss \"king\": \"queen\" is fighting; for two at once declare one boss with "
+        "main.lua:5: boss.fight: boss \"king\": \"queen\" is still fighting; for two bosses at once, declare one with "
         "cast = { ... }");
     assert_string_equal(script_says("task.go(function() task.go(pattern.ring, { n = 3 }) wait(3) end)"),
                         "main.lua:2: pattern.ring: kind: expected a name, got nil");
@@ -1125,24 +1125,24 @@ static void test_late(void **state)
     static const struct {
         const char *text, *words;
     } of[] = {
-        { "score.rule { on = 'graze', points = 'powr' }", "score.rule: register \"powr\" is not declared (did" },
-        { "score.rule { on = 'graze', gain = { powr = 1 } }", "score.rule: register \"powr\" is not declared (did" },
+        { "score.rule { on = 'graze', points = 'powr' }", "score.rule: unknown register \"powr\" (did" },
+        { "score.rule { on = 'graze', gain = { powr = 1 } }", "score.rule: unknown register \"powr\" (did" },
         { "score.tally { { label = 'A', value = 'powr', points = 3 } }",
-          "score.tally: register \"powr\" is not declared (did" },
-        { "stage.def('two', print, { needs = 'x' })", "stage.def: unlock \"x\" is not declared (there is none)" },
+          "score.tally: unknown register \"powr\" (did" },
+        { "stage.def('two', print, { needs = 'x' })", "stage.def: unknown unlock \"x\" (known: none)" },
         { "player.def('two', { sprite = 'dot', hit = { circle = 1 }, needs = 'x' })",
-          "player.def: unlock \"x\" is not declared (there is none)" },
-        { "unlock.def('u', { when = { clear = 'onee' } })", "unlock.def: stage \"onee\" is not declared (did" },
-        { "unlock.def('u', { when = { ship = 'shi' } })", "unlock.def: player \"shi\" is not declared (did" },
-        { "unlock.def('u', { when = { spell = 'king/a' } })", "unlock.def: boss \"king\" is not declared (there is" },
+          "player.def: unknown unlock \"x\" (known: none)" },
+        { "unlock.def('u', { when = { clear = 'onee' } })", "unlock.def: unknown stage \"onee\" (did" },
+        { "unlock.def('u', { when = { ship = 'shi' } })", "unlock.def: unknown player \"shi\" (did" },
+        { "unlock.def('u', { when = { spell = 'king/a' } })", "unlock.def: unknown boss \"king\" (known:" },
         { "unlock.def('u', { when = { clear = true } }) stage.def('two', print, { needs = 'x' })",
-          "stage.def: unlock \"x\" is not declared (there is u)" },
+          "stage.def: unknown unlock \"x\" (known: u)" },
         { "mission.def('m', { title = 'M', stage = 'onee', clear = true })",
-          "mission.def: stage \"onee\" is not declared (did" },
+          "mission.def: unknown stage \"onee\" (did" },
         { "mission.def('m', { title = 'M', stage = 'one', clear = true, needs = 'x' })",
-          "mission.def: unlock \"x\" is not declared (there is none)" },
+          "mission.def: unknown unlock \"x\" (known: none)" },
         { "mission.def('m', { title = 'M', stage = 'one', goal = { powr = 3 } })",
-          "mission.def: count \"powr\" is not declared (did" },
+          "mission.def: unknown count \"powr\" (did" },
         { "item.def('a', { sprite = 'dot', radius = 1, gives = { powr = 3 } })",
           "item.def: item \"a\": unknown register \"powr\"" },
     };
