@@ -264,7 +264,7 @@ static void ships_show_where_they_are_hit(void **state)
     screen_empty(&t->r.b->screen);
     p->in[1] = p->in[0];
     p->x[1] = 30 << 16;
-    p->y[1] = -1 << 16; /* half of it beyond the field */
+    p->y[1] = -(1 << 16); /* half of it beyond the field */
     draw(t, 0, 320, -1, -1);
     overlay_ships(&t->canvas, t->r.b);
     assert_int_equal(COLOUR(30, 1), t->canvas.colour[CANVAS_CYAN]);

@@ -164,9 +164,11 @@ static void kill_row(struct reach *r, int row, double lo, double hi, const struc
 {
     const double cell = r->cell / (double)FX_ONE;
     const double first = ceil((lo + MARGIN) / cell), last = floor((hi - MARGIN) / cell) - 1;
-    const int x0 = first > w->x0 ? (int)first : w->x0, x1 = last < w->x1 ? (int)last : w->x1;
 
-    if (first <= w->x1 && last >= w->x0 && x1 >= x0)
+    if (first > w->x1 || last < w->x0) /* before the conversions: both are infinite where the line misses it */
+        return;
+    const int x0 = first > w->x0 ? (int)first : w->x0, x1 = last < w->x1 ? (int)last : w->x1;
+    if (x1 >= x0)
         memset(r->dead + (size_t)row * (size_t)r->w + x0, 1, (size_t)(x1 - x0 + 1));
 }
 
