@@ -1,7 +1,7 @@
 # Curtain. `make help` lists the targets. A configuration has a build folder of its own: build/NAME.
 
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
-FRONT := all null play install uninstall test torture golden asan ubsan ubsan-short monkey msan msan-short given valgrind \
+FRONT := all null play install uninstall test torture golden asan ubsan monkey msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
          patterns library ports web bulletml
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
@@ -69,7 +69,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs tools test golden demos
-.PHONY: asan ubsan ubsan-short monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
+.PHONY: asan ubsan monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -377,8 +377,6 @@ monkey: deps-play-test
 		OPT="-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" build/monkey/machine/test_cabinet
 	@CURTAIN_LONG=1 ASAN_OPTIONS=abort_on_error=1 LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp \
 		UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 build/monkey/machine/test_cabinet
-ubsan-short:
-	@$(MAKE) --no-print-directory -j2 $(UBSAN) build/ubsan/machine/test_extremes $(UNIT:$(OUT)/%=build/ubsan/%)
 
 # MemorySanitizer sees our code alone: what goes through Lua is looked at by valgrind.
 MSAN := CONFIG=msan CC=clang OPT="-O1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# builds.sh - the unit tests in other builds than make test's: with clang, and in 32 bits where this machine can; and
-# the sound of a whole run, the same bytes with gcc and clang, at -O0 to -O3, and for this processor alone.
+# builds.sh - the unit tests in other builds than make test's: with clang and UBSan, where undefined behaviour, an
+# overflow too, ends the program, and in 32 bits where this machine can; and the sound of a whole run, the same bytes
+# with gcc and clang, at -O0 to -O3, and for this processor alone.
 #
 #     tests/builds.sh
 #
@@ -13,16 +14,18 @@ passed=0 failed=0
 cc32=${CC32:-gcc -m32 -msse2 -mfpmath=sse} # CC32: another compiler, to try this script with
 mkdir -p build
 
-unit() { # NAME COMPILER: builds the unit tests in build/NAME and runs them
-    local said=build/$1.said p=0 f=1 programs
-    programs=$(ls tests/unit/test_*.c | sed "s,^tests/,build/$1/,; s,\.c\$,,")
+unit() { # NAME COMPILER [VARIABLE=VALUE...]: builds the unit tests and test_extremes in build/NAME and runs them
+    local name=$1 compiler=$2 said=build/$1.said p=0 f=1 programs
+    shift 2
+    programs="$(ls tests/unit/test_*.c | sed "s,^tests/,build/$name/,; s,\.c\$,,") build/$name/machine/test_extremes"
     # shellcheck disable=SC2086
-    if make --no-print-directory -s -j2 CONFIG="$1" CC="$2" BUILD_CC=gcc CFLAGS=-Werror $programs >"$said" 2>&1; then
-        OUT=build/$1 tests/run.sh unit | tee "$said" | sed "\$d; s,^unit/,$1/,"
+    if make --no-print-directory -s -j2 CONFIG="$name" CC="$compiler" BUILD_CC=gcc CFLAGS=-Werror "$@" $programs \
+        >"$said" 2>&1; then
+        OUT=build/$name tests/run.sh sanitizer | tee "$said" | sed "\$d; s,^unit/,$name/,"
         read -r p f < <(sed -n '$s/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$said")
     else
         grep -v '^  ' "$said" | tail -n 20
-        echo "$1: the unit tests do not build"
+        echo "$name: the unit tests do not build"
     fi
     passed=$((passed + ${p:-0})) failed=$((failed + ${f:-1}))
 }
@@ -72,7 +75,8 @@ same_sound cross-o3 gcc "-O3 -ftree-vectorize"
 same_sound cross-clang clang -O2
 same_sound gcc-native gcc "-O2 -march=native"
 same_sound clang-O3 clang -O3
-unit clang clang
+undefined=undefined,float-cast-overflow
+unit clang clang SEMANTIC="-std=c11 -ffp-contract=off" OPT="-O1 -fsanitize=$undefined -fno-sanitize-recover=$undefined"
 if links_32; then
     unit m32 "$cc32"
 elif tools/deps.sh --say cross >/dev/null 2>&1; then
