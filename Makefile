@@ -77,29 +77,29 @@ all: say-play
 
 help:
 	@echo "make play     build and play the built-in game (without a display: render its demo to PNG)"
-	@echo "make test     all tests          make golden   render the golden frames anew"
-	@echo "make all      build/curtain and build/curtain-null     make null   only the latter, without SDL2"
-	@echo "make GAME=DIR build/curtain     one file for a friend: the program with that game built in"
+	@echo "make test     all tests          make golden   rewrite the golden frames"
+	@echo "make all      build/curtain and build/curtain-null     make null   curtain-null only, without SDL2"
+	@echo "make GAME=DIR build/curtain     one file to give away: the program with that game built in"
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
-	@echo "make msan     readers of files under MemorySanitizer    make valgrind  ... what of it goes through Lua"
-	@echo "make monkey   random hands in all screens, under both sanitizers"
+	@echo "make msan     file readers under MemorySanitizer        make valgrind  ... those that use Lua, under Valgrind"
+	@echo "make monkey   random input on all screens, under both sanitizers"
 	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
-	@echo "make torture  snapshot, spoil RAM and restore after every frame"
+	@echo "make torture  snapshot, overwrite RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
-	@echo "make accuracy measure docs/measured/accuracy.md anew             make sound  measure docs/measured/sound.md anew"
-	@echo "make cross    every demo on five other machines, the same hashes and pixels: docs/internals/determinism.md"
-	@echo "make prove    every function of base, proved           make bench-fx arithmetic against libfixmath"
-	@echo "make pacing   measure docs/measured/pacing.md anew"
-	@echo "make bulletml documents of other games on the board and in libbulletml: docs/measured/bulletml.md"
-	@echo "make survive  what can be survived, of every phase and page, and how hard it is: docs/measured/survive.md, docs/measured/game.md"
-	@echo "make patterns what Glass Tide fires, in words and pictures: docs/measured/patterns.md"
-	@echo "make cookbook its page, pictures and table anew: docs/cookbook.md"
+	@echo "make accuracy remeasure docs/measured/accuracy.md             make sound  remeasure docs/measured/sound.md"
+	@echo "make cross    every demo on five other machines, with the same hashes and pixels: docs/internals/determinism.md"
+	@echo "make prove    prove every function in src/base         make bench-fx compare arithmetic with libfixmath"
+	@echo "make pacing   remeasure docs/measured/pacing.md"
+	@echo "make bulletml documents from other games, on the board and in libbulletml: docs/measured/bulletml.md"
+	@echo "make survive  what is clearable, and how hard: docs/measured/survive.md, docs/measured/game.md"
+	@echo "make patterns describe and draw the patterns of Glass Tide: docs/measured/patterns.md"
+	@echo "make cookbook rewrite docs/cookbook.md, its pictures and table"
 	@echo "make docs     README and docs/ as one HTML file with a search box: build/curtain.html"
-	@echo "make bench    measure docs/measured/speed.md anew              make deps   make format   make clean"
-	@echo "make compare BASE=COMMIT   bytes, loading and frame time beside another commit's"
-	@echo "make library  libcurtain, its header's pkg-config file, and the libretro core: docs/internals/library.md"
+	@echo "make bench    remeasure docs/measured/speed.md                 make deps   make format   make clean"
+	@echo "make compare BASE=COMMIT   compare bytes, loading and frame time with another commit"
+	@echo "make library  libcurtain, its pkg-config file, and the libretro core: docs/internals/library.md"
 	@echo "make web GAME=DIR   the game as one HTML file, for browsers and phones: build/web/NAME.html"
-	@echo "make install PREFIX=/usr/local DESTDIR=   ... with manual page, menu entry, games     make uninstall"
+	@echo "make install PREFIX=/usr/local DESTDIR=   with manual page, menu entry, games     make uninstall"
 
 deps:
 	@tools/deps.sh
@@ -168,7 +168,7 @@ $(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
-# Which game it is, and of which files: written when that is another, so that the ROM is packed anew.
+# Names the game and its files; changes when they do, so that the ROM is packed again.
 GAME_IS := $(GAME): $(sort $(GAME_SRC))
 $(OUT)/game.is: FORCE
 	@mkdir -p $(@D)

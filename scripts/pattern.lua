@@ -31,9 +31,9 @@ end
 local function check_place(own, a)
   local named = a.x or a.y
   if a.follow then
-    if named or a.from then sys.fail(own.name, "follow: cannot be combined with x, y or from") end
+    if named or a.from then sys.fail(own.name, "follow: cannot be combined with `x`, `y` or `from`") end
   elseif a.from and named or not (a.from or a.x and a.y) then
-    local want = (a.from or named) and "either x and y, or from" or "x and y, or from (a thing), got neither"
+    local want = (a.from or named) and "either `x` and `y`, or `from`" or "`x` and `y`, or `from` (a thing), got neither"
     sys.fail(own.name, "place: expected " .. want)
   end
 end
@@ -139,7 +139,7 @@ end
 
 function pattern.spiral(args)
   local own, a = open("pattern.spiral", args)
-  if own.every == 0 and own.n == forever then sys.fail("pattern.spiral", "every: 0 with n = forever never ends") end
+  if own.every == 0 and own.n == forever then sys.fail("pattern.spiral", "every: 0 with `n = forever` never ends") end
   local dir = a.dir
   for i = 0, own.n - 1 do
     for arm = 0, own.arms - 1 do
@@ -153,7 +153,7 @@ end
 
 function pattern.aimed(args)
   local own, a = open("pattern.aimed", args, true)
-  if own.every == 0 and own.n == forever then sys.fail("pattern.aimed", "every: 0 with n = forever never ends") end
+  if own.every == 0 and own.n == forever then sys.fail("pattern.aimed", "every: 0 with `n = forever` never ends") end
   if own.lock then settle(own, a) end
   for i = 1, own.n do
     hand(own, a, i)

@@ -51,7 +51,7 @@ local function number(r, field, p, thing)
     local n = v(p, thing)
     if type(n) ~= "number" or n ~= n then
       local got = n ~= n and "no number" or type(n)
-      sys.fail(r.api, ("%s: the function returned %s, expected a number"):format(field, got), r.at)
+      sys.fail(r.api, ("%s: expected the function to return a number, got %s"):format(field, got), r.at)
     end
     return n
   end
@@ -120,7 +120,7 @@ local function value(line, p)
   if type(line.value) == "function" then
     local n = line.value(p)
     if n == nil or type(n) == "boolean" or type(n) == "number" then return n end
-    local text = '"%s": the function returned %s, expected a number or true'
+    local text = '"%s": expected the function to return a number or true, got %s'
     sys.fail(line.api, text:format(line.label, type(n)), line.at)
   end
   return read(line.value, p, line)

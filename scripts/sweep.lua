@@ -12,7 +12,7 @@ local function placed(a)
     if way then ways = ways + 1 end
   end
   if ways ~= 1 or not (xy or a.from or a.follow) then
-    sys.fail("bullet.sweep", "place: expected x and y, or from (a thing), or follow (a thing)")
+    sys.fail("bullet.sweep", "place: expected `x` and `y`, or `from` (a thing), or `follow` (a thing)")
   end
   if a.follow then return a.follow.alive and { from = a.follow, dx = a.dx, dy = a.dy } end
   if xy then return { x = within(a.x + a.dx), y = within(a.y + a.dy) } end

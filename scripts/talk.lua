@@ -49,7 +49,7 @@ local function passed() return stage.skipping() or sys.skipping() end
 local function begin(a)
   if not sys.task() then sys.fail("talk.run", "only a task can talk; start one with task.go") end
   if now and task.alive(now.task) then
-    sys.fail("talk.run", "a talk is already running; call say and choose in it (a phase { talk = f } runs one)")
+    sys.fail("talk.run", "a talk is already running; call `say` and `choose` in it (a phase { talk = f } runs one)")
   end
   local t = sys.read("talk/box")(talk.look, a.skip, fire)
   t.task = sys.task()
@@ -101,11 +101,11 @@ end
 
 function sys.say(who, words, args)
   if words == nil and type(who) == "string" and not talkers[who] then
-    sys.fail("say", ("expected a talker and a text; for no talker write say(nil, \"%s\")"):format(who))
+    sys.fail("say", ("expected a speaker and a text; for no speaker, write say(nil, \"%s\")"):format(who))
   end
   local a = sys.check("say", who, words, args)
   local talker = a.who and talkers[a.who]
-  if a.who and not talker then sys.unknown("say", "talker", a.who, names) end
+  if a.who and not talker then sys.unknown("say", "speaker", a.who, names) end
   if a.face and not (talker and talker.faces and talker.faces[a.face]) then
     sys.unknown("say", ('"%s": face'):format(a.who or "nobody"), a.face, talker and talker.list or {})
   end

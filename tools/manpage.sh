@@ -101,7 +101,7 @@ keys are named by their position on a US keyboard,
 and controller buttons, such as
 .BR pad.south ,
 by their position on the controller.
-The first controller used is player 1's;
+Player 1 gets the first controller used;
 press START on another one to join as player 2.
 END
 part 'Keys' | columns | entries

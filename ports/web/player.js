@@ -60,7 +60,7 @@ function recall(key) {
   try { return localStorage.getItem('curtain.' + key) } catch { return null }
 }
 function keep(key, value) {
-  try { localStorage.setItem('curtain.' + key, value) } catch { say('This browser stores no settings for this page.') }
+  try { localStorage.setItem('curtain.' + key, value) } catch { say('This browser cannot save settings here.') }
 }
 let toast
 function say(sentence) {
@@ -538,7 +538,7 @@ async function copyLink() {
     base64(packed).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '')
   if (link.length > LINK) return say('This run is too long for a link. Save the recording instead.')
   await navigator.clipboard.writeText(link)
-  say('Copied.')
+  say('Link copied.')
 }
 async function take(file) {
   const bytes = new Uint8Array(await file.arrayBuffer())
@@ -560,7 +560,7 @@ async function fromLink() {
     power(null, await unzipped(unbase64(words.replace(/ /g, '+'))))
     offer()
   } catch (e) {
-    say(`The link: ${e.message}.`)
+    say(`Bad link: ${e.message}.`)
     power(null, null)
   }
 }

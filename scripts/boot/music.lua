@@ -34,7 +34,7 @@ end
 -- The list of the music room; nil: there is none.
 local function room(list)
   local pieces, title, rows = sys.pieces(), {}, {}
-  if list.room and #list > 0 then sys.fail("boot.run", "music: expected room = true or a list of pieces, got both") end
+  if list.room and #list > 0 then sys.fail("boot.run", "music: expected `room = true` or a list of pieces, got both") end
   if list.room then return pieces end
   for _, m in ipairs(pieces) do title[m.name] = m.title end
   for i = 1, #list do

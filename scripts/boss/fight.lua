@@ -129,7 +129,7 @@ end
 -- One boss at a time: a phase's end clears the field, and the hud shows one clock.
 local function claim(now, b)
   if now.task and task.alive(now.task) then
-    sys.fail("boss.fight", ('boss "%s": "%s" is still fighting; for two bosses at once, declare one with cast = { ... }')
+    sys.fail("boss.fight", ('boss "%s": "%s" is still fighting; for two bosses at once, declare one with `cast = { .. }`')
       :format(b.name, now.name))
   end
   now.task, now.name = sys.task(), b.name

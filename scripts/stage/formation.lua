@@ -28,7 +28,7 @@ local function listed(a)
     end
   end
   if #a.formation < a.n then
-    sys.fail("stage.wave", ("formation: expected %d places (n), got %d"):format(a.n, #a.formation))
+    sys.fail("stage.wave", ("formation: expected %d positions (`n`), got %d"):format(a.n, #a.formation))
   end
   return function(i) return a.formation[i + 1][1], a.formation[i + 1][2] end
 end

@@ -28,7 +28,7 @@
 /* What a compiler does not tell by a macro, ieee.h finds when the program runs. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
     defined(__NO_SIGNED_ZEROS__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "build without -ffast-math and its parts: results must be the same everywhere"
+#error "build without -ffast-math and the flags it sets: results must be the same everywhere"
 #endif
 _Static_assert(sizeof 0.1 == sizeof(double),
                "build without -fsingle-precision-constant: results must be the same everywhere");

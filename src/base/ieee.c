@@ -90,16 +90,17 @@ static bool takes_roots(void)
 const char *ieee_fault(void)
 {
     if (!divides())
-        return BUILT "it divides by reciprocals (-freciprocal-math, -funsafe-math-optimizations, -ffast-math)";
+        return BUILT
+            "it multiplies by reciprocals to divide (-freciprocal-math, -funsafe-math-optimizations, -ffast-math)";
     if (!adds())
-        return BUILT "it adds in another order (-fassociative-math, -funsafe-math-optimizations, -ffast-math)";
+        return BUILT "it reorders sums (-fassociative-math, -funsafe-math-optimizations, -ffast-math)";
     if (!multiplies())
-        return BUILT "it adds to products before they are rounded (-ffp-contract=off is missing)";
+        return BUILT "it fuses multiplications and additions (-ffp-contract=off is missing)";
     if (!rounds_once())
         return BUILT "it rounds sums twice (on i386: -msse2 -mfpmath=sse is missing)";
     if (!knows_zero_and_beyond())
-        return BUILT "it does not know -0, nan or infinity (-fno-signed-zeros, -ffinite-math-only, -fno-honor-nans)";
+        return BUILT "it ignores -0, NaN or infinity (-fno-signed-zeros, -ffinite-math-only, -fno-honor-nans)";
     if (!keeps_small())
-        return BUILT "it takes small numbers for 0 (-fdenormal-fp-math, -ffast-math)";
+        return BUILT "it flushes small numbers to 0 (-fdenormal-fp-math, -ffast-math)";
     return takes_roots() ? NULL : BUILT "it estimates square roots (-mrecip, -ffast-math)";
 }

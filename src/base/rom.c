@@ -45,7 +45,7 @@ static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_si
     if (memcmp(p, magic, sizeof magic) != 0)
         return err_set(err, err_size, "not a Curtain ROM");
     if (bytes_get32(p + 8) != ROM_VERSION)
-        return err_set(err, err_size, "ROM format %" PRIu32 " is not known (this program reads %d)", bytes_get32(p + 8),
+        return err_set(err, err_size, "unknown ROM format %" PRIu32 " (this program reads %d)", bytes_get32(p + 8),
                        ROM_VERSION);
     if (bytes_get32(p + 20) != size)
         return err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
@@ -67,7 +67,8 @@ static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_
     if (!rom_name_ok(name_of(rom, i)))
         return err_set(err, err_size, "lump %" PRIu32 ": its name is empty, too long or not plain ASCII", i);
     if (i > 0 && strcmp(name_of(rom, i - 1), name_of(rom, i)) >= 0)
-        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" is not in the order of names", i, name_of(rom, i));
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" is out of order (lumps are sorted by name)", i,
+                       name_of(rom, i));
     return true;
 }
 
@@ -83,7 +84,7 @@ static bool check_data(const struct rom *rom, uint32_t i, size_t *end, char *err
     if (at > rom->size || size > rom->size - at)
         return err_set(err, err_size, "lump %" PRIu32 " \"%s\" runs past the end", i, name);
     if (at < *end)
-        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" overlaps what stands before it", i, name);
+        return err_set(err, err_size, "lump %" PRIu32 " \"%s\" overlaps the lump before it", i, name);
     if (hash_crc32(rom->data + at, size) != bytes_get32(e + 12))
         return err_set(err, err_size, "lump %" PRIu32 " \"%s\" is damaged: its checksum does not match", i, name);
     *end = at + size;

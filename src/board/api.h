@@ -90,11 +90,11 @@ void api_drop_list(lua_State *L, struct board *b, fx x, fx y);
 /* A place: x, y or from, moved by dx, dy: the parameters PLACE, which stand in an entry in this order. */
 enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
 #define PLACE                                                                                                          \
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give x and y, or from"),       \
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give `x` and `y`, or `from`"), \
         PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),                            \
-        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of x and y"),         \
-        PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),           \
-        PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from")
+        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of `x` and `y`"),     \
+        PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `x`, or to the position of `from`"),       \
+        PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `y`, or to the position of `from`")
 enum {
     PLACES = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM | 1 << H_LASER |
              1 << H_OPTION,

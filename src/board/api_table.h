@@ -171,7 +171,7 @@ const struct api_entry *api_entry(int i);
 /* An argument's default as a number. */
 double api_default(const struct api_param *p);
 
-/* What an argument may be, in words: "whole number from 0 to 15 = 0"; with what it is by default, or "(required)". */
+/* What an argument may be, in words: "whole number from 0 to 15 (default 0)"; or "(required)" in the end. */
 void api_param_words(const struct api_param *p, char *out, size_t size);
 
 /* The same of a property: what it reads as, with the range of what is written to it. */

@@ -483,11 +483,10 @@ static void count_steps(struct board *b)
     const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
 
     if (!board_work(b, A_STEP * ran))
-        board_too_much(
-            b,
-            "motions: too many steps in one frame (%llu, of %u bullets, %u shots and %u lasers); add waits to "
-            "their loops or give fewer of them motions",
-            (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
+        board_too_much(b,
+                       "motions: too many steps in one frame (%llu, for %u bullets, %u shots and %u lasers); add waits "
+                       "to their loops or give motions to fewer of these things",
+                       (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
 }
 
 /* Moves, then hits, then what programs fire. For vm_call: a full event list is a fault. */

@@ -29,8 +29,8 @@ static const struct wording wordings[] = {
     { &laser_points_chip, "curve point", "new curves are dropped", "curve_points" },
     { &ml_roots_chip, "BulletML document", "new documents do not start", "bulletml" },
     { &ml_runners_chip, "BulletML runner", "new bullets fly straight", "bulletml" },
-    { &ml_frames_chip, "BulletML call", "further repeats and calls end their actions", "bulletml" },
-    { &ml_params_chip, "BulletML parameter", "further calls end their actions", "bulletml" },
+    { &ml_frames_chip, "BulletML call", "actions end at the next repeat or call", "bulletml" },
+    { &ml_params_chip, "BulletML parameter", "actions end at the next call", "bulletml" },
     { &steps_chip, "motion step", "bullets with a new motion fly straight", "motions" },
 };
 

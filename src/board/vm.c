@@ -228,7 +228,7 @@ static void hint(lua_State *L, const char *message, char *out, size_t size)
     else if (strstr(message, "to call") && api_help_calls(name, calls, sizeof calls))
         snprintf(out, size, " (did you mean %s?)", calls);
     else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
-        snprintf(out, size, " (%s is nil once the thing has despawned; check alive first)", name);
+        snprintf(out, size, " (%s is nil once the thing has despawned; check `alive` first)", name);
 }
 
 /* The likely reason, where calls nest too deeply or a frame does not end. */

@@ -100,13 +100,14 @@ static enum result check_format(struct capture *c)
         return report_line(RESULT_REFUSED, "-o - needs --format: standard output has no file extension");
     if (c->format == FORMATS)
         return report_line(RESULT_REFUSED,
-                           "-o: \"%s\" does not end in .gif .apng .png .y4m .wav .mp4 or .webm (or use --format)",
+                           "-o: expected a name that ends in .gif, .apng, .png, .y4m, .wav, .mp4 or .webm, got \"%s\" "
+                           "(or use --format)",
                            a->out);
     if (through_ffmpeg(c) && c->to_stdout)
         return report_line(RESULT_REFUSED, "-o - cannot be combined with %s, which is written to a file",
                            formats[c->format].name);
     if (c->format == WAV && (a->scale || a->faster))
-        return report_line(RESULT_REFUSED, "%s cannot be combined with wav, which has no picture",
+        return report_line(RESULT_REFUSED, "%s cannot be combined with WAV, which has no picture",
                            a->scale ? "--scale" : "--speed");
     if (through_ffmpeg(c) && !process_is_there("ffmpeg"))
         return report_line(RESULT_HOST,

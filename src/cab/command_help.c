@@ -87,7 +87,7 @@ static bool is_of_tests(const char *name)
 static enum result help_lua(const char *name)
 {
     if (name && is_of_tests(name)) {
-        printf("%s: of test scripts: docs/guide/27-testing.md; curtain help test lists their names\n", name);
+        printf("%s: only for test scripts (docs/guide/27-testing.md; curtain help test lists their functions)\n", name);
         return report_stdout(RESULT_DONE);
     }
     if (name)
@@ -139,12 +139,13 @@ static enum result help_unknown(const char *topic)
 static void help_controls(void)
 {
     say("");
-    say("Keys, and the names to bind them by:");
+    say("Keys and buttons, by the names to use in key bindings:");
     keys_help(own_sealed() ? KEYS_INSIDE : 0, say);
     say("");
-    say("Controllers: the first one used is player 1's; press START on another one to join as player 2.");
-    say("pad. means the player's own controller, pad1. to pad4. a particular one. south is the lower of the four face");
-    say("buttons and east the right one, whatever their labels.");
+    say("Controllers: player 1 gets the first one used; press START on another one to join as player 2.");
+    say("pad. is the player's own controller; pad1. to pad4. are particular controllers. south is the bottom face "
+        "button");
+    say("and east is the right one, whatever their labels.");
     say("");
     say("Settings:");
     config_help(say);

@@ -102,7 +102,7 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
     if (game_files_have(&s->game, path))
         return report_line(RESULT_REFUSED, "-o: %s is a file of the game; choose another folder", path);
     if (r->a->sheet && plat_same(path, r->a->sheet))
-        return report_line(RESULT_REFUSED, "--sheet: %s is also the file of a frame; choose another name", path);
+        return report_line(RESULT_REFUSED, "--sheet: %s is also the name of a frame file; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
     return save(path, png, size);
 }
@@ -262,7 +262,7 @@ enum result headless_hash(const struct args *a)
     bool one = a->n_spans == 1 && a->spans[0].first == a->spans[0].last;
 
     if (a->n_spans && !one && !a->n_traces)
-        return report_line(RESULT_REFUSED, "--frames: hash takes one number, the frames to run");
+        return report_line(RESULT_REFUSED, "--frames: hash takes one number, the number of frames to run");
     if ((r = malloc(sizeof *r)) == NULL)
         return report_line(RESULT_HOST, "out of memory");
     enum result result = unseen_open(r, a);

@@ -25,7 +25,7 @@ struct verify {
     struct replay replay;
     struct demo demo;
     struct demo_writer again; /* of --restamp and --rerecord */
-    char doubt[160];          /* " (recorded on another build)", or nothing */
+    char doubt[160];          /* " (recorded with another game version)", or nothing */
     const char *path;         /* of the demo that is looked at */
     bool batch;               /* names come from standard input */
     uint64_t looked, all;     /* demos so far, and of how many; 0: not known */
@@ -203,7 +203,7 @@ static void say_header(const struct demo *d)
         report_print(", language %s", d->start.lang);
     for (int i = 0; demo_flag_name(i); i++)
         report_print("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
-    report_print("\n  %d parts, %u rows, %u moments\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
+    report_print("\n  %d parts, %u rows, %u markers\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
 }
 
 static void say_more(const struct verify *v, const struct verdict *w)
@@ -355,12 +355,12 @@ static void tell_markers(const struct verify *v, const struct marker_changes *c,
     char text[96];
 
     if (v->demo.format < 3) {
-        tell(t, "; recorded moments unknown");
+        tell(t, "; recorded markers unknown");
         t->same = false;
         return;
     }
     t->same &= c->n == 0;
-    tell(t, c->n ? "; moments: " : "; moments unchanged");
+    tell(t, c->n ? "; markers: " : "; markers unchanged");
     for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
         markers_text(&c->list[i], text, sizeof text);
         tell(t, "%s%s", i ? ", " : "", text);
@@ -413,7 +413,7 @@ static const char *no_rerun(const struct verify *v, const struct rerun *o)
         return "it was recorded with this build";
     if (v->demo.flags & DEMO_TOUCHED)
         return "the board was changed from outside, which a demo does not record";
-    return o->end.kind == VERDICT_FAULT ? "the rest of it would be lost" : NULL;
+    return o->end.kind == VERDICT_FAULT ? "the rest of the run would be lost" : NULL;
 }
 
 static enum result leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
@@ -542,7 +542,7 @@ static enum result verify_all(struct verify *v, const struct args *a)
     v->replay.ticked = tell_progress;
     v->replay.context = v;
     if (a->null && !listed)
-        return report_line(RESULT_REFUSED, "--null is for names on standard input: verify ROM -");
+        return report_line(RESULT_REFUSED, "--null works only with names from standard input: verify ROM -");
     if (!game_open(&v->game, a->words[0], a, err, sizeof err))
         return report_error(err);
     progress_begin();
@@ -558,9 +558,9 @@ static enum result bisect(const struct args *a)
     char err[2200];
 
     if (a->n_words != 2)
-        return report_line(RESULT_REFUSED, "verify --bisect: expected two files printed by hash");
+        return report_line(RESULT_REFUSED, "verify --bisect: expected two outputs of curtain hash");
     if (strcmp(a->words[0], "-") == 0 && strcmp(a->words[1], "-") == 0)
-        return report_line(RESULT_REFUSED, "verify --bisect: only one of the two can be standard input");
+        return report_line(RESULT_REFUSED, "verify --bisect: only one of the outputs can be standard input");
     enum result result = bisect_paths(a->words[0], a->words[1], err, sizeof err);
     if (result > RESULT_DIFFERS)
         return report_line(result, "%s", err);

@@ -58,7 +58,7 @@ static const struct column runner_columns[] = {
     COLUMN(ml_runners, put_vx),
     COLUMN(ml_runners, put_vy),
     REGISTER(ml_runners, serials),
-    DERIVED_REGISTER(ml_runners, n, "how many are in order: the live ones"),
+    DERIVED_REGISTER(ml_runners, n, "the number in order: the live ones"),
     DERIVED_REGISTER(ml_runners, ran, "a count for the guard, rewritten in every frame before it is read"),
 };
 

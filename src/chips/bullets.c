@@ -88,13 +88,13 @@ static const struct column columns[] = {
     GROUP_DERIVED(bullets, next, GROUP_MEET, "rewritten in every frame before hits read it"),
     GROUP_BLOCKS(bullets, met, GROUP_MEET, "rewritten in every frame before hits read it"),
     GROUP_BLOCKS(bullets, taken, GROUP_MEET, "rewritten in every frame before hits read it"),
-    DERIVED(bullets, due, "of idle bullets alone: the low byte of end"),
+    DERIVED(bullets, due, "only for idle bullets: the low byte of end"),
     DERIVED_REGISTERS(bullets, value_start, "set while scripts load, as names are, and never after"),
     DERIVED_REGISTER(bullets, fastest, "a bound of the broad phase: the narrow phase decides what is hit"),
-    DERIVED_REGISTER(bullets, standing, "how many bullets stand, by the column stands"),
+    DERIVED_REGISTER(bullets, standing, "the number of standing bullets, from the column stands"),
     DERIVED_REGISTER(bullets, moved, "a count for benches, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
-    DERIVED_REGISTER(bullets, of_kind, "where a column of their kinds is: follows from where RAM is"),
+    DERIVED_REGISTER(bullets, of_kind, "the address of a column of their kinds: follows from the address of RAM"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)

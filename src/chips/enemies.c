@@ -39,7 +39,7 @@ static const struct column columns[] = {
     DERIVED_REGISTERS(enemies, value_start, "set while scripts load, as names are, and never after"),
     GROUP_COLUMN(enemies, frozen, GROUP_FROZEN),
     GROUP_COLUMN(enemies, stands, GROUP_FROZEN),
-    DERIVED_REGISTER(enemies, standing, "how many enemies stood, by the column stands"),
+    DERIVED_REGISTER(enemies, standing, "the number of standing enemies, from the column stands"),
     DERIVED_REGISTER(enemies, leaving, "rewritten by every move before hits read it"),
     GROUP_COLUMN(enemies, rate, GROUP_BODIES),
     GROUP_COLUMN(enemies, wound, GROUP_BODIES),

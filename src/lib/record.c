@@ -29,7 +29,7 @@ void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size)
 
     if (c->log.full) {
         free(w);
-        err_set(err, err_size, "too many changes of input to record; raise state_room");
+        err_set(err, err_size, "too many input changes to record; raise state_room");
         return NULL;
     }
     board_save(c->board, c->before);

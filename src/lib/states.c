@@ -142,7 +142,7 @@ static bool go(struct curtain *c, struct pads_run pads, const struct from *from,
         for (uint32_t i = 0; i < pads.frames; i++) {
             if (c->log.frames >= from->frame) {
                 if (board_last(c->board)->fault)
-                    return err_set(err, err_size, "the state continues after the game has failed");
+                    return err_set(err, err_size, "the state continues after a fault in the game");
                 lib_keep_key(c);
                 board_tick(c->board, pads.pads);
             }
@@ -163,7 +163,7 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     uint8_t *out = state;
 
     if (c->log.full) {
-        err_set(err, err_size, "too many changes of input for a state of %zu bytes; raise state_room",
+        err_set(err, err_size, "too many input changes for a state of %zu bytes; raise state_room",
                 curtain_state_size(c));
         return 0;
     }
@@ -199,7 +199,7 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
     if (bytes_get32(in + 8) != FORMAT || bytes_get32(in + 36) != 0)
         return err_set(err, err_size, "state format: expected %d, got %u", FORMAT, (unsigned)bytes_get32(in + 8));
     if (bytes_get32(in + 12) != CORE_VERSION)
-        return err_set(err, err_size, "core version of the state: expected %d, got %u", CORE_VERSION,
+        return err_set(err, err_size, "state core version: expected %d, got %u", CORE_VERSION,
                        (unsigned)bytes_get32(in + 12));
     if (bytes_get64(in + 16) != c->game_hash)
         return err_set(err, err_size, "the state belongs to another game or another build of this game");

@@ -215,7 +215,7 @@ static bool track_ok(const struct check *c, int track)
     bool found = loop == 0;
 
     if (at < marks_at(c->t) + TUNE_NAME * (size_t)c->t->marks || at >= c->end)
-        return bad(c, track, "begins nowhere");
+        return bad(c, track, "its start is out of range");
     for (;;) {
         if (at == loop) {
             found = true;
@@ -226,9 +226,9 @@ static bool track_ok(const struct check *c, int track)
         after += ticks;
         const uint8_t *p = c->t->data + at;
         if (p[0] >= TUNE_EVENTS || at + 1 + values_of[p[0]] > c->end || !values_ok(c->t, track, p))
-            return bad(c, track, "an event is not known, or out of range");
+            return bad(c, track, "an event is unknown or out of range");
         if (p[0] == TUNE_END)
-            return found && (loop == 0 || after > 0) ? true : bad(c, track, "its loop has no time");
+            return found && (loop == 0 || after > 0) ? true : bad(c, track, "its loop has no length");
         at += 1u + values_of[p[0]];
     }
 }
@@ -257,7 +257,7 @@ bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
 {
     if (size < TUNE_HEADER + TUNE_TITLE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
         !zero(data + 22, 2))
-        return err_set(err, err_size, "it is no tune of format %d", TUNE_FORMAT);
+        return err_set(err, err_size, "not a tune in format %d", TUNE_FORMAT);
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);
     struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
@@ -269,9 +269,9 @@ bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
         marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "it is shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE))
-        return err_set(err, err_size, "its title is no line of text");
+        return err_set(err, err_size, "its title is not a line of text");
     if (sample_at && !samples_open(data + sample_at, size - sample_at, t.sides))
-        return err_set(err, err_size, "its samples are not good");
+        return err_set(err, err_size, "its samples are invalid");
     for (int i = 0; i < t.insts; i++)
         if (!inst_ok(tune_inst(&t, i), (size_t)(data + c.end - tune_inst(&t, i)), tune_recording(&t)) ||
             !name_ok(inst_sample(tune_inst(&t, i)), INST_NAME))

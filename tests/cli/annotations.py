@@ -198,7 +198,7 @@ WORDS = {
 }
 NAMES = {"a sprite": "sprite_name", "a blend": "blend_name", "a font": "font_name", "a map": "map_name",
          "a sound": "sound_name", "a piece of music": "music_name"}
-LISTS = {"up down left right fire bomb focus special start select": "button_word",
+LISTS = {"up, down, left, right, fire, bomb, focus, special, start or select": "button_word",
          "linear, in, out or both": "ease_word", "back, middle, front or over": "layer_word",
          "middle or front": "spark_layer_word",
          "back or front": "depth_word", "left, center or right": "align_word", "bullet or shot": "shoot_word",
@@ -219,6 +219,7 @@ GIVEN = {"player": "player", "bullet": "bullet", "enemy": "enemy", "item": "item
          "late": "boolean", "id": "string", "won": "boolean", "captured": "boolean", "name": "string",
          "state": '"start"|"clear"', "args": "table", "i": "integer", "run": "table", "stage": "string",
          "row": "integer", "rows": "integer", "damage": "integer", "label": "string"}
+THINGS = {"enemy", "player", "task"}
 MAKERS = ["bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam"]
 
 
@@ -230,8 +231,10 @@ def bare(words):
     """What an argument is, without its meaning, range and default."""
     if words.endswith("]") and "[" in words:
         words = words[words.rindex("[") + 1:-1]
-    words = re.sub(r" (\(required\)|= [^{}]*)$", "", words)
-    words = re.sub(r"^(whole number|whole number or forever|number|\{ first, last \}, whole numbers) "
+    words = re.sub(r" \((required|default [^()]*)\)$", "", words)
+    words = re.sub(r"^colour from 0x\w{6} to 0x\w{6}$", "whole number", words)
+    words = re.sub(r"^whole number from -?\d[^,]*, or forever$", "whole number or forever", words)
+    words = re.sub(r"^(whole number|number|\{ first, last \}, whole numbers) "
                    r"from -?[\d.e+]+ to -?[\d.e+]+.*$", r"\1", words)
     return re.sub(r"^string of \d+ to \d+ bytes$", "string", words)
 
@@ -249,6 +252,8 @@ def type_of(words, help_text="", name=""):
             "%s: %s%s" % (n, GIVEN.get(n, "any"), "?" if n + " may be nil" in help_text else "") for n in names)
     if words in WORDS or words in LISTS:
         return WORDS.get(words) or LISTS[words]
+    if words in THINGS:
+        return words
     if words.startswith("thing"):
         return "|".join(split_words(words[6:])) if words != "thing" else "thing"
     kind = re.match(r"name of an? (\w+) kind$", words)
@@ -417,7 +422,7 @@ class Comparison:
             quoted = list(dict.fromkeys(re.findall(r'"[^"]*"', text)))
             if how == "read" and kind_of == "string" and quoted:
                 kind_of = "|".join(quoted)
-            want = ("nil" in text, kind_of, ("read only: " if how == "read" else "") + text)
+            want = ("nil" in text, kind_of, ("read-only: " if how == "read" else "") + text)
             self.same("%s.%s" % (kind, name), want, got.get(name))
 
     def value(self, name, arguments, text):
@@ -461,11 +466,11 @@ PLANTED = [
     ("a field that must be given", r"@field delay\? integer", "@field delay integer"),
     ("another type", r"@field aim\? boolean", "@field aim? integer"),
     ("a type that nobody declares", r"@field sprite sprite_name", "@field sprite picture_name"),
-    ("another default", r"(@field dir\? number # .*\[degrees) = 90", r"\1 = 0"),
-    ("another range", r"whole number from 0 to 15 = 0", "whole number from 0 to 16 = 0"),
+    ("another default", r"(@field dir\? number # .*\[degrees \(default) 90", r"\1 0"),
+    ("another range", r"whole number from 0 to 15 \(default 0", "whole number from 0 to 16 (default 0"),
     ("another unit", r"(number from -8191 to 8191) px/frame", r"\1 px"),
     ("a word less", r'"none"\|"first"\|"second"\|"both"', '"none"|"first"|"second"'),
-    ("a property that can be written", r"read only: frames since it was fired", "frames since it was fired"),
+    ("a property that can be written", r"read-only: frames since it was fired", "frames since it was fired"),
     ("a property's type", r"@field age integer", "@field age number"),
     ("a property less", r"---@field grazes .*\n", ""),
     ("another result", r"@return bullet # bullet", "@return shot # shot"),

@@ -16,7 +16,7 @@ sed 's/@return bullet/@return/' "$file" >"$scratch/bad.lua"
 refuse "planted, for this script: a type is missing" '"#" is no type' \
     python3 tests/cli/annotations.py "$scratch/bad.lua" docs/reference/api.md
 full() { "$curtain" help lua --annotations >/dev/full; }
-refuse "a disk that is full" "cannot write standard output" full
+refuse "a disk that is full" "cannot write to standard output" full
 refuse "without lua" "--annotations works only with curtain help lua --annotations" "$curtain" help --annotations
 refuse "with a name" "--annotations works only with curtain help lua --annotations" \
     "$curtain" help lua bullet.fire --annotations

@@ -51,45 +51,45 @@ while IFS='|' read -r how sentence; do spoilt "$how" "$sentence"; done <<'HOWS'
 text|not an Aseprite file
 empty|not an Aseprite file
 header|truncated Aseprite file
-bits|Aseprite file with 24 bits per pixel, expected 8, 16 or 32
-frames|Aseprite file with 0 frames, expected 1 to 4096
+bits|the Aseprite file has 24 bits per pixel, expected 8, 16 or 32
+frames|the Aseprite file has 0 frames, expected 1 to 4096
 more_frames|truncated Aseprite file
 size|Aseprite file of 5000x4 pixels, expected 1x1 to 4096x4096
 frame_magic|damaged Aseprite file: frame 1 has no header
 cut|truncated Aseprite file
-chunk_small|damaged Aseprite file: chunk 1 of frame 1 has a wrong size
-chunk_large|damaged Aseprite file: chunk 1 of frame 1 has a wrong size
-chunk_short|damaged Aseprite file: chunk 1 of frame 1 is too short
-layer_kind|damaged Aseprite file: unknown kind of layer 1
-layer_level|damaged Aseprite file: unknown kind of layer 1
+chunk_small|damaged Aseprite file: chunk 1 in frame 1 has the wrong size
+chunk_large|damaged Aseprite file: chunk 1 in frame 1 has the wrong size
+chunk_short|damaged Aseprite file: chunk 1 in frame 1 is too short
+layer_kind|damaged Aseprite file: unknown layer type 1
+layer_level|damaged Aseprite file: unknown layer type 1
 cel_layer|damaged Aseprite file: frame 1 has a cel in layer 8 of 1
-cel_kind|frame 1, layer "ink": unknown kind of cel
+cel_kind|frame 1, layer "ink": unknown cel type
 cel_size|frame 1, layer "ink": a cel of 0x2 pixels is too small
 cel_huge|frame 1, layer "ink": a cel of 65535x65535 pixels is too large
 cel_zlib|frame 1, layer "ink": damaged pixels
 cel_less|frame 1, layer "ink": damaged pixels
 cel_raw|frame 1, layer "ink": damaged pixels
 cel_twice|damaged Aseprite file: frame 1 has two cels in layer "ink"
-link|frame 1, layer "ink": its cel is linked to frame 1, which has none
-link_none|frame 2, layer "ink": its cel is linked to frame 6, which has none
+link|frame 1, layer "ink": its cel is linked to frame 1, which has no cel there
+link_none|frame 2, layer "ink": its cel is linked to frame 6, which has no cel there
 index|sprite "a": frame 1: layer "ink": index 9, but the palette has 3 colours
-palette|Aseprite file with a palette of 0 colours, expected 1 to 65536
-palette_large|Aseprite file with a palette of 65537 colours, expected 1 to 65536
+palette|the Aseprite file has a palette of 0 colours, expected 1 to 65536
+palette_large|the Aseprite file has a palette of 65537 colours, expected 1 to 65536
 tilemap|layer "glow" is a tilemap: convert it to a normal layer
 group|group "all" has its own opacity or blend mode: set them on its layers
 group_blend|group "all" has its own opacity or blend mode: set them on its layers
 soft_light|layer "glow": blend mode "soft light" is not supported: merge the layer with the one below
 hue|layer "glow": blend mode "hue" is not supported: merge the layer with the one below
 blend|layer "glow": blend mode "unknown" is not supported: merge the layer with the one below
-tag|tag "fly" has frames 1 to 5, but the file has 1
-tag_back|tag "fly" has frames 4 to 1, but the file has 1
+tag|tag "fly" covers frames 1 to 5, but the file ends at frame 1
+tag_back|tag "fly" covers frames 4 to 1, but the file ends at frame 1
 blended|sprite "a": match = "index" needs opaque layers in normal mode
 long|sprite "a": its frame durations make 363 pictures, expected at most 256
 five|sprite "a": more than 4 slices named "hit"
 two_boxes|sprite "a": slice "box two": too many shapes: expected one box, one capsule, or circles
 mixed|sprite "a": slice "capsule": too many shapes: expected one box, one capsule, or circles
-box_off|sprite "a": slice "box": its centre is 1,1 px from the origin; a box must be centred on it
-capsule_off|sprite "a": slice "capsule": its centre is 0,-1.5 px from the origin; a capsule must be centred on it
+box_off|sprite "a": slice "box": its centre is 1,1 px from the origin; a box must be centred on the origin
+capsule_off|sprite "a": slice "capsule": its centre is 0,-1.5 px from the origin; a capsule must be centred on
 far|sprite "a": slice "hit" is far outside the picture
 HOWS
 python3 "$repo/tests/cli/art_spoil.py" hidden_tilemap spoilt/art/a.ase
@@ -151,10 +151,11 @@ same "a circle" "12x12, bank 0, origin 6,6; bullet orb: circle 3; player ship: c
 same "at half the size" "6x6, bank 0, origin 3,3; bullet small: circle 1.5" "$(art_of orb_50)"
 same "at three times the size" "36x36, bank 0, origin 18,18; bullet large: circle 9" "$(art_of orb_300)"
 same "as it is in the tag's frame" "12x12, bank 0, origin 6,6; bullet late: circle 2" "$(art_of late)"
-same "odd sides: about the middle" "15x15, bank 0, origin 7,7, 3 frames, every 6; bullet odd: circle 1.5" \
+same "odd sides: about the middle" "15x15, bank 0, origin 7,7, 3 frames, every = 6; bullet odd: circle 1.5" \
     "$(art_of odd)"
-same "a box, about a pivot" "20x30, bank 0, origin 10,17, 3 frames, every 6; enemy foe: box 12 x 18" "$(art_of foe)"
-same "in a part of the canvas" "12x18, bank 0, origin 6,9, 3 frames, every 6; enemy part: box 12 x 18" "$(art_of part)"
+same "a box, about a pivot" "20x30, bank 0, origin 10,17, 3 frames, every = 6; enemy foe: box 12 x 18" "$(art_of foe)"
+same "in a part of the canvas" \
+    "12x18, bank 0, origin 6,9, 3 frames, every = 6; enemy part: box 12 x 18" "$(art_of part)"
 check "a capsule" grep -q 'bullet bar: capsule 10, 2$' <<<"$(art_of bar)"
 check "an upright one" grep -q 'enemy post: capsule 10, 2$' <<<"$(art_of post)"
 check "circles" grep -q 'shot wing: 2 circles$' <<<"$(art_of wing)"
@@ -229,7 +230,7 @@ says_of "a sprite without one" 'bullet.def: hit.sprite: sprite "gone" has no hit
 says_of "no sprite" 'unknown sprite "orbb" (did you mean "orb"?)' \
     'bullet.def("a", { sprite = "orb", hit = { sprite = "orbb" } })'
 says_of "no name" 'hit.sprite: expected' 'bullet.def("a", { sprite = "orb", hit = { sprite = 3 } })'
-says_of "a ship's box" 'one circle at the player'"'"'s position, got another hit shape from "foe"' \
+says_of "a ship's box" 'one circle at the player'"'"'s position, got a different hit shape from "foe"' \
     'player.def("a", { sprite = "orb", hit = { sprite = "foe" } })'
 says_of "a bullet's upright capsule" 'the capsule of "post" is vertical' \
     'bullet.def("a", { sprite = "orb", hit = { sprite = "post" } })'
@@ -242,11 +243,12 @@ says_rom() { # NAME SENTENCE SPRITE
 }
 says_rom "a tag that is not there" 'sprite "gone": no tag "fly"; it has "early", "late"' \
     'sheet = "gone", tag = "fly"'
-says_rom "frames" 'rom.lua: sprites.gone.frames: frames of an .ase come from its tag' \
+says_rom "frames" 'rom.lua: sprites.gone.frames: the frames of an .ase file come from its tag' \
     'sheet = "gone", frames = 2'
 says_rom "outside" 'sprite "gone": 4x8 at 6,0 is outside the canvas of 8x8 pixels' 'sheet = "gone", x = 6, w = 4'
 sed 's/art\/gone.ase/art\/gone.png/' written/rom.lua >hits/rom.lua
-refuse "a tag of a PNG" 'rom.lua: sprites.gone.tag: only an .ase or .aseprite has tags' "$curtain" pack hits -o hits.rom
+refuse "a tag of a PNG" 'rom.lua: sprites.gone.tag: only .ase and .aseprite files have tags' \
+    "$curtain" pack hits -o hits.rom
 
 # ---- sheets matched by index ----
 
@@ -366,7 +368,7 @@ for colour in "5fe3ff 20" "ff6a7a 100" "7dff8a 40" "ffd24a 100" "f2f2ee 500"; do
     same "it has pixels of #${colour% *}" True "$(colour_at "$repo" $colour)"
 done
 sed -i 's/bullet.def/bullet.fire/' hits/main.lua
-refuse "scripts that do not load" "hitboxes are missing: the scripts do not load: main.lua:1: bullet.fire: " \
+refuse "scripts that do not load" "hitboxes are missing because the scripts failed to load: main.lua:1: bullet.fire: " \
     "$curtain" art hits --atlas atlas.png
 same "... and the atlas all the same" False "$(colour_at "$repo" 7dff8a 0)"
 check "the shapes that were drawn are in it" grep -q '^wing: .*; drawn hit: 2 circles$' <("$curtain" art hits 2>.said)
@@ -402,7 +404,7 @@ same "... go on in the next" "100015 100019 000000" "$(sed -n '1p;5p;6p' five.he
 cp p.png retint/art/palette.png
 check "a game takes it" "$curtain" pack retint -o r.rom
 says_palette() { refuse "$1" "$2" "$curtain" palette "${@:3}"; }
-says_palette "too many" "twenty.hex: 20 colours starting at bank 15 need bank 16; the last bank is 15" \
+says_palette "too many" "twenty.hex: 20 colours starting in bank 15 would end in bank 16; the last bank is 15" \
     twenty.hex --bank 15 -o p.png
 says_palette "no bank" "palette: expected --bank N, 0 to 15" three.hex -o p.png
 says_palette "no file" "palette: expected -o FILE.png" three.hex --bank 1
@@ -416,11 +418,11 @@ printf 'GIMP Palette\n1 2 256\n' >bad.gpl
 says_palette "a large number" 'bad.gpl:2: expected red, green and blue from 0 to 255, got "1 2 256"' \
     bad.gpl --bank 1 -o p.png
 printf 'ff0044\n' >bad.gpl
-says_palette "no .gpl" 'bad.gpl:1: expected the line "GIMP Palette"' bad.gpl --bank 1 -o p.png
+says_palette "no .gpl" 'bad.gpl:1: expected "GIMP Palette"' bad.gpl --bank 1 -o p.png
 : >bad.hex
 says_palette "an empty list" 'bad.hex: no colours' bad.hex --bank 1 -o p.png
 yes 010203 | head -n 241 >bad.hex
-says_palette "more than there can be" 'bad.hex:241: more than 240 colours, 15 in each bank' bad.hex --bank 0 -o p.png
+says_palette "more than there can be" 'bad.hex:241: more than 240 colours (15 per bank)' bad.hex --bank 0 -o p.png
 cp faint/art/all.png small.png
 says_palette "a palette that is none" 'small.png: 4x1 pixels, expected 16x16' three.hex --bank 1 -o small.png
 check "and it is as it was" cmp small.png faint/art/all.png

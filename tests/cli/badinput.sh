@@ -50,7 +50,7 @@ bad 'empty file' 'zero.rom: too short for a ROM (0 bytes)' hash zero.rom
 bad 'not a ROM' 'g/art/all.png: not a Curtain ROM' hash g/art/all.png
 cp g.rom other.rom
 printf '\143' | dd of=other.rom bs=1 seek=8 conv=notrunc 2>/dev/null
-bad 'ROM of another format' 'other.rom: ROM format 99 is not known (this program reads 1)' hash other.rom
+bad 'ROM of another format' 'other.rom: unknown ROM format 99 (this program reads 1)' hash other.rom
 cp g.rom damaged.rom
 printf '\1' | dd of=damaged.rom bs=1 seek=5000 conv=notrunc 2>/dev/null
 bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damaged.rom
@@ -215,7 +215,7 @@ art 'the operator ^' \
     bash -c 'echo "print(2 ^ 3)" >main.lua'
 art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua \
     'my file.lua'
-bad 'a file is packed' 'g.rom: is a file; pack takes the folder of a game' pack g.rom
+bad 'a file is packed' "g.rom: is a file; pack takes a game's folder" pack g.rom
 
 # ---- scripts that fail ----
 
@@ -249,9 +249,9 @@ fault 'unknown sprite' 'main.lua:1: bullet.def: unknown sprite "dto" (did you me
 "$curtain" hash g --frames 200 --record a.demo >/dev/null 2>&1 || not_ok 'a demo is recorded'
 cp -r g else
 sed -i 's/"probe"/"else"/' else/rom.lua
-bad 'demo of another game' 'a.demo: demo of another game ("probe", this is "else")' hash else --demo a.demo
-bad 'demo of another game to play' 'a.demo: demo of another game ("probe", this is "else")' play else --demo a.demo
-bad 'demo of another game to verify' 'a.demo: demo of another game ("probe", this is "else")' verify else a.demo
+bad 'demo of another game' 'a.demo: demo for another game ("probe", this is "else")' hash else --demo a.demo
+bad 'demo of another game to play' 'a.demo: demo for another game ("probe", this is "else")' play else --demo a.demo
+bad 'demo of another game to verify' 'a.demo: demo for another game ("probe", this is "else")' verify else a.demo
 cp -r g later
 echo '-- later' >>later/main.lua
 says 'demo of another build plays' 0 'curtain: a.demo: recorded with another game version; playback may diverge' hash \
@@ -304,7 +304,7 @@ bad 'frames below 0' "$frames \"-3\"" hash g --frames -3
 bad 'too many frames' "$frames \"99999999999999999999\"" hash g --frames 99999999999999999999
 bad 'frames backwards' '--frames: 5:1 ends before it starts' render g --frames 5:1
 bad 'frames without a step' "$frames \"1:5:0\"" render g --frames 1:5:0
-bad 'a list for hash' '--frames: hash takes one number, the frames to run' hash g --frames 1,2
+bad 'a list for hash' '--frames: hash takes one number, the number of frames to run' hash g --frames 1,2
 bad 'render without frames' 'render needs --frames (see curtain help render)' render g
 bad 'seed with a letter' "$seed \"1x\"" hash g --seed 1x
 bad 'seed below 0' "$seed \"-1\"" hash g --seed -1
@@ -317,10 +317,12 @@ bad 'a switch with a value' '--verbose takes no value, got "1"' hash g --traceba
 bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g \
     --trace input,bulets
 bad 'a part that is none' '--trace: unknown part "" (hash --parts lists all parts)' hash g --trace input,
-bad 'names that end in NUL, and no names' '--null is for names on standard input: verify ROM -' verify g a.demo -0
+bad 'names that end in NUL, and no names' \
+    '--null works only with names from standard input: verify ROM -' verify g a.demo -0
 bad 'bisect of one' 'verify: expected ROM DEMO... (see curtain help verify)' verify --bisect a.demo
-bad 'bisect of three' 'verify --bisect: expected two files printed by hash' verify --bisect a.demo a.demo a.demo
-bad 'bisect of standard input twice' 'verify --bisect: only one of the two can be standard input' verify --bisect - -
+bad 'bisect of three' 'verify --bisect: expected two outputs of curtain hash' verify --bisect a.demo a.demo a.demo
+bad 'bisect of standard input twice' \
+    'verify --bisect: only one of the outputs can be standard input' verify --bisect - -
 bad 'what a demo holds' '--seed cannot be combined with --demo: the demo sets it' hash g --seed 1 --demo a.demo
 bad 'unknown DIP switch' '--dip: unknown DIP switch "coin" (did you mean "coins"?)' hash g --dip coin=one
 bad 'unknown DIP value' '--dip: coins: unknown value "oen" (did you mean "one"?)' hash g --dip coins=oen
@@ -341,7 +343,7 @@ bad 'help of a Lua name, near one' \
 where() { "$curtain" help lua "$1" | grep -qF "$2"; }
 check 'help of a step' where home 'in each step of motion.def:'
 check 'help of a property' where frozen 'property of an enemy: '
-check 'help of what a script may set' where hud.banks 'plain bright faint alarm'
+check 'help of what a script may set' where hud.banks 'plain, bright, faint, alarm'
 check 'help of the hud' where hud 'hud.centre(row, text,'
 check 'help of a last word of these' where look 'talk.look '
 bad 'help of a value, near one' 'help lua: no entry for "hud.bnaks" (did you mean hud.banks?)' help lua hud.bnaks
@@ -401,9 +403,9 @@ says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register
     --invincible --frames 20
 bad 'no lives' '--lives: expected a whole number from 1 to 99, got "0"' hash s --stage one --lives 0
 bad 'too many lives' '--lives: expected a whole number from 1 to 99, got "100"' hash s --stage one --lives 100
-bad 'lives without a piece' '--lives needs --stage: it applies to practice starts' hash s --lives 3
-bad 'registers without a piece' '--register needs --stage: it applies to practice starts' hash s --register power=3
-bad 'invincible without a piece' '--invincible needs --stage: it applies to practice starts' hash s --invincible
+bad 'lives without a piece' '--lives needs --stage: it applies only to practice starts' hash s --lives 3
+bad 'registers without a piece' '--register needs --stage: it applies only to practice starts' hash s --register power=3
+bad 'invincible without a piece' '--invincible needs --stage: it applies only to practice starts' hash s --invincible
 bad 'a register without a value' '--register: expected NAME=VALUE, got "power"' hash s --stage one --register power
 reg='--register: power: expected a whole number from -2147483647 to 2147483647'
 bad 'a register in letters' "$reg, got \"x\"" hash s \
@@ -475,7 +477,7 @@ host 'unpack into a file' 'file/lumps/gfx/dart: cannot be written (Not a directo
 bad 'unpack over files' 'g/main.lua: already exists' unpack g.rom g
 for command in 'list g' 'hash g --frames 1' 'help' 'version' 'verify g a.demo'; do
     line=$("$curtain" $command 2>&1 >/dev/full)
-    same "standard output is full: $command" '3 curtain: cannot write standard output' "$? $line"
+    same "standard output is full: $command" '3 curtain: cannot write to standard output' "$? $line"
 done
 
 if disk locked size=64k; then

@@ -27,7 +27,7 @@ bad "an element that is none" "2:1: <fyre> is not a BulletML element (did you me
 bad "a type that is none" "2:7: <speed>: type: expected absolute, relative or sequence, got \"x\"" \
     '<fire><speed type="x">1</speed><bullet/></fire>'
 bad "no term" "2:1: <changeSpeed> has no <term>" '<changeSpeed><speed>1</speed></changeSpeed>'
-bad "no number" "2:1: <wait>: no number in it" '<wait/>'
+bad "no number" "2:1: <wait>: expected a number, got nothing" '<wait/>'
 bad "a sign that is none" "2:9: <wait>: expected + - * / or the end, got \"%\"" '<wait>10%3</wait>'
 bad "a label that is not there" '2:1: <actionRef>: no <action label="tap"> (did you mean "top"?)' \
     '<actionRef label="tap"/>'
@@ -52,7 +52,7 @@ cp -r "$gallery" g
 check "check has nothing to say" "$curtain" check g
 sed -i '8s/14/0.5/' g/bulletml/lotus.xml
 refuse "check: what is hardly meant" \
-    "g/bulletml/lotus.xml:8:7: <wait>: 0.5 frames is no wait: the action continues at once" \
+    "g/bulletml/lotus.xml:8:7: <wait>: a wait of 0.5 frames has no effect: the action continues immediately" \
     bash -c "'$curtain' check g | sed 's,^,g/,' ; false"
 sed -i 's/<wait>60/<waits>60/' g/bulletml/clockwork.xml
 sed -i 's/<wait>50</<wait>50%</' g/bulletml/snowfall.xml
@@ -67,12 +67,13 @@ sed -i 's/bullet.documents()/{}/; s/bullet.ml {/print {/' g/main.lua
 same "such a game has none in it" 0 "$("$curtain" list without.rom | grep -c ^bulletml/)"
 rm -r g/bulletml
 sed -i 's/lua_kib = 2048/lua_kib = 2048, bulletml = 64/' g/rom.lua
-refuse "check: room for nothing" 'board.bulletml: no document bulletml/NAME.xml' "$curtain" check g
+refuse "check: room for nothing" \
+    'board.bulletml is set, but the game has no document bulletml/NAME.xml' "$curtain" check g
 
 # ---- curtain bulletml ----
 
-same "what it says" "$gallery/bulletml/gulls.xml: 1 action runs by itself, 6 others, 3 fires, 2 bullets, 51 elements
-  uses \$rank, \$1 to \$2, left for up (horizontal)
+same "what it says" "$gallery/bulletml/gulls.xml: 1 top action, 6 other actions, 3 fires, 2 bullets, 51 elements
+  uses \$rank, \$1 to \$2, left as up (horizontal)
   top actions: top
   other actions: cry
   fires: pair
@@ -83,7 +84,7 @@ refuse "what is wrong" "curtain: bad.xml:2:33: <fyre> is not a BulletML element"
 check "what is hardly meant is no failure" "$curtain" bulletml zero.xml
 says() { "$curtain" bulletml "$@" 2>&1; }
 same "and is told" "zero.xml:2:1: <repeat>: times 0: a repeat runs at least once" "$(says zero.xml | head -n 1)"
-same "one that is wrong does not end it" 1 "$(says bad.xml zero.xml | grep -c 'zero.xml: 1 action runs by itself')"
+same "one that is wrong does not end it" 1 "$(says bad.xml zero.xml | grep -c 'zero.xml: 1 top action')"
 refuse "a file that is not there" "none.xml: no such file" "$curtain" bulletml none.xml
 refuse "--lua is of one" "bulletml: --lua takes one document, got 2" "$curtain" bulletml --lua zero.xml zero.xml
 refuse "no file" "bulletml: expected FILE..." "$curtain" bulletml
@@ -163,7 +164,7 @@ ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_
     $(pkg-config --libs lua5.4) -lm -pthread -ldl
 cd "$scratch" || exit 2
 refuse "without shared libraries a document is refused" \
-    "this build does not load shared libraries; libexpat reads BulletML" \
+    "this build cannot load shared libraries such as libexpat, which reads BulletML" \
     ./plain pack "$gallery" -o plain.rom
 mkdir none
 touch none/libexpat.so.1

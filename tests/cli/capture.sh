@@ -218,12 +218,12 @@ slip() { # WHY WORDS OPTIONS...
     same "... in one line" 1 "$(wc -l <.said)"
 }
 slip "no file" "capture needs -o"
-slip "no format" '-o: "film.avi" does not end in .gif .apng .png' -o film.avi
+slip "no format" '-o: expected a name that ends in .gif, .apng, .png, ' -o film.avi
 slip "standard output" "-o - needs --format" -o -
 slip "an unknown format" '--format: expected gif, apng, y4m, wav, mp4 or webm, got "avi"' --format avi -o film
 slip "a film to standard output" "-o - cannot be combined with webm" --format webm -o -
-slip "sound enlarged" "--scale cannot be combined with wav" --scale 2 -o a.wav
-slip "sound made faster" "--speed cannot be combined with wav" --speed 2 -o a.wav
+slip "sound enlarged" "--scale cannot be combined with WAV" --scale 2 -o a.wav
+slip "sound made faster" "--speed cannot be combined with WAV" --speed 2 -o a.wav
 slip "pieces" "--frames: capture takes one range" --frames 1,2 -o a.gif
 slip "steps" "--frames: capture takes one range" --frames 0:60:2 -o a.gif
 slip "a speed" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "0"' --speed 0 -o a.gif

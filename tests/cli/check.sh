@@ -151,10 +151,10 @@ main.lua:8: no translation for "World" in lang/de.txt
 TEXT
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
 finds 'words without a glyph' tongues <<'TEXT'
-lang/de.txt:2: no font of the game has a glyph for "ü", U+00FC, and 1 more of this text: a box is drawn instead
-lang/de.txt:2: no font of the game has a glyph for "G", U+0047, and 4 more of this text: a box is drawn instead
-lang/fr.txt:1: no font of the game has a glyph for "A", U+0041, and 3 more of this text: a box is drawn instead
-lang/fr.txt:2: no font of the game has a glyph for "M", U+004D, and 4 more of this text: a box is drawn instead
+lang/de.txt:2: no font in the game has a glyph for "ü", U+00FC and 1 more character: a box is drawn instead
+lang/de.txt:2: no font in the game has a glyph for "G", U+0047 and 4 more characters: a box is drawn instead
+lang/fr.txt:1: no font in the game has a glyph for "A", U+0041 and 3 more characters: a box is drawn instead
+lang/fr.txt:2: no font in the game has a glyph for "M", U+004D and 4 more characters: a box is drawn instead
 main.lua:2: no translation for "World" in lang/de.txt
 main.lua:4: no translation for "World" in lang/de.txt
 main.lua:6: no translation for "World" in lang/de.txt
@@ -178,16 +178,16 @@ text.put { col = 1, row = 1, text = "A" }
 local title, note = "弾幕 été", "plain"
 print("弾幕", title, note)
 ----
-main.lua:2: no font of the game has a glyph for "A", U+0041: a box is drawn instead
-main.lua:3: note: no font of the game has a glyph for "弾", U+5F3E, and 3 more of this text; not seen in any run
+main.lua:2: no font in the game has a glyph for "A", U+0041: a box is drawn instead
+main.lua:3: note: no font in the game has a glyph for "弾", U+5F3E and 3 more characters; no run shows it
 1 problem
 LUA
 lua 'titles and spells, which stand in cells' <<'LUA'
 boss.def("b", { title = "弾", kind = "foe", x = 1, y = 1, phases = { { id = "a", spell = "Été 幕", time = 9, hp = 9 } } })
 ----
 main.lua:2: boss.def: unknown enemy kind "foe" (declared: none)
-main.lua:2: no font of the game has a glyph for "弾", U+5F3E: a box is drawn instead
-main.lua:2: no font of the game has a glyph for "É", U+00C9, and 2 more of this text: a box is drawn instead
+main.lua:2: no font in the game has a glyph for "弾", U+5F3E: a box is drawn instead
+main.lua:2: no font in the game has a glyph for "É", U+00C9 and 2 more characters: a box is drawn instead
 3 problems
 LUA
 lua 'spells whose bonus stays, where that of another falls' <<'LUA'
@@ -199,13 +199,13 @@ boss.def("b", { title = "B", kind = "foe", x = 1, y = 1, phases = {
   { id = "d", spell = "Of no worth", time = 9, hp = 9, run = idle },
   { id = "e", bonus = 5, time = 9, hp = 9, run = idle } } })
 ----
-main.lua:5: spell "Stays": its bonus does not decrease like that of other spells (set bonus_to)
+main.lua:5: spell "Stays": its bonus does not decrease, unlike the bonus of other spells (set bonus_to)
 1 problem
 LUA
 lua 'a laser of another shape' <<'LUA'
 laser.def("thin", { strip = "dot", width = 3, hit = { circle = 1 } })
 ----
-main.lua:2: laser.def: hit: expected { share = s }, of its width, 0 to 1, or "none", got a table with key "circle"
+main.lua:2: laser.def: hit: expected { share = s }, s from 0 to 1, or "none", got a table with key "circle"
 1 problem
 LUA
 lua 'lasers' <<'LUA'
@@ -407,7 +407,7 @@ LUA
 lua 'a fault in a line that has another finding' <<'LUA'
 bullet.def("d", { sprite = "dot", hit = { circle = 9 } }) local t = nil print(t.x)
 ----
-main.lua:2: bullet "d": its hit circle of 18 x 18 px is larger than its sprite, "dot" of 8 x 8 px
+main.lua:2: bullet "d": its hit circle (18 x 18 px) is larger than its sprite "dot" (8 x 8 px)
 main.lua:2: attempt to index a nil value (local 't')
 2 problems
 LUA
@@ -631,7 +631,7 @@ LUA
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --record faint/demos/idle.demo >/dev/null 2>&1
 finds 'bullets that cannot be seen' faint <<'END'
-demos/idle.demo: bullets "dot" in bank 0 hardly stand out: 60 of 60, in 6 sampled frames; first at 6, 7 in frame 0
+demos/idle.demo: bullets "dot" in bank 0 are hard to see: 60 of 60 in 6 sampled frames; the first at 6,7 in frame 0
 1 problem
 END
 sed -i 's/layer = "back"/layer = "back", hidden = true/' faint/main.lua
@@ -654,13 +654,13 @@ boot.run { stages = { "night" }, players = { "ship" } }
 LUA
 rm -r faint/demos
 finds 'bullets that cannot be seen in a stage without a demo' faint <<'END'
-night: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; first at 6, 7 in frame 120
+night: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled frames; the first at 6,7 in frame 120
 1 problem
 END
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --stage night --record faint/demos/n.demo >/dev/null 2>&1
 finds 'told once, for the demo' faint <<'END'
-demos/n.demo: bullets "dot" in bank 0 hardly stand out: 50 of 60, in 6 sampled frames; first at 6, 7 in frame 120
+demos/n.demo: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled frames; the first at 6,7 in frame 120
 1 problem
 END
 
@@ -727,7 +727,7 @@ while at < len(data):
 open(sys.argv[2], "wb").write(out)
 PY
 finds 'a demo that does not hold, and its fault' d <<'END'
-demos/fire.demo: differs from frame 61 on (curtain verify d d/demos/fire.demo)
+demos/fire.demo: playback diverges at frame 61 (see curtain verify d d/demos/fire.demo)
 main.lua:1: fired
 2 problems
 END
@@ -739,7 +739,7 @@ END
 sed -i 's/"probe"/"other"/' d/rom.lua
 rm d/demos/fire.demo
 finds 'a demo of another game' d <<'END'
-demos/idle.demo: demo of another game ("probe", this is "other")
+demos/idle.demo: demo for another game ("probe", this is "other")
 1 problem
 END
 
@@ -798,11 +798,11 @@ end
 enemy.def("air", { sprite = "dot", hit = "none" })
 LUA
 finds 'hit shapes larger than pictures' l <<'END'
-main.lua:3: bullet "wide": its hit circle of 8.25 x 8.25 px is larger than its sprite, "dot" of 8 x 8 px
-main.lua:4: bullet "high": its hit box of 8 x 5 px is larger than its sprite, "dart" of 8 x 4 px
-main.lua:6: bullet "long": its hit capsule of 9 x 4 px is larger than its sprite, "dart" of 8 x 4 px
-main.lua:8: shot "many": its hit circles, together of 9 x 2 px are larger than its sprite, "dot" of 8 x 8 px
-rom.lua: enemy "foe 2": its hit capsule of 2 x 6 px is larger than its sprite, "dart" of 8 x 4 px
+main.lua:3: bullet "wide": its hit circle (8.25 x 8.25 px) is larger than its sprite "dot" (8 x 8 px)
+main.lua:4: bullet "high": its hit box (8 x 5 px) is larger than its sprite "dart" (8 x 4 px)
+main.lua:6: bullet "long": its hit capsule (9 x 4 px) is larger than its sprite "dart" (8 x 4 px)
+main.lua:8: shot "many": its combined hit circles (9 x 2 px) are larger than its sprite "dot" (8 x 8 px)
+rom.lua: enemy "foe 2": its hit capsule (2 x 6 px) is larger than its sprite "dart" (8 x 4 px)
 5 problems
 END
 rm -r l
@@ -815,7 +815,7 @@ sed -i 's/bullet.def("orb", {/bullet.def("orb", { blend = "shine", bank = 0,/' r
 same 'a ramp from dark to bright' '0' "$("$curtain" check ramps >/dev/null 2>&1; echo $?)"
 sed -i 's/blend = "shine", bank = 0/blend = "shine", bank = 8/' ramps/main.lua
 finds 'a bank that is none' ramps <<'END'
-main.lua:1: bullet "orb": its blend, "shine", needs ramps, but colour 7 of bank 8 is darker than colour 6
+main.lua:1: bullet "orb": its blend "shine" needs ramps, but colour 7 in bank 8 is darker than colour 6
 1 problem
 END
 rm -r ramps
@@ -889,7 +889,7 @@ echo 'local garcia = require "garcia" print("dot", "dart", garcia.licence)' | ga
 cp garcia.lua unseen/
 got=$("$curtain" check unseen 2>&1)
 same 'text that no run shows is no problem' 0 $?
-check '... but noted' grep -q '^garcia.lua:1: note: no font of the game has a glyph for .*; not seen in any run$' \
+check '... but noted' grep -q '^garcia.lua:1: note: no font in the game has a glyph for .*; no run shows it$' \
     <<<"$got"
 game seen <<'LUA'
 local g = require "garcia" print("dot", "dart")
@@ -897,7 +897,7 @@ task.go(function() wait(30) text.put { col = 1, row = 1, text = g.licence:match 
 LUA
 cp garcia.lua seen/
 finds 'what a run shows is one' seen <<'END'
-garcia.lua:1: no font of the game has a glyph for "í", U+00ED: a box is drawn instead
+garcia.lua:1: no font in the game has a glyph for "í", U+00ED: a box is drawn instead
 1 problem
 END
 
@@ -905,15 +905,15 @@ END
 
 mkdir empty
 refuses 'no such folder' 'none: no such folder' check none
-refuses 'a file' 'd/main.lua: is a file; check takes the folder of a game' check d/main.lua
-refuses 'a folder without rom.lua' 'empty: not the folder of a game: no rom.lua in it' check empty
+refuses 'a file' "d/main.lua: is a file; check takes a game's folder" check d/main.lua
+refuses 'a folder without rom.lua' "empty: not a game's folder: it has no rom.lua" check empty
 refuses 'no word' 'check: expected DIR (see curtain help check)' check
 refuses 'a word too many' 'check: unexpected argument "d" (see curtain help check)' check d d
 refuses 'an option of another command' '--frames does not work with check (only with render, capture, hash, survive)' \
     check d --frames 3
 same 'its help' 'curtain check DIR [OPTIONS]' "$("$curtain" help check | head -1)"
 "$curtain" check d >/dev/full 2>err
-same 'standard output is full' "3 curtain: cannot write standard output" "$? $(cat err)"
+same 'standard output is full' "3 curtain: cannot write to standard output" "$? $(cat err)"
 
 # ---- sounds ----
 
@@ -945,7 +945,7 @@ task.go(function()
 end)
 LUA
 finds 'a mix that is too loud' l <<'EOF'
-600 frames without input: the mix exceeds full scale in 590 of 600 frames, first in 0: too loud
+600 frames without input: the mix exceeds full scale in 590 of 600 frames, first in frame 0: too loud
 1 problem
 EOF
 rm -rf l

@@ -64,7 +64,7 @@ spoil g.rom wide.rom 16 $((size * 1000 + 2000))
 spoil g.rom short.rom 16 100
 spoil g.rom other.rom 40 1234567
 spoil g.rom format.rom 8 9
-too_much="when decompressed: expected 1 to 268435456, and at most 1000 times the file's size"
+too_much="bytes when decompressed: expected 1 to 268435456, and at most 1000 times the file's size"
 while read -r name why; do
     why=${why//TOO/$too_much}
     for command in 'hash FILE --frames 1' 'list FILE' 'unpack FILE out' 'verify FILE g.demo' \
@@ -78,8 +78,8 @@ shorter too short for a compressed ROM (20 bytes)
 spoilt damaged: the checksum does not match
 bomb $size bytes long, but its header says 4294967295 TOO
 wide $size bytes long, but its header says $((size * 1000 + 2000)) TOO
-short damaged: decompressed data has a wrong checksum
-other damaged: decompressed data has a wrong checksum
+short damaged: decompressed data has the wrong checksum
+other damaged: decompressed data has the wrong checksum
 format unknown compression format 9 (this program reads 1)
 EOL
 [ ! -e out ] && ok 'and nothing is written' || not_ok 'something was written'

@@ -73,7 +73,7 @@ assert len(resets) <= 3, "frames whose pads the board forgot, as board.reset doe
 for want in ("holds, %d frames" % len(d["pads"]),
              "format %(format)d, core version %(core)d, Lua %(lua)s, game %(game)016x, ROM %(rom)016x" % d,
              "seed %d, difficulty %d, from %s" % (d["seed"], d["difficulty"], d["mark"] or "power-on"),
-             "%d parts, %d rows, %d moments" % (len(d["parts"]), len(d["rows"]), len(d["moments"]))):
+             "%d parts, %d rows, %d markers" % (len(d["parts"]), len(d["rows"]), len(d["moments"]))):
     assert want in said, want
 assert d["end"] == 0
 END

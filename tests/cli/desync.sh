@@ -109,22 +109,21 @@ pal=$(sed -n '51s/.* pal=\([0-9a-f]*\).*/\1/p' parts) input=$(sed -n '51s/.* inp
 bisect 'several parts, one of them missing' 1 "first difference: frame 50
   input: $input in parts, missing in other
   pal: $pal in parts, 0123456789abcdef in other
-to compare columns and slots, use the output of both builds for: hash ROM --demo DEMO --trace input,pal --frames \
-49:50" \
+to compare columns and slots, run in both builds: hash ROM --demo DEMO --trace input,pal --frames 49:50" \
     parts other
 head -n 100 whole >short
-bisect 'a shorter track' 2 'curtain: short ends in frame 99, whole is longer; they are equal up to there' whole \
+bisect 'a shorter track' 2 'curtain: short ends in frame 99; whole is longer, and both are equal up to there' whole \
     short
-bisect 'a shorter track, first' 2 'curtain: short ends in frame 99, whole is longer; they are equal up to there' \
+bisect 'a shorter track, first' 2 'curtain: short ends in frame 99; whole is longer, and both are equal up to there' \
     short whole
 "$curtain" hash game.rom --demo run.demo --frames 2198:2199 --trace input,player,pal >short 2>/dev/null
-bisect 'a shorter trace' 2 'curtain: short ends in frame 2199, trace is longer; they are equal up to there' trace \
+bisect 'a shorter trace' 2 'curtain: short ends in frame 2199; trace is longer, and both are equal up to there' trace \
     short
 sed 1d whole >other
-bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: the traces are of different frames' whole other
+bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: the traces cover different frames' whole other
 "$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,pal >other 2>/dev/null
 line=$(grep -nm1 ' player ' trace | cut -d: -f1)
-bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: the traces are of different parts" \
+bisect 'other parts' 2 "curtain: trace:$line has part player, other:$line part pal: the traces cover different parts" \
     trace other
 bisect 'a track and a trace' 2 'curtain: whole is a track, trace a trace' whole trace
 : >empty

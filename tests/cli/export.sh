@@ -149,7 +149,7 @@ says 'in place of an older one' 0 '' "$curtain" export lanterns -o game
 says 'where nothing can be written' 3 'curtain: /proc/none/game: cannot be written (No such file or directory)' \
     "$curtain" export lanterns -o /proc/none/game
 says 'by an exported program' 2 \
-    'lanterns: export: this program is Paper \ Lanterns, already exported; use curtain to export' ./keys export lanterns
+    'lanterns: export: this program is an exported game, Paper \ Lanterns; export with curtain' ./keys export lanterns
 says 'by a program without a window' 2 \
     'curtain: export: this program has no window; use curtain, not curtain-null' \
     "$null" export lanterns -o game
@@ -186,11 +186,10 @@ bad() { # NAME LINE ARGUMENT...: of that program
     shift 2
     says "$name" 2 "curtain: $line" "$tool" "$@"
 }
-made='of its installation;'
-bad 'no player' "export: no player.html next to this program or in share/curtain $made run \`make web\` in \
-Curtain's source tree" export lanterns --web
-bad 'no core' "export: no curtain_libretro.so next to this program or in lib/libretro $made run \`make library\` in \
-Curtain's source tree" export lanterns --libretro
+bad 'no player' "export: player.html is not next to this program or in its installed share/curtain; run \`make web\` \
+in Curtain's source tree" export lanterns --web
+bad 'no core' "export: curtain_libretro.so is not next to this program or in its installed lib/libretro; run \
+\`make library\` in Curtain's source tree" export lanterns --libretro
 check '... and nothing was written' test ! -e lanterns.html -a ! -e lanterns_libretro.so
 version=$("$tool" version | sed -n '1s/.*(core \([0-9]*\),.*/\1/p')
 player=$PWD/tree/share/curtain/player.html

@@ -83,11 +83,11 @@ refuse 'planted: other words' 'row ' python3 compare.py g/art/jp.bdf "$repo/test
 echo 'text.line { x = 3, y = 45, text = "潮😀", font = "jp" }' >>g/main.lua
 "$curtain" check g >found
 same 'a character that it lacks' \
-    'main.lua:3: no font of the game has a glyph for "😀", U+1F600: a box is drawn instead' "$(grep glyph found)"
+    'main.lua:3: no font in the game has a glyph for "😀", U+1F600: a box is drawn instead' "$(grep glyph found)"
 sed -i 's/^CHARSET_REGISTRY.*/CHARSET_REGISTRY "JISX0208.1983"/' g/art/jp.bdf
 "$curtain" pack g -o g.rom 2>why
 same 'a font that is not by Unicode' \
-    "curtain: g: art/jp.bdf: line 20: characters in JISX0208.1983-1; expected ISO10646-1 (Unicode), \
+    "curtain: g: art/jp.bdf: line 20: unsupported character set JISX0208.1983-1; expected ISO10646-1 (Unicode), \
 US-ASCII, KOI8-R, FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16" "$(cat why)"
 rm g/art/jp.bdf
 "$curtain" pack g -o g.rom 2>why

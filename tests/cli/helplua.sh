@@ -35,7 +35,7 @@ check "each entry once" once remove
 same "a table lists what it has, and nothing by its text" "" "$(names rng | grep -v '^rng\.')"
 same "an entry's own name shows it alone" "wait(n)" "$(find_word wait | head -1)"
 check "a synonym names the API's word" says homing 'homing: see home'
-check "and its help follows" says homing 'most degrees it turns towards the nearest target per frame'
+check "and its help follows" says homing 'maximum turn per frame towards the nearest target'
 check "split is emit" says split 'fires bullets or shots from where it is'
 check "figure names the patterns" says figure 'figure: see pattern.polygon pattern.star pattern.rose'
 check "pentagon is a polygon" says pentagon 'pattern.polygon{...}'
@@ -49,7 +49,7 @@ synonyms() { # every name in the table is explained
 }
 check "all synonyms lead somewhere" synonyms
 for name in test test.run test.expect run:step run.score; do
-    check "$name is of test scripts" says $name "$name: of test scripts: docs/guide/27-testing.md"
+    check "$name is of test scripts" says $name "$name: only for test scripts (docs/guide/27-testing.md"
 done
 refuse "what is nowhere" 'no entry for "xyzzy"' find_word xyzzy
 refuse "no word at all" 'no entry for ""' find_word ""
@@ -68,7 +68,7 @@ check "the names by task are all there" real $(tasks)
 # shellcheck disable=SC2046
 refuse "planted: one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
 whole() { # what follows is the list of all, from its first entry on
-    [ "$("$curtain" help lua | sed '1,/^  All there is:/d' | grep -c '^[^ ]')" = \
+    [ "$("$curtain" help lua | sed '1,/^  All entries:/d' | grep -c '^[^ ]')" = \
         "$(grep -c '^### ' docs/reference/api.md)" ]
 }
 check "behind them stands the list of all" whole

@@ -29,7 +29,7 @@ explains() { # PAGE: what stands behind an option, a key, a setting, an exit cod
     for words in '--seed N seed of the random streams, 0 to 2^64 - 1' \
         'with --stage: the player cannot be hit [play, render, capture, hash]' \
         'p1.fire z pad.south fire; confirm in menus' 'p2.down s kp5 kp2 pad.down pad.ldown player 2' \
-        'volume 100 (0 to 100) overall volume in percent' '3 a system error'; do
+        'volume 100 (0 to 100) overall volume, in percent' '3 a system error'; do
         case $text in *"$words"*) ;; *) echo "there is no $words"; return 1 ;; esac
     done
 }

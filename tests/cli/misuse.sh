@@ -85,7 +85,8 @@ bad 'render: a frame in place of a picture of the game' \
     render h --frames 1 -o h/art
 check 'it is as it was' cmp bullets.kept h/art/000001.png
 rm -r h
-bad 'render: a sheet in place of a frame' '--sheet: ./000001.png is also the file of a frame; choose another name' \
+bad 'render: a sheet in place of a frame' \
+    '--sheet: ./000001.png is also the name of a frame file; choose another name' \
     render g --frames 1 -o . --sheet ./000001.png
 echo mine >g.rom
 bad 'pack: the default name' 'g.rom: already exists; remove it, or choose another file with -o' pack g

@@ -112,7 +112,7 @@ bad "--from of another command" 2 '--from does not work with pack (only with new
 bad "an option of another command" 2 '--wav does not work with new (only with render, sound)' new a --wav a.wav
 check "nothing of these is there" test ! -e a
 line=$("$curtain" new told 2>&1 >/dev/full)
-same "standard output is full: the game is there, and that is said" '3 curtain: cannot write standard output yes' \
+same "standard output is full: the game is there, and that is said" '3 curtain: cannot write to standard output yes' \
     "$? $line $([ -f told/main.lua ] && echo yes)"
 
 if disk locked size=64k; then
@@ -136,8 +136,8 @@ fi
 cp -r plain copy
 check "a copy is the same game" test "$(ids copy)" = plain
 sed -i 's/id = "plain", //' copy/rom.lua
-missing="rom.lua: no id; the folder's name is used, so a copy under another name loses demos, saves and scores; add \
-id = \"copy\""
+missing="rom.lua: no id; the folder's name is used, so a copy under a different name loses demos, saves and scores; \
+add id = \"copy\""
 same "check says when an id is missing" "$missing"$'\n'"1 problem 1" "$("$curtain" check copy) $?"
 sed -i 's/title = "plain"/id = "copy", &/' copy/rom.lua
 check "and nothing when it is as it says" "$curtain" check copy

@@ -88,10 +88,10 @@ finds "clipping" 'music/x.wav: 750 samples clip, the first at 1.001 s: the recor
     "(1.06 if 1 <= t < 1.5 else 0.5) * $sine" ''
 finds "an offset" 'music/x.wav: its mean is 5.0 % of full scale (DC offset)' "0.05 + 0.5 * $sine" ''
 finds "a click at the loop" \
-    'music/x.wav: its loop clicks: from its end, 3.000 s, to its start, 1.001 s, it jumps by' \
+    "music/x.wav: its loop clicks: from the loop's end (3.000 s) to its start (1.001 s) the signal jumps by" \
     "0.5 * $sine" ', loop = { start = 8008 }'
 finds "a loop that is no whole number of beats" \
-    'music/x.wav: its loop is 2.97 beats long at tempo 89: music.beat drifts away' \
+    'music/x.wav: its loop is 2.97 beats long at tempo 89, so music.beat drifts away' \
     "0.5 * $sine" ', loop = { start = 1, unit = "seconds" }, tempo = 89'
 wav "0.5 * $sine" >g/music/x.wav
 cp "$seeds/mono.flac" g/music/
@@ -114,9 +114,11 @@ ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_
 cd "$scratch" || exit 2
 curtain=$scratch/plain
 check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"
-without='this build does not load shared libraries'
-bad "OGG is refused" "music/loop.ogg: $without; libsndfile reads OGG and FLAC" "a = { file = 'music/loop.ogg' }"
-bad "modules too" "music/tiny.xm: $without; libopenmpt reads tracker modules" "a = { file = 'music/tiny.xm' }"
+without='this build cannot load shared libraries'
+bad "OGG is refused" "music/loop.ogg: $without such as libsndfile, which reads OGG and FLAC" \
+    "a = { file = 'music/loop.ogg' }"
+bad "modules too" "music/tiny.xm: $without such as libopenmpt, which reads tracker modules" \
+    "a = { file = 'music/tiny.xm' }"
 check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
 
 # A machine without the libraries: files that are none are in their place.

@@ -120,7 +120,7 @@ local_is '3, 11, 0, 0'
 aged new.demo lost.was lost untold
 as_they_were old untold two lost
 lost='frame 0: pilots differs'
-late='moments: mark far 41 -> 44, boss queen 51 -> 54, phase bloom 111 -> 114'
+late='markers: mark far 41 -> 44, boss queen 51 -> 54, phase bloom 111 -> 114'
 late="$late, death of player 1 310 -> never and 1 more"
 same_length='length 400 unchanged'
 again 'points and moments' 1 old \
@@ -138,7 +138,7 @@ $same_length$doubt"
 again 'no part with points' 1 lost "rerecorded: $lost; recorded score unknown -> 220; $late; length 400 unchanged$doubt"
 again 'format 2 tells less' 1 two \
     "rerecorded: frame 1: script differs; recorded score unknown -> 220 (known up to frame 0: 0); \
-recorded moments unknown; $same_length$doubt"
+recorded markers unknown; $same_length$doubt"
 as_they_were old
 again 'verbose: all moments' 1 old \
     "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 unchanged$doubt
@@ -151,12 +151,12 @@ local_is '0, 10, 0, 2'
 sed -i 's/frame == 320/frame == 310 + 60 * deaths/' g/main.lua # the same again, told otherwise
 as_they_were old
 again 'hashes alone' 0 old \
-    "rerecorded: frame 320: script, bullets differ; score 200 unchanged; moments unchanged; length 400 unchanged$doubt"
+    "rerecorded: frame 320: script, bullets differ; score 200 unchanged; markers unchanged; length 400 unchanged$doubt"
 
 build=' (recorded with another game version)'
 cp new.demo other.demo
 again 'another build of this core version' 0 other \
-    "rerecorded: frame 320: script, bullets differ; score 200 unchanged; moments unchanged; length 400 unchanged$build"
+    "rerecorded: frame 320: script, bullets differ; score 200 unchanged; markers unchanged; length 400 unchanged$build"
 verified 'another build of this core version' other 400
 
 # ---- faults ----
@@ -169,7 +169,7 @@ again 'the fault it was recorded with' 0 ends \
     "rerecorded: holds, 200 frames, ends in the recorded fault$doubt"
 check 'it ends in it still' cmp ends.demo fault.demo
 as_they_were old
-cut='not rerecorded: the rest of it would be lost'
+cut='not rerecorded: the rest of the run would be lost'
 again 'a fault before its end' 2 old \
     "frame 200: fault that is not in the demo: main.lua:18: the end; length 400 -> 200; $cut$doubt"
 check 'it is left alone' cmp old.demo old.was
@@ -177,12 +177,12 @@ local_is '0, 10, 0, 0'
 as_they_were ends
 gone='the recorded fault does not occur'
 again 'a fault that does not come' 1 ends \
-    "rerecorded: frame 200: $gone; score 100 unchanged; moments unchanged; length 200 unchanged$doubt"
+    "rerecorded: frame 200: $gone; score 100 unchanged; markers unchanged; length 200 unchanged$doubt"
 verified 'a fault that does not come' ends 200
 local_is '0, 11, 0, 0'
 as_they_were ends
 again 'nor does it after a difference' 1 ends \
-    "rerecorded: frame 20: script, player, fix differ; score 100 -> 110; moments unchanged; $gone; \
+    "rerecorded: frame 20: script, player, fix differ; score 100 -> 110; markers unchanged; $gone; \
 length 200 unchanged$doubt"
 sed -i 's/local late/error("at once", 0) local late/' g/main.lua
 as_they_were old
@@ -214,7 +214,7 @@ check 'short: left alone' cmp short.demo short.was
 cp -r g h
 sed -i 's/"probe"/"lanterns"/' h/rom.lua
 as_they_were old
-says 'another game' '2 curtain: old.demo: demo of another game ("probe", this is "lanterns")' "$curtain" verify h \
+says 'another game' '2 curtain: old.demo: demo for another game ("probe", this is "lanterns")' "$curtain" verify h \
     --rerecord old.demo
 check 'another game: left alone' cmp old.demo old.was
 

@@ -61,7 +61,7 @@ check "where bullets go after the ship, nothing is proved" \
     says "so nothing can be proved" --stage cannot_but_reacts --effort 1 -o c.demo
 check "no demo of it" [ ! -e c.demo ]
 check "but a picture" [ -s c.png ]
-check "how far it was to look" says "not over by then" --stage can_rest --frames 60 -o d.demo
+check "how far it was to look" says "the section continues" --stage can_rest --frames 60 -o d.demo
 check "the map" says "map.png" --stage can_zigzag --map map.png -o e.demo
 check "which is a PNG" [ -s map.png ]
 same "its legend has the two colours, each a square of 10 px, and no more" "100 100" "$(python3 - "$repo" <<'PY'
@@ -116,7 +116,7 @@ check "one of the difficulties alone" says "can_gap                  hard" --all
 # ---- bots that fly on ----
 
 check "bots alone: an easier difficulty that is harder" \
-    says "hits a minute, compared with" --all --stage upside_down --bots 8
+    says "hits per minute, compared with" --all --stage upside_down --bots 8
 same "bots alone: and is exit code 1" 1 \
     "$("$curtain" survive planted --all --stage upside_down --bots 8 >/dev/null 2>&1; echo $?)"
 cat >>planted/main.lua <<'LUA'
@@ -145,7 +145,7 @@ same "a stage is flown in parts" "parts parts:rain parts:rest" "$(awk 'NR > 1 { 
 same "before its first mark nobody is hit" 0 "$(awk '$1 == "parts" { print $5 }' said)"
 check "in the rain all are, who fly on and are hit again" [ "$(awk '$1 == "parts:rain" { print $5 }' said)" -gt 16 ]
 same "after it nobody" 0 "$(awk '$1 == "parts:rest" { print $5 }' said)"
-check "one section alone" says "hits a minute:" --stage parts:rain --bots 16
+check "one section alone" says "hits per minute:" --stage parts:rain --bots 16
 "$curtain" survive planted --stage parts:rain --bots 16 --json >said
 same "JSON: the kinds" "4 6 6" "$(grep -o '"of":[0-9]*' said | cut -d: -f2 | xargs)"
 check "JSON: their hits" grep -q '"wander":{"lived":[0-9]*,"of":6,"hits":[1-9][0-9]*,"flown":[1-9]' said

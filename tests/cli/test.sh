@@ -149,12 +149,12 @@ ok    tests/all.lua N frames     T s
       kept tests/golden/fight.hash
       kept tests/golden/newest.png
       | seen by who reads 3
-2 tests: all hold; N frames in T s
+2 tests: all passed; N frames in T s
 exit 0" "$(said --update)"
 same "all holds" "ok    demos/run.demo N frames     T s
 ok    tests/all.lua N frames     T s
       | seen by who reads 3
-2 tests: all hold; N frames in T s
+2 tests: all passed; N frames in T s
 exit 0" "$(said)"
 same "and leaves nothing to look at" "" "$(ls g/tests/failed)"
 same "a kept picture is the frame that render draws" "" \
@@ -177,7 +177,7 @@ same "a picture" "FAILS tests/all.lua N frames     T s
       tests/all.lua:NN: newest: frame 60: 4096 of 4096 pixels differ from tests/golden/newest.png, from 0,0 to \
 63,63
       | seen by who reads 3
-1 test: 0 hold, 1 fails; N frames in T s
+1 test: 0 passed, 1 failed; N frames in T s
 page: g/tests/failed/failed.html
 exit 1" "$(said all | sed -E 's/all.lua:[0-9]+/all.lua:NN/')"
 same "its three pictures" "failed.html newest.difference.png newest.expected.png newest.got.png" \
@@ -380,7 +380,7 @@ wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: no tests/golden
 check "is told" says 'tests/try.lua:1: a: frame 0: duplicate name in this test' try
 for other in one two; do script $other <<<'test.run() test.shot("both")'; done
 check "a name of two tests" says \
-    '^ +tests/golden/both.png is also used by tests/one.lua: pictures and hashes cannot be shared by tests$' one two \
+    '^ +tests/golden/both.png is also used by tests/one.lua: tests cannot share pictures and hashes$' one two \
         --update
 alone
 script try <<<'print("a\27[31mb")'
@@ -405,7 +405,7 @@ same "names choose tests, in whatever form" "ok tests/bomb.lua ok tests/boss.lua
 same "one at a time and eight say the same" "$(said --jobs 1)" "$(said --jobs 8)"
 refuse "no game" "no/such: no such file or folder" "$curtain" test no/such
 "$curtain" pack g -o g.rom
-refuse "a ROM" "g.rom: is a file; test takes the folder of a game" "$curtain" test g.rom
+refuse "a ROM" "g.rom: is a file; test takes a game's folder" "$curtain" test g.rom
 refuse "no folder" "test: expected DIR [NAME...] (see curtain help test)" "$curtain" test
 refuse "jobs that are none" '--jobs: expected a whole number from 1 to 64, got "0"' "$curtain" test g --jobs 0
 refuse "an option of others" "--seed does not work with test (only with play, render, capture, hash, bench, survive)" \

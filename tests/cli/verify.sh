@@ -198,7 +198,7 @@ check 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a
 check 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
 check 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
 "$curtain" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo" -v >out 2>&1
-check 'verbose: of one that holds too' grep -Eqx '  [0-9]+ parts, 11 rows, [0-9]+ moments' out
+check 'verbose: of one that holds too' grep -Eqx '  [0-9]+ parts, 11 rows, [0-9]+ markers' out
 
 # ---- restamp ----
 

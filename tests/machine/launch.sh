@@ -36,7 +36,8 @@ waits() {
 }
 right() { rm -rf g && cp -R right g; }
 says() { # SENTENCE: it, and that it waits, are all that was said
-    [ "$(cat err)" = "$(printf 'curtain: g: %s\ncurtain: g: waiting for a change' "$1")" ] || { cat err; return 1; }
+    [ "$(cat err)" = "$(printf 'curtain: g: %s\ncurtain: g: waiting for a file to change' "$1")" ] ||
+        { cat err; return 1; }
 }
 # The last picture is of a game that has run for a while, and no other than without the detour.
 ran() { [ "$(grep -cxF -f <(tail -n 30 out) straight)" -gt 20 ]; }

@@ -96,7 +96,7 @@ check 'the demo is the same with it' cmp straight.m.demo shown.m.demo
 { keys 20; keys 1 $F3; keys 79; } >script
 KEYS_PPM=100 hears out <script
 check 'piece, bar, beat, tempo and marker can be read' says \
-    'bar 0  beat 3 of 4  tempo 133.25  gain 100%' 'marker "drop"' 'no speaker' \
+    'bar 0  beat 3 of 4  tempo 133.25  gain 100%' 'marker "drop"' 'no sound device' \
     'm1   tide             fm     o5c      0' 'm2'
 { keys 1 $MINUS; keys 1; keys 1 $MINUS; keys 1; } >script
 KEYS_PPM=4 hears out <script
@@ -151,7 +151,7 @@ same 'but to it, and on as before' "$(tail -1 direct)" "$(tail -1 out)"
 
 { keys 20; keys 1 $BACKQUOTE; keys 1; line 'keep 1'; keys 3; } >script
 KEYS_PPM=$(wc -l <script) ./player play g --demo straight.demo <script >out 2>err
-check 'in a playback nothing can be kept' says 'nothing can be saved'
+check 'in a playback nothing can be kept' says 'unavailable while a demo plays'
 
 # ---- the guide ----
 
@@ -161,5 +161,5 @@ sed -n '/^## Console/,/^## [^C]/s/^    //p' "$repo/docs/guide/17-developing.md" 
 mapfile -t want < <(cut -c1-50 session)
 KEYS_PPM=$(wc -l <script) ./player play "$repo/examples/sandbox" --stage try --seed 0 <script >out 2>err
 same 'the guide has lines to try' 6 "$(grep -c '^> ' session)"
-check 'what the guide shows is what comes' says "${want[@]}" 'kept: the demo is touched'
+check 'what the guide shows is what comes' says "${want[@]}" 'the run is marked as touched'
 finish

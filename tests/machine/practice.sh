@@ -132,7 +132,7 @@ same 'and begins with none' "$(cat without)" "$(cat with)"
 mkdir -p data/curtain
 cp before.nv data/curtain/probe.nv
 { weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | plays out
-check 'Start from the Title does, from where they were' refuted "$(cksum <before.nv)" \
+check 'Start from Title does, from where they were' refuted "$(cksum <before.nv)" \
     "$(cksum <data/curtain/probe.nv)"
 cp data/curtain/probe.nv menu.nv
 rm -rf data

@@ -38,12 +38,12 @@ check 'its recording is of the frames up to there' test "$("$curtain" verify g $
 same 'and holds' '1 holds' "$(verdicts | cut -d, -f1)"
 check 'nothing is left to go on with' test ! -e data/curtain/resume/probe.demo
 { begin; keys 250 $Z; } | plays out --seed 6
-same 'one that was left' '0:05 ship normal 2520 left' "$(list | head -1)"
+same 'one that was left' '0:05 ship normal 2520 unfinished' "$(list | head -1)"
 { begin; keys 40 $Z; } | plays out
 { begin; keys 20 $Z; ends; } | plays out
 same 'not those that were left or over in three seconds' 2 "$(list | grep -c .)"
 { begin; keys 20; keys 3 $C $DOWN; keys 9; } | plays out
-same 'but one that ended in a fault' '0:01 ship normal 20 a fault' "$(list | head -1)"
+same 'but one that ended in a fault' '0:01 ship normal 20 script error' "$(list | head -1)"
 same 'whose recording holds, and ends in it' 'holds, 195 frames, ends in the recorded fault' \
     "$("$curtain" verify g "$(newest)" | sed 's/.*: //')"
 { begin; keys 200 $Z; keys 30 $BACKSPACE; keys 60 $Z; ends; } | plays out
@@ -135,7 +135,7 @@ same 'and back at the title the pictures are those of a power-on' "$(part straig
 { begin; keys 200 $Z; keys 1 $ESC; keys 3
     keys 1 $DOWN; keys 3; keys 1 $Z; keys 4; keys 1 $Z; keys 4; keys 1 $Z; keys 60; } |
     plays shown
-same 'who watches in the middle of a run keeps it' '0:04 ship normal 2020 left' "$(list | head -1)"
+same 'who watches in the middle of a run keeps it' '0:04 ship normal 2020 unfinished' "$(list | head -1)"
 check 'and can go on with it' test -s data/curtain/resume/probe.demo
 rm -f data/curtain/resume/probe.demo
 

@@ -57,15 +57,15 @@ same 'with nothing left --resume says that' 'curtain: g: --resume: no unfinished
 again
 { keys 3; keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
 check 'who begins anew is not asked again' test ! -e "$left"
-same 'but the run stays among the replays' '0:06 ship normal 3020 left' "$(list)"
+same 'but the run stays among the replays' '0:06 ship normal 3020 unfinished' "$(list)"
 again
 { begin; keys 60; } | plays out --no-resume
 same '--no-resume asks nothing; when another run has begun the one before is a replay' \
-    '0:06 ship normal 3020 left' "$(list)"
+    '0:06 ship normal 3020 unfinished' "$(list)"
 again
 rm -r $folder
 { keys 3; keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
-same 'also when there was none of it yet, as after a kill' '0:06 ship - 3020 left' "$(list)"
+same 'also when there was none of it yet, as after a kill' '0:06 ship - 3020 unfinished' "$(list)"
 again
 echo 'resume = no' >data/curtain/curtain.conf
 { begin; keys 300 $Z; } | plays out
@@ -101,7 +101,7 @@ PY
 cp $nv foreign
 { keys 100; keys 1 $Z; keys 130 $Z; } | plays out --resume
 check 'saves that came between are not lost to those of the run' cmp -s $nv foreign
-check 'which is said' grep -q "high scores have changed since, so this run's are not saved" err
+check 'which is said' grep -q "high scores have changed since then, so this run's scores are not saved" err
 # A kill leaves saves of up to a second before: these are the run's own.
 again
 python3 - $nv <<'PY'
@@ -186,7 +186,7 @@ check 'nor one that was taken back to before it began' test ! -e $left
 { begin; keys 250 $Z; keys 1 $ESC; keys 3; for _ in 1 2; do keys 1 $UP; keys 2; done; keys 1 $ENTER; keys 3
     keys 1 $DOWN; keys 2; keys 1 $ENTER; keys 60; } | plays out
 check 'nor one that was ended in the menu' test ! -e $left
-same 'which is a replay' '0:05 ship normal 2520 left' "$(list | head -1)"
+same 'which is a replay' '0:05 ship normal 2520 unfinished' "$(list | head -1)"
 
 # ---- two programs at once ----
 
@@ -204,7 +204,7 @@ cp $left later.demo
 exec 3>&-
 wait $first
 same 'two at once: the first says it' \
-    "curtain: Progress is not saved from here on: $scratch/$left: another program has changed it" "$(cat first)"
+    "curtain: Progress is no longer saved: $scratch/$left: another program has changed it" "$(cat first)"
 check '... and the file is the second one'"'"'s' cmp later.demo $left
 same '... both are replays, the first also as the second found it' 3 "$(list | wc -l)"
 

@@ -187,7 +187,7 @@ bad() { # FILE: packs with that as its border
     "$curtain" pack wrong -o bad.rom
 }
 convert -size 40x40 xc:red full.png
-refuse 'a border without a hole is refused' 'art/border.png: a border needs a hole' bad full.png
+refuse 'a border without a hole is refused' 'art/border.png: the border has no hole' bad full.png
 echo 'no picture' >text.png
 refuse 'so is one that is no picture' 'art/border.png: ' bad text.png
 same 'a setting that is none is told' \

@@ -625,8 +625,8 @@ static void test_lumps(void **state)
         { 10, 1, "wrong flag for empty cells" },
         { 10, 2, "its header is out of range" },
         { 2, 5, "bytes long, its header says" },
-        { 16, 4, "cell 0 is tile 4 of 4" },
-        { 17, 1, "cell 0 is tile 256 of 4" },
+        { 16, 4, "cell 0 has tile 4, but the map has 4 tiles" },
+        { 17, 1, "cell 0 has tile 256, but the map has 4 tiles" },
         { 57, 1, "tile 1 does not match the map's flags" },
         { 58, 0, "tile 2 does not match the map's flags" },
         { 60, 49, "tile 0 does not match the map's flags" },
@@ -686,7 +686,7 @@ static void test_said(void **state)
         { "bg.lines(1, { wav = 3, every = 9 })", "bg.lines: unknown argument \"wav\" (did you mean \"wave\"?)" },
         { "bg.lines(1, { 1, 'x' })", "bg.lines: line 2: expected a number from -16383 to 16383 px, got \"x\"" },
         { "bg.plane().fog = { to = 'blue', far = 3 }",
-          "plane: fog: to: expected a colour, 0x000000 to 0xffffff, got \"blue\"" },
+          "plane: fog: to: expected a colour from 0x000000 to 0xffffff, got \"blue\"" },
         { "bg.def('a', print) bg.show('b')", "bg.show: unknown background \"b\" (known: a)" },
     };
     struct board_start start = { .difficulty = -1 };

@@ -532,19 +532,19 @@ static void test_mistakes(void **state)
 {
     (void)state;
     SAYS("enemy.spawn { kind = 'foe', x = 1, follow = foe() }",
-         "enemy.spawn: follow cannot be combined with a place or path");
-    SAYS("enemy.spawn { kind = 'foe', x = 1, y = 1, share = 1 }", "enemy.spawn: share: requires follow");
+         "enemy.spawn: `follow` cannot be combined with a position or a path");
+    SAYS("enemy.spawn { kind = 'foe', x = 1, y = 1, share = 1 }", "enemy.spawn: share: requires `follow`");
     SAYS("enemy.spawn { kind = 'foe', follow = foe(), share = 2 }",
          "enemy.spawn: share: expected a number from 0 to 1, got 2");
-    SAYS("foe().dx = 3", "enemy: dx: this enemy is not a part (enemy.spawn { follow = .. } makes one)");
+    SAYS("foe().dx = 3", "enemy: dx: this enemy is not a part (enemy.spawn { follow = .. } spawns one)");
     SAYS("foe().follow = foe()", "enemy: follow is read-only");
     SAYS("foe().rat = 1", "an enemy has no property \"rat\" (did you mean \"rate\"?)");
-    SAYS("foe():move { x = 1, over = 3 }", "enemy:move: expected either x and y or dx and dy");
-    SAYS("foe():orbit { spin = 3 }", "enemy:orbit: expected either around (a thing) or x and y");
+    SAYS("foe():move { x = 1, over = 3 }", "enemy:move: expected either `x` and `y` or `dx` and `dy`");
+    SAYS("foe():orbit { spin = 3 }", "enemy:orbit: expected either `around` (a thing) or `x` and `y`");
     SAYS("local e = foe() e:orbit { around = e, spin = 3 }", "enemy:orbit: around: an enemy cannot orbit itself");
-    SAYS("foe():orbit { x = 1, y = 1, spin = 3, radius_to = 9 }", "enemy:orbit: radius_to: requires over");
+    SAYS("foe():orbit { x = 1, y = 1, spin = 3, radius_to = 9 }", "enemy:orbit: radius_to: requires `over`");
     SAYS("foe():wander { w = 9, h = 9, every = 20, over = 40 }",
-         "enemy:wander: over: expected at most every (20 frames), got 40");
+         "enemy:wander: over: expected at most `every` (20 frames), got 40");
     SAYS("local e = foe() for i = 1, 9 do e = enemy.spawn { kind = 'foe', follow = e } end",
          "enemy.spawn: follow: parts nested more than 8 deep");
     SAYS("enemy.group().share = 1 foe() enemy.group().dx = 3 enemy.group().rate = 0.5 print(enemy.count())", "1\n");
@@ -622,7 +622,7 @@ static void test_formations(void **state)
     forms("n = 2, formation = { { 1, 2 }, { 3, 4.5 } }, dx = 5, dy = 1", "101.00 62.00, 108.00 65.50\n");
     forms("n = 1, formation = { { 20, 2 } }, mirror = true", "120.00 62.00\n");
     forms("n = 1, formation = 'vee'", "stage.wave: unknown formation \"vee\" (known: circle, column, line, v)");
-    forms("n = 2, formation = { { 1, 2 } }", "stage.wave: formation: expected 2 places (n), got 1");
+    forms("n = 2, formation = { { 1, 2 } }", "stage.wave: formation: expected 2 positions (`n`), got 1");
     forms("n = 1, formation = { 1 }", "stage.wave: formation: entry 1: expected { x, y }");
 }
 

@@ -347,9 +347,9 @@ static void test_errors(void **state)
     says("one(phase { safe = 2.5 })",
          "boss.def phase \"a\": safe: expected a whole number from 0 to 65535 frames, got 2.5");
     says("one(phase { armour = 9 })", "boss.def: armour: disabled; add `bodies = true` to `board` in rom.lua");
-    says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is greater than bonus (5)");
+    says("one(phase { bonus = 5, bonus_to = 7 })", "boss.def: phase \"a\": bonus_to: 7 is greater than `bonus` (5)");
     says("one(phase { spell = 'S', cut_in = true })",
-         "boss.def: phase \"a\": cut_in requires a portrait (portrait = SPRITE)");
+         "boss.def: phase \"a\": `cut_in` requires a portrait (`portrait = SPRITE`)");
     says("one(phase { portrait = 'none' })", "boss.def phase \"a\": unknown sprite \"none\" (declare it in rom.lua)");
     says("one({ talk = 3 }, phase {})", "boss.def talk: talk: expected a function, got 3");
     says("one({ talk = idle, id = 'x' }, phase {})", "boss.def talk: unknown argument \"id\" (arguments: talk)");
@@ -374,7 +374,7 @@ static void test_errors(void **state)
          "boss.def: kind: expected a name, got nil");
     says("one(phase {}) alone() alone()",
          "boss.fight: boss \"b\": \"b\" is still fighting; for two bosses at once, declare one with "
-         "cast = { ... }");
+         "`cast = { .. }`");
     says("one(phase {}) task.go(function() boss.history('b', 'aa') end)",
          "boss.history: unknown phase \"aa\" (did you mean \"a\"?)");
     says("one(phase {}) task.go(function() boss.history('b', 'a', { difficulty = 'norml' }) end)",

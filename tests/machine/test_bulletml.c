@@ -728,7 +728,7 @@ static void test_arguments(void **state)
                   "params: expected a list");
     check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, params = { 'a' } }",
                   "params: expected a number");
-    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, steer = true }", "steer: requires from");
+    check_refused("bullet.ml { name = 'doc', kind = 'orb', x = 1, y = 1, steer = true }", "steer: requires `from`");
     rig_script(&g, &m, "bullet.ml { name = 'doc' }");
     rig_power_any(&r, &g, NULL);
     assert_non_null(strstr(rig_fault(&r)->message, "add `bulletml = 1024` to `board`"));

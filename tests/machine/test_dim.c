@@ -209,7 +209,7 @@ static void test_errors(void **state)
          "main.lua:1: sprite.plate: unknown argument \"layer\" (arguments: x, y, w, h, bank, hidden, front, stay)");
     says(PLATE "p.sprite = 'dot'", "main.lua:2: sprite: sprite: a plate has no picture");
     says(PLATE "p.blend = nil", "main.lua:2: sprite: blend: a plate has no picture");
-    says(PLATE "p.dx = 2", "main.lua:2: sprite: dx: the sprite follows nothing; write x and y");
+    says(PLATE "p.dx = 2", "main.lua:2: sprite: dx: the sprite follows nothing; set `x` and `y` instead");
     says(PLATE "local q = p.sprite == nil and p.w == 60 and p.h == 20 and p.blend == nil\n"
                "if q then p:remove() error(tostring(p.w)) end",
          "main.lua:3: nil");

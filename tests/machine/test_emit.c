@@ -174,7 +174,7 @@ static void test_volley_errors(void **state)
         { "pattern.line { kind = 'dot', speed = 1, n = 3, width = 90, x = 16380, y = 1",
           "main.lua:12: bullet.fire: x: expected a number from -16383 to 16383 px, got 16425.0" },
         { "pattern.ring { kind = 'dot', speed = 1, n = 3, x = 1",
-          "main.lua:12: pattern.ring: place: expected either x and y, or from" },
+          "main.lua:12: pattern.ring: place: expected either `x` and `y`, or `from`" },
         { "pattern.fan { kind = 'dot', sped = 1, n = 3, spread = 9, x = 1, y = 2",
           "main.lua:12: pattern.fan: unknown argument \"sped\" (did you mean \"speed\"?)" },
         { "pattern.arc { kind = 'dot', speed = 1, n = -1, sweep = 9, x = 1, y = 2",
@@ -193,7 +193,7 @@ static void test_volley_errors(void **state)
             assert_non_null(rig_fault(&rig));
             const bool own = each && strstr(wrong[i][1], "place:");
             assert_string_equal(rig_fault(&rig)->message,
-                                own ? "main.lua:12: bullet.fire: place: expected either x and y, or from"
+                                own ? "main.lua:12: bullet.fire: place: expected either `x` and `y`, or `from`"
                                     : wrong[i][1]);
             end();
         }
@@ -554,23 +554,24 @@ static void test_errors(void **state)
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'rings', n = 3 } }",
             "pattern: expected one, ring, fan, arc, stack or line, got \"rings\"");
     refused("{ emit = { kind = 'dot', speed = 1, n = 3 } }",
-            "n does not apply to pattern one (did you forget pattern?)");
-    refused("{ emit = { kind = 'dot', speed = 1, pattern = 'ring' } }", "step 1: emit: pattern ring requires n");
+            "`n` does not apply to pattern \"one\" (did you forget `pattern`?)");
+    refused("{ emit = { kind = 'dot', speed = 1, pattern = 'ring' } }", "step 1: emit: pattern \"ring\" requires `n`");
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'fan', n = 3 } }",
-            "step 1: emit: pattern fan requires spread");
+            "step 1: emit: pattern \"fan\" requires `spread`");
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'arc', n = 3, spread = 4 } }",
-            "spread does not apply to pattern arc");
+            "`spread` does not apply to pattern \"arc\"");
     refused("{ emit = { kind = 'dot', speed = 1, pattern = 'ring', n = -1 } }",
             "step 1: emit: n: expected a whole number from 0 to 65535 bullets, got -1");
     refused("{ emit = { kind = 'dot', speed = 'heap' } }", "unknown value \"heap\" (did you mean \"heat\"?)");
-    refused("{ emit = { kind = 'dot', speed = 1, x = 3 } }", "step 1: emit: x is not allowed");
-    refused("{ emit = { kind = 'dot', speed = 1, each = print } }", "each is not allowed");
+    refused("{ emit = { kind = 'dot', speed = 1, x = 3 } }", "step 1: emit: `x` is not allowed");
+    refused("{ emit = { kind = 'dot', speed = 1, each = print } }", "`each` is not allowed");
     refused("{ emit = { kind = 'dot', speed = 1, colour = 3 } }", "step 1: emit: unknown argument \"colour\"");
     refused("{ emit = { kind = 'dot', speed = 1, het = 3 } }", "unknown argument \"het\" (did you mean \"heat\"?)");
     refused("{ emit = { kind = 'dot', speed = 1, motion = 'none' } }", "unknown motion \"none\"");
-    refused("{ emit = { kind = 'bolt', fire = 'shot', speed = 1, delay = 3 } }", "delay does not apply to shots");
-    refused("{ emit = { kind = 'dot', speed = 1 }, turn = 3 }", "turn cannot be combined with emit");
-    refused("{ loop = forever, { emit = { kind = 'dot', speed = 1 } } }", "no step in loop = forever takes time");
+    refused("{ emit = { kind = 'bolt', fire = 'shot', speed = 1, delay = 3 } }", "`delay` does not apply to shots");
+    refused("{ emit = { kind = 'dot', speed = 1 }, turn = 3 }", "`turn` cannot be combined with `emit`");
+    refused("{ loop = forever, { emit = { kind = 'dot', speed = 1 } } }",
+            "with `loop = forever`, at least one step must take time");
     refused("{ wait_for = 3 }", "step 1: wait_for: expected a table");
     refused("{ wait_for = {} }", "wait_for: expected one of x, y, near and tag, got 0");
     refused("{ wait_for = { x = 1, tag = 'a' } }", "wait_for: expected one of x, y, near and tag, got 2");
@@ -579,24 +580,27 @@ static void test_errors(void **state)
     refused("{ wait_for = { x = 1, limits = 3 } }", "unknown argument \"limits\" (did you mean \"limit\"?)");
     refused("{ wait_for = { x = 1, limit = 0 } }",
             "limit: expected forever or a whole number from 1 to 1000000000 frames");
-    refused("{ wait_for = { x = 1 }, bank = 3 }", "bank cannot be combined with wait_for");
+    refused("{ wait_for = { x = 1 }, bank = 3 }", "`bank` cannot be combined with `wait_for`");
     refused("{ loop = forever, { wait_for = { x = 1 } } }",
-            "step 1: infinite loop: no step in loop = forever takes time (wait_for takes no time if its condition "
+            "step 1: infinite loop: with `loop = forever`, at least one step must take time (`wait_for` takes no time "
+            "if its condition "
             "already holds: add { wait = 1 })");
     refused("{ loop = forever, { loop = 3, { orbit = 50, over = 15 }, { turn = 3 } } }",
-            "step 1: infinite loop: no step in loop = forever takes time (orbit takes no time once its thing has "
+            "step 1: infinite loop: with `loop = forever`, at least one step must take time (`orbit` takes no time "
+            "once its thing has "
             "despawned: add { wait = 1 })");
     refused("{ loop = 60000, { loop = 60000, { orbit = 50, over = 15 } } }",
-            "no step in this loop takes time, and it runs too many steps in one frame (orbit takes no time once its "
+            "this loop runs too many steps in one frame; at least one of them must take time (`orbit` takes no time "
+            "once its "
             "thing has despawned: add { wait = 1 })");
     refused("{ orbit = 50, over = 15 }, { loop = forever, { turn = 3 } }",
-            "step 2: infinite loop: no step in loop = forever takes time\n");
+            "step 2: infinite loop: with `loop = forever`, at least one step must take time\n");
     refused("{ path = 3 }", "path: expected a route (from path.def), got 3");
     refused("{ path = {} }", "step 1: path: expected a route (from path.def)");
     refused("{ path = point }", "step 1: path: the route has no length");
-    refused("{ path = route, over = 4 }", "over cannot be combined with path");
-    refused("{ turn = 3, mirror = true }", "mirror requires path");
-    refused("fine = true, { path = route }", "path cannot be used in a fine motion (it is already exact)");
+    refused("{ path = route, over = 4 }", "`over` cannot be combined with `path`");
+    refused("{ turn = 3, mirror = true }", "`mirror` requires `path`");
+    refused("fine = true, { path = route }", "`path` cannot be used in a fine motion (it is already exact)");
 }
 
 int main(void)

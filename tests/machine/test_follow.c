@@ -213,25 +213,26 @@ static void test_errors(void **state)
 {
     (void)state;
     says("sprite.put { sprite = 'dot', x = 1 }",
-         "sprite.put: place: expected x and y, or follow (a thing), got one of x and y");
+         "sprite.put: place: expected `x` and `y`, or `follow` (a thing), got only one of `x` and `y`");
     says("sprite.put { sprite = 'dot', x = 1, y = 2, follow = player.get(1) }",
-         "sprite.put: place: expected x and y, or follow (a thing), got both");
-    says("sprite.put { sprite = 'dot', x = 1, y = 2, dx = 3 }", "sprite.put: dx, dy: require follow");
+         "sprite.put: place: expected `x` and `y`, or `follow` (a thing), got both");
+    says("sprite.put { sprite = 'dot', x = 1, y = 2, dx = 3 }", "sprite.put: dx, dy: require `follow`");
     says("sprite.put { sprite = 'dot', follow = player.get(1), screen = true }",
-         "sprite.put: screen cannot be combined with follow");
-    says("sprite.put { sprite = 'dot', x = 1, y = 2 }.dx = 3", "sprite: dx: the sprite follows nothing; write x and y");
+         "sprite.put: `screen` cannot be combined with `follow`");
+    says("sprite.put { sprite = 'dot', x = 1, y = 2 }.dx = 3",
+         "sprite: dx: the sprite follows nothing; set `x` and `y` instead");
     says("sprite.put { sprite = 'dot', follow = enemy.spawn { kind = 'e', x = 1, y = 1 } }.y = 3",
-         "sprite: y: the sprite follows a thing; write dx and dy");
+         "sprite: y: the sprite follows a thing; set `dx` and `dy` instead");
     says("spark.burst { kind = 'k', x = 1, y = 2, to_x = 3 }",
-         "spark.burst: shape: expected radius, or to_x and to_y, or neither");
+         "spark.burst: shape: expected `radius`, or `to_x` and `to_y`, or neither");
     says("spark.burst { kind = 'k', x = 1, y = 2, to_x = 3, to_y = 4, radius = 4 }",
-         "spark.burst: shape: expected radius, or to_x and to_y, or neither");
+         "spark.burst: shape: expected `radius`, or `to_x` and `to_y`, or neither");
     says("spark.def('q', { sprite = 'dot', life = 5, banks = {} })",
          "spark.def: banks: expected a list of 1 to 8 banks");
     says("spark.def('q', { sprite = 'dot', life = 5, banks = { 1, 16 } })",
          "spark.def: banks: expected a whole number from 0 to 15, got 16");
     says("spark.def('q', { sprite = 'dot', life = 5, bank = 1, banks = { 1, 2 } })",
-         "spark.def: expected bank or banks, got both");
+         "spark.def: expected either `bank` or `banks`, got both");
     says("spark.trail { kind = 'k', every = 2 }", "spark.trail: follow: expected a thing with a position, got nil");
 }
 

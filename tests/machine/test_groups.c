@@ -310,30 +310,33 @@ static void test_words(void **state)
 {
     (void)state;
     SAYS("bullet.clear { x = 1, y = 2 }",
-         "bullet.clear: shape: expected radius, or w and h, or to_x, to_y and width, got only a place");
-    SAYS("bullet.clear { radius = 2 }", "bullet.clear: place: expected x and y, or from (a thing), got neither");
-    SAYS("bullet.clear { x = 1, radius = 2 }", "bullet.clear: place: expected either x and y, or from");
-    SAYS("bullet.clear { x = 1, y = 2, w = 4 }", "bullet.clear: shape: expected both w and h, got only w");
-    SAYS("bullet.group():clear { x = 1, y = 2, h = 4 }", "group:clear: shape: expected both w and h, got only h");
+         "bullet.clear: shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got only a place");
+    SAYS("bullet.clear { radius = 2 }", "bullet.clear: place: expected `x` and `y`, or `from` (a thing), got neither");
+    SAYS("bullet.clear { x = 1, radius = 2 }", "bullet.clear: place: expected either `x` and `y`, or `from`");
+    SAYS("bullet.clear { x = 1, y = 2, w = 4 }", "bullet.clear: shape: expected both `w` and `h`, got only `w`");
+    SAYS("bullet.group():clear { x = 1, y = 2, h = 4 }", "group:clear: shape: expected both `w` and `h`, got only `h`");
     SAYS("shot.group():clear { x = 1, y = 2, to_x = 4, width = 3 }",
-         "shots:clear: shape: expected all of to_x, to_y and width, got no to_y");
+         "shots:clear: shape: expected all of `to_x`, `to_y` and `width`, got no `to_y`");
     SAYS("bullet.clear { x = 1, y = 2, to_x = 4, to_y = 9 }",
-         "bullet.clear: shape: expected all of to_x, to_y and width, got no width");
+         "bullet.clear: shape: expected all of `to_x`, `to_y` and `width`, got no `width`");
     SAYS("bullet.clear { x = 1, y = 2, radius = 4, w = 9, h = 3 }",
-         "bullet.clear: shape: expected radius, or w and h, or to_x, to_y and width, got arguments of a circle and a "
+         "bullet.clear: shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got arguments of a "
+         "circle and a "
          "box");
     SAYS("bullet.clear { x = 1, y = 2, radius = 4, to_x = 9 }",
-         "bullet.clear: shape: expected radius, or w and h, or to_x, to_y and width, got arguments of a circle and a "
+         "bullet.clear: shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got arguments of a "
+         "circle and a "
          "line");
-    SAYS(
-        "bullet.clear { x = 1, y = 2, w = 4, to_x = 9 }",
-        "bullet.clear: shape: expected radius, or w and h, or to_x, to_y and width, got arguments of a box and a line");
+    SAYS("bullet.clear { x = 1, y = 2, w = 4, to_x = 9 }",
+         "bullet.clear: shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got arguments of a "
+         "box and a line");
     SAYS("bullet.clear { x = 1, y = 2, w = 4, to_x = 9, radius = 1 }",
-         "bullet.clear: shape: expected radius, or w and h, or to_x, to_y and width, got arguments of all three");
+         "bullet.clear: shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got arguments of all "
+         "three");
     SAYS("bullet.clear { x = 1, y = 2, w = 40000, h = 1 }",
          "bullet.clear: w: expected a number from 0 to 32767 px, got 40000");
     SAYS("query.near { what = 'bullet', radius = 3 }",
-         "query.near: place: expected x and y, or from (a thing), got neither");
+         "query.near: place: expected `x` and `y`, or `from` (a thing), got neither");
     SAYS("query.near { what = 'bullet', x = 1, y = 2 }",
          "query.near: radius: expected a number from 0 to 32767 px, got nil");
     SAYS("query.box { what = 'bullet', x = 1, y = 2, w = 3 }",
@@ -348,16 +351,16 @@ static void test_words(void **state)
          "1000, h = 1000 }) e:remove() print(#query.box { what = 'bullet', from = e, w = 1, h = 1 })",
          "1\t0\n0\n");
     SAYS("bullet.sweep { x = 1, radius_to = 3, over = 9 }",
-         "bullet.sweep: place: expected x and y, or from (a thing), or follow (a thing)");
+         "bullet.sweep: place: expected `x` and `y`, or `from` (a thing), or `follow` (a thing)");
     SAYS("bullet.sweep { x = 1, y = 2, from = player.get(1), radius_to = 3, over = 9 }",
-         "bullet.sweep: place: expected x and y, or from (a thing), or follow (a thing)");
+         "bullet.sweep: place: expected `x` and `y`, or `from` (a thing), or `follow` (a thing)");
     SAYS("bullet.sweep { x = 1, y = 2, radius_to = 3 }",
          "bullet.sweep: over: expected a whole number from 1 to 65535 frames, got nil");
     SAYS("bullet.clear { items = 'x' }",
          "bullet.clear: items: items are disabled; add `items = 512` to `board` in rom.lua");
     SAYS("bullet.group():shift(1)", "group:shift: dy: expected a number from -16383 to 16383 px, got nil");
-    SAYS("print(enemy.group('x').hp)", "enemies: hp cannot be read from a group (only count can)");
-    SAYS("print(shot.group('x').age)", "shots: age cannot be read from a group (only count can)");
+    SAYS("print(enemy.group('x').hp)", "enemies: hp cannot be read from a group (only `count` can)");
+    SAYS("print(shot.group('x').age)", "shots: age cannot be read from a group (only `count` can)");
     SAYS("enemy.group('x').speed = 1", "a group of enemies has no property \"speed\"");
     SAYS("shot.group('x').speeed = 1", "a group of shots has no property \"speeed\" (did you mean \"speed\"?)");
     SAYS("enemy.group():aim()", "a group of enemies has no property \"aim\"");

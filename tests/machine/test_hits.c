@@ -449,7 +449,7 @@ static void test_refused(void **state)
         "bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
         "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } }, { circles = { { x, y, r "
         "}, .. } }, { sprite = name } or \"none\"");
-    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 90 } } })", "lies along its dir");
+    refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 90 } } })", "lies along its `dir`");
     refused("bullet.def('a', { sprite = 'dot', hit = { circles = {} } })",
             "hit.circles: expected a list of 1 to 4 circles { x, y, r }");
     refused("enemy.def('a', { sprite = 'dot', hit = { circles = { { 1, 2 } } } })", "hit.circles r: expected");
@@ -459,7 +459,7 @@ static void test_refused(void **state)
     refused("enemy.def('a', { sprite = 'dot', hit = { capsule = { 4, 4, 'x' } } })", "hit.capsule dir: expected");
     refused("for i = 1, 257 do bullet.def('a' .. i, { sprite = 'dot', hit = { circles = { {0, 0, 1}, {0, 0, 1}, {0, 0, "
             "1}, {0, 0, 1} } } }) end",
-            "or all 1024 are declared");
+            "or all 1024 kinds are declared");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 4 } } })", "hit.capsule radius: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { -4, 1 } } })", "hit.capsule length: expected");
     refused("bullet.def('a', { sprite = 'dot', hit = { capsule = { 8000, 4192 } } })",

@@ -578,7 +578,7 @@ static void test_errors(void **state)
     says("a = { label = 3 }", "player.def: registers.a.label: expected a string, got 3");
     says("a = { show = 'bars' }",
          "player.def: registers.a.show: expected none, number, icons, bar or times, got \"bars\"");
-    says("a = { show = 'bar' }", "player.def: registers.a: show = \"bar\" requires max");
+    says("a = { show = 'bar' }", "player.def: registers.a: `show = \"bar\"` requires `max`");
     says("a = { start = -1 }", "player.def: registers.a: start -1 is less than min 0");
     says("a = 1.5", "player.def: registers.a: expected a whole number from 0 to 2147483647, got 1.5");
     says("x = 1", "player.def: registers: \"x\" is already a property of players");

@@ -559,7 +559,7 @@ static void test_refused(void **state)
           "enemy.spawn: drops: expected { NAME = n }, got a list" },
         { "item.drop { kind = 'foe', x = 1, y = 1 }",
           "item.drop: unknown item kind \"foe\" (found enemy kind \"foe\")" },
-        { "print(item.group().x)", "items: x cannot be read from a group (only count can)" },
+        { "print(item.group().x)", "items: x cannot be read from a group (only `count` can)" },
     };
 
     (void)state;

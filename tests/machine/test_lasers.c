@@ -866,13 +866,13 @@ static void test_faults(void **state)
     fault("laser.beam { kind = 'ray', x = 1, y = 1, length = 9 }",
           "laser.beam: hold: expected forever or a whole number from 0 to 1000000000 frames, got nil");
     fault("laser.beam { kind = 'ray', x = 1, follow = p, length = 9, hold = 2 }",
-          "laser.beam: follow cannot be combined with x, y or from");
+          "laser.beam: `follow` cannot be combined with `x`, `y` or `from`");
     fault("laser.beam { kind = 'ray', x = 1, y = 1, turns = true, length = 9, hold = 2 }",
-          "laser.beam: turns: requires follow");
+          "laser.beam: turns: requires `follow`");
     fault("laser.curve { kind = 'ray', x = 1, y = 1, speed = 1, points = 257 }",
           "laser.curve: points: expected a whole number from 2 to 256 frames, got 257");
     fault("laser.curve { kind = 'ray', x = 1, y = 1, speed = 1 }.length = 3",
-          "laser: length: cannot be set on a curve (points sets its length)");
+          "laser: length: cannot be set on a curve (`points` sets its length)");
     for (int i = 0; i < api_things[H_LASER]->n; i++) {
         const struct api_prop *p = &api_things[H_LASER]->props[i];
         char text[200], want[100];
@@ -885,7 +885,7 @@ static void test_faults(void **state)
     }
     fault("pattern.stack { kind = 'ray', fire = 'beam', x = 1, y = 1, n = 3, speed_to = 3, length = 9, hold = 1 }",
           "pattern.stack: fire: this figure sets speeds, and a beam has none");
-    fault("print(laser.group().x)", "lasers: x cannot be read from a group (only count can)");
+    fault("print(laser.group().x)", "lasers: x cannot be read from a group (only `count` can)");
 }
 
 /* Without room there is no table, no memory, and a word that says what to do. */

@@ -393,31 +393,31 @@ static void refused(const char *steps, const char *message)
 static void test_errors(void **state)
 {
     (void)state;
-    refused("{ go_to = { 1, 2 } }", "step 1: go_to requires either over (frames) or speed");
-    refused("{ go_to = { 1, 2 }, over = 3, speed = 2 }", "go_to requires either over (frames) or speed");
-    refused("{ go_to = { 1, 2 }, speed = 2, ease = 'in' }", "ease requires over");
+    refused("{ go_to = { 1, 2 } }", "step 1: `go_to` requires either `over` (frames) or `speed`");
+    refused("{ go_to = { 1, 2 }, over = 3, speed = 2 }", "`go_to` requires either `over` (frames) or `speed`");
+    refused("{ go_to = { 1, 2 }, speed = 2, ease = 'in' }", "`ease` requires `over`");
     refused("{ go_to = { 1, 2 }, speed = 0 }", "speed: expected a number above 0");
     refused("{ go_to = { 1, 2 }, over = forever }", "never arrives");
     refused("{ go_to = { 1 }, over = 3 }", "go_to: expected { x, y }");
     refused("{ go_to = { x = 1, y = 2 }, over = 3 }", "go_to: expected { x, y }");
     refused("{ go_to = { 1, 99999 }, over = 3 }", "step 1: go_to: expected a number from -16383 to 16383 px");
     refused("{ go_to = { 'v', 'quick' }, over = 3 }", "go_to: expected a number or the name of a value");
-    refused("{ go_to = { 1, 2 }, over = 3, turn = 5 }", "turn cannot be combined with go_to");
+    refused("{ go_to = { 1, 2 }, over = 3, turn = 5 }", "`turn` cannot be combined with `go_to`");
     refused("{ go_to = { 1, 2 }, over = 3, wave = 5 }", "go_to and wave cannot be combined");
-    refused("{ polar = 1 }", "polar requires over");
+    refused("{ polar = 1 }", "`polar` requires `over`");
     refused("{ wave = 1, over = 4 }", "wave requires every");
     refused("{ orbit = 1, over = 4 }", "add `around = true` to `board` in rom.lua");
-    refused("{ orbit = 1, at = { 1, 2 }, radius_to = 4, over = forever }", "radius_to with over = forever");
+    refused("{ orbit = 1, at = { 1, 2 }, radius_to = 4, over = forever }", "`radius_to` with `over = forever`");
     refused("{ orbit = -1, at = { 1, 2 }, over = 4 }", "orbit: expected a number from 0 to 8191 px");
-    refused("{ turn = 1, spin = 3 }", "spin requires go_to, polar, wave or orbit");
-    refused("{ speed = 1, over = forever }", "speed with over = forever never arrives");
+    refused("{ turn = 1, spin = 3 }", "`spin` requires `go_to`, `polar`, `wave` or `orbit`");
+    refused("{ speed = 1, over = forever }", "`speed` with `over = forever` never arrives");
     refused("{ loop = 2, { wait = 1 }, spin = 3 }", "spin cannot be combined with loop");
     refused("{ bounce = 0 }", "bounce: expected forever or a whole number from 1 to 65534 times, got 0");
     refused("{ bounce = 2, walls = 'up' }", "walls: expected one or more of \"left right top bottom\", got \"up\"");
     refused("{ bounce = 2, walls = ' ' }", "walls: expected one or more of");
     refused("{ bounce = 2, turn = 1 }", "turn cannot be combined with bounce");
-    refused("{ turn = 2, walls = 'left' }", "walls requires bounce");
-    refused("{ bounce = 2, { loop = 2, { bounce = 1 } } }", "bounce cannot be nested in bounce");
+    refused("{ turn = 2, walls = 'left' }", "`walls` requires `bounce`");
+    refused("{ bounce = 2, { loop = 2, { bounce = 1 } } }", "`bounce` cannot be nested in `bounce`");
     refused("fine = true, { bounce = 2 }", "cannot be used in a fine motion");
     refused("fine = true, { go_to = { 1, 2 }, over = 3 }", "cannot be used in a fine motion");
 }

@@ -76,9 +76,9 @@ static void test_properties(void **state)
     faults("text.line { x = 1, y = 1, text = 'a', font = 'tinny' }",
            "main.lua:1: text.line: unknown font \"tinny\" (did you mean \"tiny\"?)");
     faults("local s = sprite.put { sprite = 'dot', x = 1, y = 1 } text.line { follow = s, x = 1, text = 'a' }",
-           "main.lua:1: text.line: follow cannot be combined with x, y or from");
+           "main.lua:1: text.line: `follow` cannot be combined with `x`, `y` or `from`");
     faults("local s = sprite.put { sprite = 'dot', x = 1, y = 1 } text.line { follow = s, screen = true, text = 'a' }",
-           "main.lua:1: text.line: screen cannot be combined with follow");
+           "main.lua:1: text.line: `screen` cannot be combined with `follow`");
     faults("text.line { x = 1, y = 1, text = 'a', width = 7 }",
            "main.lua:1: text.line: width: expected a whole number from 8 to 1024 px, got 7");
 }

@@ -274,7 +274,7 @@ static void test_errors(void **state)
     says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { cast = 3 } })",
          "enemy.def: pictures.cast: expected a sprite name, got 3");
     says("enemy.def('x', { sprite = 'dot', hit = 'none', pictures = { 'dot' } })",
-         "enemy.def: pictures: expected { NAME = sprite }, as { hurt = \"moth_hurt\" }, got a list");
+         "enemy.def: pictures: expected { NAME = sprite }, such as { hurt = \"moth_hurt\" }, got a list");
     says("local t = {} for i = 1, 7 do t['n' .. i] = 'dot' end\n"
          "enemy.def('x', { sprite = 'dot', hit = 'none', pictures = t })",
          "enemy.def: pictures: too many (at most 7)");

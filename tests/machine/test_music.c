@@ -724,7 +724,8 @@ static void test_mistakes(void **state)
     refuses("music.play('boom')", "main.lua:1: music.play: unknown music \"boom\" (it is in `sounds` in rom.lua)");
     refuses("music.play('tide', { at = 'bear' })",
             "main.lua:1: music.play: at: expected \"beat\" or \"bar\", got \"bear\"");
-    refuses("music.play('tide', { at = 'bar', fade = 9 })", "main.lua:1: music.play: expected at or fade, got both");
+    refuses("music.play('tide', { at = 'bar', fade = 9 })",
+            "main.lua:1: music.play: expected either `at` or `fade`, got both");
     refuses("music.play('tide', { fade = 3601 })",
             "main.lua:1: music.play: fade: expected a whole number from 0 to 3600 frames, got 3601");
     refuses("music.play('tide', { fede = 3 })",
@@ -772,7 +773,7 @@ static void test_room_mistakes(void **state)
     refuses(BOOT "{ { nam = 'deep' } } }",
             "main.lua:2: boot.run music: unknown argument \"nam\" (did you mean \"name\"?)");
     refuses(BOOT "{ { name = 'deep' }, room = true } }",
-            "main.lua:2: boot.run: music: expected room = true or a list of pieces, got both");
+            "main.lua:2: boot.run: music: expected `room = true` or a list of pieces, got both");
     refuses(BOOT "{ { name = 'deep', needs = 'all' } } }",
             "main.lua:2: boot.run: unknown unlock \"all\" (known: none)");
     refuses("unlock.def('one', { when = { clear = true } })\n" BOOT "{ { name = 'deep', needs = 'ane' } } }",

@@ -306,7 +306,7 @@ static void test_load(void **state)
     } cases[] = {
         { "wait(1)", "task.go" },           { "wait_until(function() return true end)", "task.go" },
         { "undeclared = 1", "undeclared" }, { "require 'main'", "itself" },
-        { "error 'plain'", "plain" },       { "by_difficulty { normal = 1 }", "where the game runs" },
+        { "error 'plain'", "plain" },       { "by_difficulty { normal = 1 }", "during the game" },
     };
 
     (void)state;

@@ -187,7 +187,7 @@ static void the_thing_under_the_mouse_is_told(void **state)
     check_thing(t, 70, 35, enemy);
     check_thing(t, 100, 150, player);
     rig_run(&t->r, 250);
-    static const char *const orphan[] = { "by     task 1, over", NULL };
+    static const char *const orphan[] = { "by     task 1, ended", NULL };
     check_thing(t, 181, 201, orphan);
     draw(t, 0, 320, 120, 270);
     assert_false(sees(t, "kind"));
@@ -489,7 +489,7 @@ static void what_cannot_be_kept_is_not(void **state)
     assert_false(console_kept(&t->c));
     assert_true(board_hash(t->r.b) == hash);
     draw_console(t);
-    must_see(t, "nothing can be saved");
+    must_see(t, "unavailable while a demo plays");
     console_poll(&t->c, &in, &k, NULL, true); /* no board any more */
     assert_false(t->c.open);
     k.pressed = k.held = 1u << CAB_CONSOLE;

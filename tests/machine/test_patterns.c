@@ -464,11 +464,12 @@ static void test_errors(void **state)
          "main.lua:2: pattern.ring: expected a table of named arguments, got an enemy");
     says("task.own(enemy.spawn { kind = 'foe', x = 9, y = 9 }, pattern.ring, {" DOT "n = 3 })",
          "main.lua:2: pattern.ring: expected a table of named arguments, got an enemy (a task passes its owner as the "
-         "first argument: write function(e) ... end)");
+         "first argument: write `function(e) ... end`)");
     says(RING "fire = 'bomb' }",
          "main.lua:2: pattern.ring: fire: expected bullet, shot, bolt, curve or beam, got \"bomb\"");
     says(RING "fire = 'shot' }", "main.lua:2: pattern.ring: unknown shot kind \"dot\" (found bullet kind \"dot\")");
-    says(RING "by = player.get(1) }", "main.lua:2: pattern.ring: by requires a shot (did you forget fire = \"shot\"?)");
+    says(RING "by = player.get(1) }",
+         "main.lua:2: pattern.ring: `by` requires a shot (did you forget `fire = \"shot\"`?)");
     says("pattern.polygon {" DOT "n = 12, sides = 5 }",
          "main.lua:2: pattern.polygon: n: expected a multiple of 5 (the sides), got 12 (did you "
          "mean 10?)");
@@ -489,7 +490,7 @@ static void test_errors(void **state)
     says("pattern.picture {" DOT "dots = 'x\\tx' }",
          "main.lua:2: pattern.picture: dots: expected rows of ASCII characters, got byte 9");
     says("pattern.line { kind = 'dot', speed = 1, n = 3, width = 9, aim = true }",
-         "main.lua:2: pattern.line: place: expected x and y, or from (a thing), got neither");
+         "main.lua:2: pattern.line: place: expected `x` and `y`, or `from` (a thing), got neither");
 }
 
 int main(void)

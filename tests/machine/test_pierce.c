@@ -298,7 +298,7 @@ static void test_refused(void **state)
     (void)state;
     refuses(false, "pierce = 1", "shot.def: pierce: piercing is disabled; add `pierce = true` to `board` in rom.lua");
     refuses(false, "pierce = 0", "");
-    refuses(true, "every = 3", "shot.def: every: requires pierce");
+    refuses(true, "every = 3", "shot.def: every: requires `pierce`");
     refuses(true, "pierce = -1", "shot.def: pierce: expected forever or a whole number from 0 to 1000000, got -1");
 }
 

@@ -438,7 +438,7 @@ static void bad_edits(void **state)
     keeps(&s, "main.lua:");
     edit("main.lua", "boot.ran", "boot.run");
     edit("rom.lua", "version = 1", "version = 1, id = 'other'");
-    keeps(&s, "folder now has another game");
+    keeps(&s, "folder now contains another game");
     edit("rom.lua", "version = 1, id = 'other'", "version = 1");
     play_to(&s, 2000);
     at(&s, 2000);

@@ -258,7 +258,8 @@ static void test_errors(void **state)
     (void)state;
     fault("bullet.def('a', { sprite = 'dot', hit = 'none', hp = 3 })",
           "main.lua:1: bullet.def: hp: bullet hp is disabled; add `hp = true` to `board` in rom.lua");
-    fault("bullet.def('a', { sprite = 'dot', hit = 'none', score = 3 })", "main.lua:1: bullet.def: score: requires hp");
+    fault("bullet.def('a', { sprite = 'dot', hit = 'none', score = 3 })",
+          "main.lua:1: bullet.def: score: requires `hp`");
     fault("bullet.def('a', { sprite = 'dot', hit = 'none' })\n"
           "bullet.fire { kind = 'a', x = 9, y = 9, speed = 1 }.hp = 3",
           "main.lua:2: bullet: hp: bullet hp is disabled; add `hp = true` to `board` in rom.lua");

@@ -593,7 +593,7 @@ static void says_at_load(const char *line, const char *want)
 static void test_errors(void **state)
 {
     (void)state;
-    says("say('irl', 'A')", "main.lua:2: say: unknown talker \"irl\" (did you mean \"iri\"?)");
+    says("say('irl', 'A')", "main.lua:2: say: unknown speaker \"irl\" (did you mean \"iri\"?)");
     says("say('iri', 'A', { face = 'calmer' })",
          "main.lua:2: say: \"iri\": unknown face \"calmer\" (did you mean \"calm\"?)");
     says("say('iri')", "main.lua:2: say: text: expected a string, got nil");
@@ -607,8 +607,8 @@ static void test_errors(void **state)
     says("talk.run(function() end, { hold = 'al' })",
          "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
     says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
-    says("talk.run(function() talk.run(print) end)",
-         "main.lua:2: talk.run: a talk is already running; call say and choose in it (a phase { talk = f } runs one)");
+    says("talk.run(function() talk.run(print) end)", "main.lua:2: talk.run: a talk is already running; call `say` and "
+                                                     "`choose` in it (a phase { talk = f } runs one)");
     says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
     says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
                  "main.lua:1: talk.def face: unknown sprite \"dto\" (did you mean \"dot\"?)");

@@ -104,8 +104,8 @@ static void test_read_only(void **state)
     SAYS("rom.title = 'x'", "main.lua:2: rom.title is read-only");
     SAYS("rom.field.w = 3", "main.lua:2: rom.field.w is read-only");
     SAYS("rom.new = 3", "main.lua:2: rom.new is read-only");
-    SAYS("print(bullet.group('t').age)", "main.lua:2: group: age cannot be read from a group (only count can)");
-    SAYS("print(bullet.group('t').speed)", "main.lua:2: group: speed cannot be read from a group (only count can)");
+    SAYS("print(bullet.group('t').age)", "main.lua:2: group: age cannot be read from a group (only `count` can)");
+    SAYS("print(bullet.group('t').speed)", "main.lua:2: group: speed cannot be read from a group (only `count` can)");
 }
 
 /* ---- registers ---- */
@@ -165,9 +165,9 @@ static void test_later(void **state)
          "main.lua:2: group:clear: self: expected group, got a player (call it with a colon)");
     SAYS("board.difficulty('esay')", "main.lua:2: board.difficulty: unknown difficulty \"esay\" (in rom.lua: normal)");
     SAYS("board.dip('coin')", "main.lua:2: board.dip: unknown DIP switch \"coin\" (in rom.lua: none)");
-    SAYS("board.live('bulets')", "main.lua:2: board.live: unknown chip \"bulets\" (did you mean \"bullets\"?)");
+    SAYS("board.live('bulets')", "main.lua:2: board.live: unknown pool \"bulets\" (did you mean \"bullets\"?)");
     SAYS("palette.load('dusk')", "main.lua:2: palette.load: unknown palette \"dusk\" (in rom.lua: main, other)");
-    SAYS("say('Hello')", "main.lua:2: say: expected a talker and a text; for no talker write say(nil, \"Hello\")");
+    SAYS("say('Hello')", "main.lua:2: say: expected a speaker and a text; for no speaker, write say(nil, \"Hello\")");
     SAYS("choose('a', 'b')", "main.lua:2: choose: list: expected a list of strings, as in choose { \"YES\", \"NO\" }");
     SAYS("pattern.ring { kind = 'dot', x = 9, y = 9, speed = 1, n = 3, delay = 3, needle = 1 }",
          "main.lua:2: pattern.ring: unknown argument \"needle\" (arguments: n, skip, fire, each, kind, speed, x, y, "
@@ -304,13 +304,13 @@ static void test_fights(void **state)
                           "task.go(function() wait(70)\n"
                           "  boss.fight 'king' end)\n"),
         "main.lua:6: boss.fight: boss \"king\": \"queen\" is still fighting; for two bosses at once, declare one with "
-        "cast = { ... }");
+        "`cast = { .. }`");
     assert_string_equal(
         script_says(QUEEN "task.go(function() boss.fight 'queen' end)\n"
                           "task.go(function()\n"
                           "  boss.fight 'queen' end)\n"),
         "main.lua:6: boss.fight: boss \"queen\": \"queen\" is still fighting; for two bosses at once, declare one with "
-        "cast = { ... }");
+        "`cast = { .. }`");
     /* one after the other; and after one whose task was stopped, in the same frame and later */
     assert_string_equal(script_says(QUEEN "task.go(function() print(boss.fight 'queen', boss.fight 'king') end)\n"),
                         "false\tfalse\n");
@@ -498,7 +498,7 @@ static void test_places(void **state)
         script_says(QUEEN "task.go(boss.fight, 'queen')\n"
                           "task.go(boss.fight, 'king')\n"),
         "main.lua:5: boss.fight: boss \"king\": \"queen\" is still fighting; for two bosses at once, declare one with "
-        "cast = { ... }");
+        "`cast = { .. }`");
     assert_string_equal(script_says("task.go(function() task.go(pattern.ring, { n = 3 }) wait(3) end)"),
                         "main.lua:2: pattern.ring: kind: expected a name, got nil");
 }
@@ -1052,11 +1052,11 @@ static void test_meant(void **state)
     SAYS("board.frame(3)", "main.lua:2: board.frame: expected no arguments, got 1");
     /* a pattern's place is the pattern's */
     SAYS("pattern.ring { n = 3, kind = 'dot', speed = 1, from = nil }",
-         "main.lua:2: pattern.ring: place: expected x and y, or from (a thing), got neither");
+         "main.lua:2: pattern.ring: place: expected `x` and `y`, or `from` (a thing), got neither");
     SAYS("pattern.scatter { n = 3, spread = 3, speed_to = 1, kind = 'dot', speed = 1, from = nil }",
-         "main.lua:2: pattern.scatter: place: expected x and y, or from (a thing), got neither");
+         "main.lua:2: pattern.scatter: place: expected `x` and `y`, or `from` (a thing), got neither");
     SAYS("pattern.star { n = 10, points = 5, kind = 'dot', speed = 1, x = 1, from = p }",
-         "main.lua:2: pattern.star: place: expected either x and y, or from");
+         "main.lua:2: pattern.star: place: expected either `x` and `y`, or `from`");
     SAYS("pattern.whip { n = 3, speed_to = 2, bend = 9, kind = 'dot', x = 1, y = 1, each = print }",
          "main.lua:2: pattern.whip: speed: expected a number of px/frame, got nil");
     SAYS("pattern.stack { n = 3, speed_to = 2, kind = 'dot', x = 1, y = 1, each = print }",
@@ -1068,7 +1068,7 @@ static void test_meant(void **state)
          "main.lua:3: attempt to perform arithmetic on a nil value (field 'x')");
     SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b:remove() print(b.x + 1)",
          "main.lua:2: attempt to perform arithmetic on a nil value (field 'x') (x is nil once the thing has despawned; "
-         "check alive first)");
+         "check `alive` first)");
     /* a global that is none */
     SAYS("local counter = 1 print(conter)", "main.lua:2: undeclared global \"conter\" (did you mean \"counter\"?)");
     SAYS("local counter = 1 conter = counter", "main.lua:2: undeclared global \"conter\" (did you mean \"counter\"?)");

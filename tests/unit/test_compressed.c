@@ -158,7 +158,8 @@ static void test_refused(void **state)
         bytes_put32(p + 16, sizes[i]);
         repair_compressed(p, n);
         snprintf(why, sizeof why,
-                 "%zu bytes long, but its header says %u when decompressed: expected 1 to %d, and at most %d times the "
+                 "%zu bytes long, but its header says %u bytes when decompressed: expected 1 to %d, and at most %d "
+                 "times the "
                  "file's size",
                  n, sizes[i], COMPRESSED_MOST, COMPRESSED_TIMES);
         refused(p, n, why);
@@ -166,13 +167,13 @@ static void test_refused(void **state)
     bytes_put32(p + 16, SIZE);
     bytes_put32(p + 24, bytes_get32(p + 24) + 1);
     repair_compressed(p, n);
-    refused(p, n, "damaged: decompressed data has a wrong checksum");
+    refused(p, n, "damaged: decompressed data has the wrong checksum");
     bytes_put32(p + 24, bytes_get32(p + 24) - 1);
     const uint32_t near[] = { SIZE - 1, 1 };
     for (int i = 0; i < 2; i++) {
         bytes_put32(p + 16, near[i]);
         repair_compressed(p, n);
-        refused(p, n, "damaged: decompressed data has a wrong checksum");
+        refused(p, n, "damaged: decompressed data has the wrong checksum");
     }
     free(p);
 }

@@ -132,7 +132,7 @@ static void test_labels(void **state)
     assert_int_equal(d.node[d.node[ref].target].parent, document_find(&d, NODE_ACTION, "a") - 2);
     assert_int_equal(d.node[ref].target, document_find(&d, NODE_ACTION, "a"));
     assert_string_equal(
-        told, "a.xml:3:43: <action>: duplicate label \"a\": line 3 defines it again, and the last one is used\n");
+        told, "a.xml:3:43: <action>: duplicate label \"a\": line 3 defines it again; the last definition is used\n");
     document_close(&d);
     tells_of(HEAD
              "<action label=\"top\"><actionRef label=\"caf\xc3\xa9\"/></action><action label=\"caf\xc3\xa9\"/>" TAIL,
@@ -267,7 +267,7 @@ static void test_elements(void **state)
     bad(TOP("<bullet/>"), "a.xml:3:21: <bullet> is not allowed in <action>");
     bad(TOP("\n  <direction>1</direction>"), "a.xml:4:3: <direction> is not allowed in <action>");
     bad(TOP("<wait><rand/></wait>"), "a.xml:3:27: <rand> is not a BulletML element");
-    bad(TOP("<wait>1<wait>1</wait></wait>"), "a.xml:3:21: <wait>: no number in it");
+    bad(TOP("<wait>1<wait>1</wait></wait>"), "a.xml:3:21: <wait>: expected a number, got nothing");
     bad(TOP("<wait><wait>1</wait>1</wait>"), "a.xml:3:27: <wait> is not allowed in <wait>");
     bad(TOP("hello"), "a.xml:3:21: <action>: expected elements, got text");
     bad(FIRE("<direction type=\"aims\">1</direction><bullet/>"),
@@ -288,8 +288,8 @@ static void test_missing(void **state)
     bad(TOP("<accel><vertical>1</vertical></accel>"), "a.xml:3:21: <accel> has no <term>");
     bad(TOP("<repeat><action/></repeat>"), "a.xml:3:21: <repeat> has no <times>");
     bad(TOP("<repeat><times>2</times></repeat>"), "a.xml:3:21: <repeat> has no <action> or <actionRef>");
-    bad(TOP("<wait/>"), "a.xml:3:21: <wait>: no number in it");
-    bad(TOP("<wait> \n </wait>"), "a.xml:3:21: <wait>: no number in it");
+    bad(TOP("<wait/>"), "a.xml:3:21: <wait>: expected a number, got nothing");
+    bad(TOP("<wait> \n </wait>"), "a.xml:3:21: <wait>: expected a number, got nothing");
     bad(TOP("<actionRef/>"), "a.xml:3:21: <actionRef> has no label");
     bad(TOP("<fireRef label=\"\"/>"), "a.xml:3:21: <fireRef> has no label");
     bad(TOP("<actionRef label=\"tip\"/>"),
@@ -305,14 +305,13 @@ static void test_missing(void **state)
 static void test_order(void **state)
 {
     (void)state;
-    bad(FIRE("<bullet/><direction>1</direction>"),
-        "a.xml:3:36: <direction> is after the bullet of its <fire>; move it before");
+    bad(FIRE("<bullet/><direction>1</direction>"), "a.xml:3:36: <direction> must be before the bullet in its <fire>");
     bad(FIRE("<bullet/><bullet/>"), "a.xml:3:36: <bullet>: second bullet in one <fire>");
-    bad(FIRE("<speed>1</speed><speed>1</speed><bullet/>"), "a.xml:3:43: <speed>: more than one in <fire>");
+    bad(FIRE("<speed>1</speed><speed>1</speed><bullet/>"), "a.xml:3:43: more than one <speed> in <fire>");
     bad(TOP("<repeat><action/><times>2</times></repeat>"),
-        "a.xml:3:38: <times> is after the action of its <repeat>; move it before");
+        "a.xml:3:38: <times> must be before the action in its <repeat>");
     bad(TOP("<repeat><times>2</times><fire><bullet/></fire></repeat>"),
-        "a.xml:3:45: <fire> is in <repeat> without an <action> around it");
+        "a.xml:3:45: <fire> in <repeat> must be inside an <action>");
     tells_of(FIRE("<speed>1</speed><direction>1</direction><bullet><action/><speed>1</speed></bullet>"), "");
     tells_of(TOP("<changeDirection><term>1</term><direction>1</direction></changeDirection>"
                  "<accel><term>1</term><vertical>1</vertical><horizontal>1</horizontal></accel>"),
@@ -367,7 +366,7 @@ static void test_told(void **state)
              "a.xml:3:21: <repeat>: times 0: a repeat runs at least once\n");
     tells_of(TOP("<repeat><times>1-$rank</times><action/></repeat>"), "");
     tells_of(TOP("<wait>0.9</wait><wait>0</wait>"),
-             "a.xml:3:21: <wait>: 0.9 frames is no wait: the action continues at once\n");
+             "a.xml:3:21: <wait>: a wait of 0.9 frames has no effect: the action continues immediately\n");
     tells_of(FIRE("<bullet><action/><actionRef label=\"top\"/></bullet>"),
              "a.xml:3:27: <bullet>: its 2 actions run one after another, not in parallel\n");
     tells_of(HEAD "<action label=\"Top\"/>" TAIL,
@@ -375,9 +374,9 @@ static void test_told(void **state)
              "a.xml:3:1: <action>: label \"Top\" is never used\n");
     tells_of(HEAD "<action label=\"topmost\"/><bullet/>" TAIL, "a.xml:3:26: <bullet>: no label, so it never runs\n");
     tells_of(FIRE("<speed type=\"aim\">1</speed><bullet/>"),
-             "a.xml:3:27: <speed>: type \"aim\" means the same as absolute here\n");
+             "a.xml:3:27: <speed>: type \"aim\" means \"absolute\" here\n");
     tells_of(TOP("<wait>2<!-- or -->3</wait><wait><!-- frames -->2</wait><wait>2<!-- frames --> </wait>"),
-             "a.xml:3:21: <wait>: text after the comment in it is ignored\n");
+             "a.xml:3:21: <wait>: text after the comment is ignored\n");
     tells_of(TOP("<vanish>now<wait>1</wait><hide/></vanish>"), "a.xml:3:21: <vanish>: its content has no effect\n");
     tells_of(TOP("<fire lable=\"x\"><bullet/></fire>"), "a.xml:3:21: <fire>: attribute \"lable\" has no effect here\n");
     tells_of(TOP("<repeat><times>2</times><action/><wait>1</wait></repeat>"),
@@ -390,7 +389,8 @@ static void test_told(void **state)
     tells_of(HEAD "<action label=\"top\"><actionRef label=\"a\"><param>1</param></actionRef></action>"
                   "<action label=\"a\"><wait>$1</wait><repeat><times>$3</times><action/></repeat></action>" TAIL,
              "a.xml:3:21: <actionRef>: \"a\" uses $3, which is 1 because only 1 param is given\n");
-    tells_of(TOP("<wait>99999999999</wait>"), "a.xml:3:21: <wait>: a number above 2147483647 is reduced to it\n");
+    tells_of(TOP("<wait>99999999999</wait>"),
+             "a.xml:3:21: <wait>: numbers above 2147483647 are reduced to 2147483647\n");
 }
 
 /* ---- harm ---- */

@@ -120,20 +120,20 @@ static void test_bdf_refused(void **state)
     refused("STARTFONT 2.1\nFONT_ASCENT 7\nSTARTCHAR A\n",
             "line 3: the header has no FONT_DESCENT and no FONTBOUNDINGBOX");
     refused("STARTFONT 2.1\nMETRICSSET 1\n", "line 2: vertical fonts are not supported");
-    refused("STARTFONT 2.3\nSIZE 9 75 75 3\n", "line 2: pixels of 3 bits; expected 1, 2, 4 or 8");
-    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: pixels of 2 bits, but earlier 4");
+    refused("STARTFONT 2.3\nSIZE 9 75 75 3\n", "line 2: 3 bits per pixel; expected 1, 2, 4 or 8");
+    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: 2 bits per pixel, but 4 earlier");
     refused("STARTFONT 2.1\nFONT_ASCENT 0\nFONT_DESCENT 0\nSTARTCHAR A\n",
             "line 4: line height 0 px (ascent 0, descent 0); expected 1 to 128");
     refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends inside a character");
     refused(HEAD "STARTCHAR A\nENCODING 1114112\n",
             "line 11: expected 1 numbers from -1 to 1114111, got \"ENCODING 1114112\"");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: BITMAP without ENCODING and BBX before it");
+    refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: BITMAP needs ENCODING and BBX before it");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9 0\nBBX 65 1 0 0\nBITMAP\n",
             "line 14: character of 65x1 px; expected at most 64 in each direction");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 -1 0 0\n",
             "line 12: character of 8x-1 px; expected at most 64 in each direction");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 1 0 500\nBITMAP\n00\n",
-            "line 14: U+0041 is too far from the line");
+            "line 14: U+0041 is too far from the baseline");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 9 1 0 0\nBITMAP\n00\n",
             "line 15: expected a row of 4 hexadecimal digits, got \"00\"");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 2 0 0\nBITMAP\n00\n",
@@ -211,9 +211,9 @@ static void test_bdf_charset(void **state)
                              DOT("x", "177")),
                      177);
     assert_int_equal(code_in("FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-jisx0201.1976-0\n", DOT("x", "65")), 0);
-    assert_non_null(strstr(err, "line 3: characters in JISX0201.1976-0; expected ISO10646-1 (Unicode), "));
+    assert_non_null(strstr(err, "line 3: unsupported character set JISX0201.1976-0; expected ISO10646-1 (Unicode), "));
     assert_int_equal(code_by("ISO8859", "", DOT("x", "65")), 0);
-    assert_non_null(strstr(err, "characters in ISO8859; expected "));
+    assert_non_null(strstr(err, "unsupported character set ISO8859; expected "));
     assert_int_equal(code_by("ISO8859", "6", DOT("x", "65")), 0);
     assert_int_equal(code_by("JISX0208.1983", "0", DOT("x", "65")), 0);
 }

@@ -454,7 +454,7 @@ static void switches_are_added_and_dropped(void **state)
     assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
     assert_false(keys_add(&k, "p1.bomb", switch_code("7"), err, sizeof err));
-    assert_string_equal(err, "Player 1 Bomb already has 6 keys, the most it can have");
+    assert_string_equal(err, "Player 1 Bomb already has 6 keys, the maximum");
     for (int i = 1; i < 7; i++)
         keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
     keys_text(&k, "p1.bomb", text, sizeof text);

@@ -364,10 +364,10 @@ static void test_numbers(void **state)
                   "sprites.a.sizes[1]: expected a whole number from 1 to 1000, got 1001");
     entry_refused(
         "sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 50, 50 } } }",
-        "sprites: two sprites are named a_50, one of them because of its size");
+        "sprites: two sprites are named a_50; one of them gets this name from its size");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { a_7 = { sheet = 's', w = 1, h = 1 },\n"
                   "  a = { sheet = 's', w = 1, h = 1, sizes = { 7 } } }",
-                  "sprites: two sprites are named a_7, one of them because of its size");
+                  "sprites: two sprites are named a_7; one of them gets this name from its size");
     entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");
@@ -381,8 +381,8 @@ static void test_numbers(void **state)
 static void test_texts(void **state)
 {
     (void)state;
-    entry_refused("id = 'A b'", "id: expected 1 to 31 of a-z 0-9 _");
-    entry_refused("id = ''", "id: expected 1 to 31 of a-z 0-9 _");
+    entry_refused("id = 'A b'", "id: expected 1 to 31 of the characters a-z 0-9 _");
+    entry_refused("id = ''", "id: expected 1 to 31 of the characters a-z 0-9 _");
     entry_refused("id = 5", "id: expected a name, got 5");
     entry_refused("title = false", "title: expected a line, got a boolean");
     entry_refused("title = ''", "title: expected a line of 1 to 63 bytes");
@@ -678,7 +678,7 @@ static void test_maps(void **state)
         { "sea = { tiles = 'a.png', row = { { 1 } } }", "rom.lua: maps.sea.row: unknown key (did you mean \"rows\"?)" },
         { "sea = { tiles = 'a.png', rows = {} }", "rom.lua: maps.sea.rows: expected at least one row" },
         { "sea = { tiles = 'a.png', rows = { { 1, 2 }, { 3 } } }",
-          "rom.lua: maps.sea.rows[2]: expected 2 tiles as in the first row, got 1" },
+          "rom.lua: maps.sea.rows[2]: expected 2 tiles, as in the first row, got 1" },
         { "sea = { tiles = 'a.png', rows = { { 1, -1 } } }",
           "rom.lua: maps.sea.rows[1][2]: expected a whole number from 0 to 65534, got -1" },
         { "sea = { tiles = 'a.png', rows = { 5 } }", "rom.lua: maps.sea.rows[1]: expected a list of tiles, got 5" },
@@ -791,8 +791,8 @@ static void test_check(void **state)
     struct result *r = read_good(lanterns);
 
     (void)state;
-    SPOILED(memset(m.id, 'a', sizeof m.id), "id: expected 1 to 31 of a-z 0-9 _");
-    SPOILED(m.id[20] = 'x', "id: expected 1 to 31 of a-z 0-9 _");
+    SPOILED(memset(m.id, 'a', sizeof m.id), "id: expected 1 to 31 of the characters a-z 0-9 _");
+    SPOILED(m.id[20] = 'x', "id: expected 1 to 31 of the characters a-z 0-9 _");
     SPOILED(m.title[0] = 1, "title: expected a line of 1 to 63 bytes");
     SPOILED(memset(m.author, 'a', sizeof m.author), "author: expected a line of at most 63 bytes");
     SPOILED(m.entry[0] = '/', "entry: expected a script's path without .lua, at most 63 bytes");

@@ -187,30 +187,31 @@ static void test_mistakes(void **state)
         { "A ~c4 d4", "x.mml:1:7: its grace notes are as long as the note" },
         { "A c4 ~d r4", "x.mml:1:9: grace note before a rest" },
         { "A c4 ~d", "x.mml:1:8: grace note without a note after it" },
-        { "A S2 c", "x.mml:1:5: expected S semitones,length, or S0" },
-        { "A W16 c", "x.mml:1:6: expected W length,louder, or W0" },
-        { "A Gc", "x.mml:1:4: expected G and a length for the slide from the previous note, or G0" },
+        { "A S2 c", "x.mml:1:5: expected S semitones,length, as in S2,16, or S0" },
+        { "A W16 c", "x.mml:1:6: expected W length,steps, as in W8,-2, or W0" },
+        { "A Gc", "x.mml:1:4: expected G and the slide's length, as in G16, or G0" },
         { "A P64 c", "x.mml:1:3: expected a curve name after P, or P- for none (p64 is a pan)" },
         { "A Eup c", "x.mml:1:3: unknown curve \"up\": expected a line @E up FRAMES:VALUE,VALUE..." },
         { "@E Up 2:0\nA c", "x.mml:1:4: expected a name that starts with a lower-case letter, got \"Up\"" },
         { "@E up 2;0\nA c",
           "x.mml:1:7: expected FRAMES:VALUE,VALUE...; | before a value marks the loop start, as in 2:100,60|50,40" },
         { "@E up 2:101\nA c", "x.mml:1:9: expected percent from 0 to 100, got \"101\"" },
-        { "#swing 16\nA c", "x.mml:1:1: expected #swing 16,60: of each two 16th notes the first has 60 percent" },
+        { "#swing 16\nA c",
+          "x.mml:1:1: expected #swing 16,60: the first of every two 16th notes gets 60 percent of their time" },
         { "#swing 16,60\nA L c16",
-          "x.mml:2:3: with #swing the part that L repeats must be whole pairs of 240 ticks, got 120 ticks" },
+          "x.mml:2:3: with #swing, the part that L repeats must be a multiple of 240 ticks, got 120 ticks" },
         { "#mark up 3\nA c1", "x.mml:1:1: bar 3 is after the end" },
         { "#mark up 1,5\nA c1", "x.mml:1:12: expected a beat of the bar from 1 to 4, got \"5\"" },
         { "@w wave decay=3\nA c", "x.mml:1:1: expected harmonics= or points=: a wave needs a waveform" },
         { "@w wave harmonics=0,0\nA c", "x.mml:1:19: expected at least one harmonic above 0" },
         { "@w wave points=1,1,1,1\nA c", "x.mml:1:16: expected 4 to 64 points per cycle, not all equal" },
-        { "@b saw harmonics=1\nA c", "x.mml:1:8: only a wave has harmonics" },
-        { "@b fm op3=1\nA c", "x.mml:1:7: it has 2 operators" },
+        { "@b saw harmonics=1\nA c", "x.mml:1:8: only wave instruments have harmonics" },
+        { "@b fm op3=1\nA c", "x.mml:1:7: this instrument has 2 operators" },
         { "@b fm algorithm=1\nA c", "x.mml:1:7: only fm4 has an algorithm" },
         { "@b fm4 op1=2 algorithm=1\nA c",
-          "x.mml:1:24: expected the algorithm before the operators: it decides which of them are heard" },
+          "x.mml:1:24: expected the algorithm before the operators: it decides which are audible" },
         { "@b fm4 op1=1,101\nA c",
-          "x.mml:1:14: expected percent (an operator that is heard) from 0 to 100, got \"101\"" },
+          "x.mml:1:14: expected percent (for an audible operator) from 0 to 100, got \"101\"" },
         { "@b saw arpeggio=2\nA c",
           "x.mml:1:8: expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as in arpeggio=2:0,4,7" },
         { "@b saw decay=2x\nA c", "x.mml:1:15: expected a space after decay, got \"x\"" },
@@ -254,8 +255,9 @@ static void test_warnings(void **state)
     (void)state;
     assert_string_equal(warnings("A c4 d%16 e4"), "");
     assert_string_equal(warnings("A c%15 d4"), "");
-    assert_string_equal(warnings("A c4\nA [d%15 e4]3"),
-                        "x.mml:2:9: within one frame (1/60 s) of the previous note in this track, which is cut off|");
+    assert_string_equal(
+        warnings("A c4\nA [d%15 e4]3"),
+        "x.mml:2:9: starts within one frame (1/60 s) of the previous note in this track and cuts it off|");
     assert_string_equal(warnings("A c4 t60 d%15 e4"), "");
 }
 

@@ -758,7 +758,7 @@ static void test_maps(void **state)
     put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/two.tsx'/>"
                                   "<tileset firstgid='11' source='../sets/one.tsx'/>",
                                   "1,12"));
-    refused("sets/two.tsx:1: the map uses tiles of art/two.png; add it to `tiles` of map \"m\" in rom.lua");
+    refused("sets/two.tsx:1: the map uses tiles from art/two.png; add it to `tiles` of map \"m\" in rom.lua");
     put_game("return { palette = 'p.png', maps = { m = { tiles = { 'art/one.png', 'art/two.png' }, bank = 3,"
              "  file = 'maps/m.tmx' } } }");
     refused("art/two.png: pixel 6,7: colour #ff00aa is not in bank 3 (use --nearest for the nearest colour, or match = "
@@ -778,7 +778,7 @@ static void test_maps(void **state)
     put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/three.tsx'/>", "1,0"));
     refused("maps/m.tmx:2: sets/three.tsx does not exist");
     put_game("return { maps = { m = { tiles = { 'a.png', 'b.png' }, rows = { { 1 } } } } }");
-    refused("rom.lua: maps.m: tiles: only a .tmx can use tiles of several pictures");
+    refused("rom.lua: maps.m: tiles: only a .tmx can use tiles from several pictures");
 }
 
 static uint8_t at(const struct sprite *s, int i, int x, int y)
@@ -1022,8 +1022,7 @@ static void test_errors(void **state)
     refused("stages/my stage.lua: expected a name of letters, digits, _ - and . only");
     remove(in_dir("stages/my stage.lua"));
     put_text("stages/One.lua", "");
-    refused("stages/One.lua and stages/one.lua differ only in upper and lower case, which is the same file on some "
-            "systems");
+    refused("stages/One.lua and stages/one.lua differ only in case; on some systems they are the same file");
     remove(in_dir("stages/One.lua"));
     put_text("stages/Nul.x.lua", "");
     refused("stages/Nul.x.lua: not a valid file name on Windows");

@@ -272,7 +272,7 @@ static void test_border(void **state)
     assert_int_equal(out[0 * 100 + 50], 0x00FF00);
     memset(art, 255, sizeof art);
     assert_false(border_open(&b, art, BW, BH, err, sizeof err));
-    assert_non_null(strstr(err, "needs a hole"));
+    assert_non_null(strstr(err, "has no hole"));
 }
 
 /* Art that is as large as the window is shown as it is. */

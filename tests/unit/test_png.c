@@ -171,7 +171,7 @@ static void test_huge(void **state)
     be32(file + 16, 8192);
     be32(file + 20, 8192);
     be32(file + 29, hash_crc32(file + 12, 17));
-    refused(file, size, "PNG too large: 8192 x 8192 pixels");
+    refused(file, size, "the PNG is too large: 8192 x 8192 pixels");
     be32(file + 16, 0xffffffff);
     be32(file + 29, hash_crc32(file + 12, 17));
     refused(file, size, "too large");
@@ -342,7 +342,7 @@ static void test_short_palette(void **state)
     free(file);
     raw[6] = 2;
     file = make(&k, raw, sizeof raw, palette, 2, &size);
-    refused(file, size, "pixel 1,1 has palette index 2, but the last colour of the PNG's palette is 1");
+    refused(file, size, "pixel 1,1 has palette index 2, but the PNG's palette ends at index 1");
     free(file);
     file = make(&k, raw, sizeof raw, palette, 0, &size);
     refused(file, size, "but no palette");

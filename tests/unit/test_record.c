@@ -324,9 +324,9 @@ static void test_missing(void **state)
     assert_string_equal(err, "libopenmpt, which reads tracker modules, is not installed (Debian package: libopenmpt0)");
     assert_false(without_open(LIBRARY_SNDFILE, &here, 1));
     assert_false(without_missing(LIBRARY_SNDFILE, err, sizeof err));
-    assert_string_equal(err, "this build does not load shared libraries; libsndfile reads OGG and FLAC");
+    assert_string_equal(err, "this build cannot load shared libraries such as libsndfile, which reads OGG and FLAC");
     without_about(LIBRARY_EXPAT, err, sizeof err);
-    assert_string_equal(err, "this build does not load shared libraries; libexpat reads BulletML");
+    assert_string_equal(err, "this build cannot load shared libraries such as libexpat, which reads BulletML");
 }
 
 /* ---- ADPCM ---- */

@@ -106,7 +106,7 @@ static void test_damage(void **state)
         { "practice 1\n1x 2 easy one\n", NULL },
         { "practice 1\n1 2 sixteenletters16 one\n", NULL },
         { "practice 1\n1 2 easy 0123456789012345678901234567890123456789012345678901234567890123\n", NULL },
-        { "practice 1\n1 2 easy one\n# x\n1 3 easy one\n", "line 4: second record of this section" },
+        { "practice 1\n1 2 easy one\n# x\n1 3 easy one\n", "line 4: duplicate record for this section" },
         { "practice 1\n1 2 easy o\tne\n", "line 2: expected a line of text" },
         { "practice 1\n\xc3\xa4\n", "line 2: expected a line of text" },
         { "practice 1\r\n", "line 1: expected a line of text" },

@@ -217,7 +217,7 @@ static void test_header(void **state)
     }
     b = make_small();
     bytes_put32(b.p + 8, 2);
-    refused(b, "ROM format 2 is not known (this program reads 1)");
+    refused(b, "unknown ROM format 2 (this program reads 1)");
     b = make_small();
     b.p[13] ^= 1;
     refused(b, "damaged: the checksum does not match");
@@ -259,15 +259,15 @@ static void test_directory(void **state)
     refused(with(1, 0, 0xffffffff), "lump 1: its name is outside the file");
     refused(with(3, 0, size - 1), "lump 3: its name is outside the file"); /* no NUL from there on */
     refused(with(1, 0, name2 - 1), "lump 1: its name is empty, too long or not plain ASCII");
-    refused(with(3, 0, name2), "lump 3 \"script/main.lua\" is not in the order of names");
-    refused(with(0, 0, name2), "lump 1 \"gfx/b\" is not in the order of names");
+    refused(with(3, 0, name2), "lump 3 \"script/main.lua\" is out of order (lumps are sorted by name)");
+    refused(with(0, 0, name2), "lump 1 \"gfx/b\" is out of order (lumps are sorted by name)");
     refused(with(2, 1, data0 + 1), "lump 2 \"script/main.lua\" is not aligned to 16 bytes");
     refused(with(2, 1, 0xfffffff0), "lump 2 \"script/main.lua\" runs past the end");
     refused(with(2, 2, size), "lump 2 \"script/main.lua\" runs past the end");
     refused(with(2, 2, 0xffffffff), "lump 2 \"script/main.lua\" runs past the end");
-    refused(with(2, 1, data0), "lump 2 \"script/main.lua\" overlaps what stands before it");
-    refused(with(0, 1, 0), "lump 0 \"data/a.txt\" overlaps what stands before it");
-    refused(with(0, 1, ROM_HEADER + 4 * ROM_ENTRY), "lump 0 \"data/a.txt\" overlaps what stands before it");
+    refused(with(2, 1, data0), "lump 2 \"script/main.lua\" overlaps the lump before it");
+    refused(with(0, 1, 0), "lump 0 \"data/a.txt\" overlaps the lump before it");
+    refused(with(0, 1, ROM_HEADER + 4 * ROM_ENTRY), "lump 0 \"data/a.txt\" overlaps the lump before it");
     refused(with(2, 3, 0), "lump 2 \"script/main.lua\" is damaged: its checksum does not match");
 }
 

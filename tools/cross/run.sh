@@ -120,7 +120,7 @@ play() { # GAME (a packed one) DEMO
         { echo "$2: $(first_difference "$cross/$reference/tracks/$key" "$dir/tracks/$key")"; return 1; }
     # One of an older core version may differ, in the same frame and parts everywhere.
     runs curtain-null verify "$1" "$2" >"$dir/verdicts/$key" ||
-        grep -q '(recorded on core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
+        grep -q '(recorded with core version' "$dir/verdicts/$key" || { cat "$dir/verdicts/$key"; return 1; }
     same_files "$2: verdict" "$cross/$reference/verdicts/$key" "$dir/verdicts/$key" || return 1
     frames=$(tail -n 1 "$dir/tracks/$key" | cut -d ' ' -f 1)
     runs curtain-null render "$1" --demo "$2" --frames "0:$frames:$every,$frames" -o "$dir/pictures/$key" \
@@ -222,13 +222,13 @@ changes() { # files that are not as committed, but for the page
 }
 
 contents() {
-    echo "Made by \`make cross\` of commit $(git rev-parse --short=12 HEAD):"
+    echo "Made by \`make cross\` from commit $(git rev-parse --short=12 HEAD):"
     echo
     table
     echo
     echo "All builds agree in every frame and part. They also agree on the bytes of the packed games and" \
         "on the digest of all"
-    echo "functions of \`src/base\` (\`tools/prove/digest.c\`). A build for x86-64 whose \`pairs\` uses" \
+    echo "functions in \`src/base\` (\`tools/prove/digest.c\`). A build for x86-64 whose \`pairs\` uses" \
         "Lua's own order is detected:"
     echo "\`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
 }

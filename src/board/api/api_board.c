@@ -12,11 +12,11 @@
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
 static const struct api_param name_opt[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL,
-                                                   "difficulty from rom.lua to switch to; only reads it if left out") };
+                                                   "difficulty from rom.lua to switch to; omit it to only read") };
 static const struct api_param dip_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                  "switch that rom.lua declares in dip") };
+                                                  "switch that rom.lua declares in `dip`") };
 static const struct api_param file_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                   "sprite, or file in the game's folder") };
+                                                   "name of a sprite, or of a file in the game's folder") };
 static const struct api_param text_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
                                                    "name of a .txt file in the game's folder") };
 static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL,
@@ -24,8 +24,8 @@ static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NUL
 static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
                                                    "name of a demo in the ROM") };
 static const struct api_param what_req[] = { PARAM("what", A_ASK, REQ, 0, 0, NULL, NULL, "screen to open") };
-static const struct api_param frames_req[] = { PARAM("n", A_INT, REQ, 1, 60, "frames", NULL,
-                                                     "number of frames; the longest of several stops counts") };
+static const struct api_param frames_req[] = { PARAM(
+    "n", A_INT, REQ, 1, 60, "frames", NULL, "number of frames; if there are several stops, the longest counts") };
 static const struct api_param value_req[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
                                                     "number, string or boolean to fold in") };
 
@@ -99,7 +99,7 @@ static int count_of(lua_State *L, struct board *b, const char *entry, int at,
         api_hint_begin(&near, lua_tostring(L, at));
         for (int i = 0; i < PARTS; i++)
             api_hint_add(&near, machine_parts[i].chip->name);
-        return api_error(L, entry, "unknown chip \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
+        return api_error(L, entry, "unknown pool \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
     }
     lua_pushinteger(L, n);
     return 1;
@@ -188,7 +188,7 @@ static int rom_text(lua_State *L, struct board *b, struct api_value *v)
     size_t n;
 
     if (!cart_text(&b->cart, lua_tostring(L, v[ARG_NAME].at), &text, &n))
-        return api_error(L, "rom.text", "no text \"%s\" in the game", lua_tostring(L, v[ARG_NAME].at));
+        return api_error(L, "rom.text", "no text file \"%s\" in the game", lua_tostring(L, v[ARG_NAME].at));
     lua_pushlstring(L, text, n);
     return 1;
 }
@@ -244,7 +244,7 @@ void api_rom_open(lua_State *L)
 static const struct api_entry entries[] = {
     { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", HELP("returns the number of frames since power-on") },
     { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
-      HELP("returns the name of the current difficulty, after changing it if a name is given") },
+      HELP("returns the name of the current difficulty; given a name, switches to that difficulty first") },
     { "board.dip", board_dip, PARAMS(dip_req), 1, 0, "value",
       HELP("returns the setting of a DIP switch, a name or a number") },
     { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL,
@@ -252,18 +252,18 @@ static const struct api_entry entries[] = {
     { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count",
       HELP("returns how many entries of a pool are in use") },
     { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count",
-      HELP("returns how many entries were not created because a pool was full") },
+      HELP("returns how many entries weren't created because the pool was full") },
     { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL,
       HELP("shows a demo of the ROM and pauses this board until it ends") },
     { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
       HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
            "demo") },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
-      HELP("freezes field and tasks after this frame, as a hit-stop; presses meanwhile count afterwards") },
+      HELP("freezes the field and all tasks after this frame (hit-stop); buttons pressed meanwhile count afterwards") },
     { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL,
       HELP("folds a value into the state hash, so that a demo in which it differs is reported as diverged") },
     { "rom.has", rom_has, PARAMS(file_req), 1, 0, "boolean",
-      HELP("returns true if the game has a sprite or file of that name") },
-    { "rom.text", rom_text, PARAMS(text_req), 1, 0, "string", HELP("returns the content of a text file of the game") },
+      HELP("returns true if the game has a sprite or a file with that name") },
+    { "rom.text", rom_text, PARAMS(text_req), 1, 0, "string", HELP("returns the contents of a text file in the game") },
 };
 const struct api_module api_board = { entries, sizeof entries / sizeof *entries };

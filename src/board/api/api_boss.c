@@ -207,8 +207,8 @@ static void check_bonus(lua_State *L, int at, const char *id)
         return;
     }
     if (lua_tointeger(L, -1) > number(L, at, "bonus"))
-        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is greater than bonus (%d)", id, (int)lua_tointeger(L, -1),
-                  (int)number(L, at, "bonus"));
+        api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is greater than `bonus` (%d)", id,
+                  (int)lua_tointeger(L, -1), (int)number(L, at, "bonus"));
     lua_pop(L, 1);
 }
 
@@ -260,9 +260,9 @@ static void read_cut_in(struct reading *r, int at, const char *id)
     const bool face = read_portrait(r, at), asked = is_true(L, at, "cut_in");
 
     if (asked && !face)
-        api_error(L, "boss.def", "phase \"%s\": cut_in requires a portrait (portrait = SPRITE)", id);
+        api_error(L, "boss.def", "phase \"%s\": `cut_in` requires a portrait (`portrait = SPRITE`)", id);
     if (asked && !is_true(L, at, "spell"))
-        api_error(L, "boss.def", "phase \"%s\": cut_in requires a spell (it shows the spell's name)", id);
+        api_error(L, "boss.def", "phase \"%s\": `cut_in` requires a spell (it shows the spell's name)", id);
     if (face && is_true(L, at, "spell") && field(L, at, "cut_in") == LUA_TNIL) {
         lua_pushboolean(L, 1);
         lua_setfield(L, at, "cut_in");
@@ -459,8 +459,8 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean",
-      HELP("checks a boss's cast and phases; is one a last one?") },
+      HELP("checks a boss's cast and phases; returns true if one of them is a last phase") },
     { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
-      HELP("how often a spell was tried and captured; add 1: a try, 2: a capture") },
+      HELP("returns how often a spell was tried and captured; add = 1 counts a try, 2 a capture") },
 };
 const struct api_module api_boss = { entries, sizeof entries / sizeof *entries };

@@ -81,7 +81,7 @@ static void check_int(lua_State *L, const char *entry, const struct api_param *p
     if (whole && (double)v->i >= p->lo && (double)v->i <= p->hi)
         return;
     if (p->hi == 0xffffff)
-        expected(L, entry, p, at, "a colour, 0x000000 to 0xffffff");
+        expected(L, entry, p, at, "a colour from 0x000000 to 0xffffff");
     else
         expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
 }
@@ -593,7 +593,7 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
     if (fire == api_fire[FIRES_BULLETS] && api_search_param(api_fire[FIRES_SHOTS], NULL, name) >= 0)
-        api_error(L, e->name, "%s requires a shot (did you forget fire = \"shot\"?)", name);
+        api_error(L, e->name, "`%s` requires a shot (did you forget `fire = \"shot\"`?)", name);
     if (api_step_word(name) && api_search_param(e, fire, "motion") >= 0)
         api_error(L, e->name,
                   "unknown argument \"%s\" (it is a step of a motion: motion = motion.def { { %s = ... } })", name,
@@ -703,7 +703,7 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         else if (!lua_isnil(L, at)) {
             const char *got = api_push_got(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s%s", got,
-                      runs_bare(L) ? " (a task passes its owner as the first argument: write function(e) ... end)"
+                      runs_bare(L) ? " (a task passes its owner as the first argument: write `function(e) ... end`)"
                                    : "");
         }
     } else if (top < e->plain)

@@ -38,8 +38,8 @@ static const struct {
     { "string", "gfind", "use string.gmatch" },
     { "table", "getn", "use #t" },
     { "table", "maxn", "use #t" },
-    { "table", "foreach", "use for key, value in pairs(t) do" },
-    { "table", "foreachi", "use for i, value in ipairs(t) do" },
+    { "table", "foreach", "use `for key, value in pairs(t) do`" },
+    { "table", "foreachi", "use `for i, value in ipairs(t) do`" },
 };
 
 const char *api_instead(const char *space, const char *name)

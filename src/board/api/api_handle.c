@@ -167,7 +167,7 @@ static int get_value(lua_State *L, struct board *b, const struct api_thing *t, i
     if (k == NO_SLOT)
         return no_property(L, t, (int)kind, name);
     if (handle_kind_group(kind))
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only count can)", t->name, name);
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name, name);
     if (board_there(b, h))
         lua_pushnumber(L, fx_to_double(api_value_column(b, api_value_names_of(kind), k)[handle_slot(h)]));
     else

@@ -37,7 +37,7 @@ static const char *type_words(const struct api_param *p)
         [A_MAP] = "name of a map",
         [A_SOUND] = "name of a sound",
         [A_TUNE] = "name of a piece of music",
-        [A_BUTTON] = "up down left right fire bomb focus special start select",
+        [A_BUTTON] = "up, down, left, right, fire, bomb, focus, special, start or select",
         [A_PAD] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",
         [A_LAYER] = "back, middle, front or over",
@@ -52,15 +52,21 @@ static const char *type_words(const struct api_param *p)
         [A_ASK] = "settings, replays, practice or keys",
     };
 
-    if (p->type == A_ANY && p->unit) /* what looks at it itself */
+    if (p->type == A_ANY && p->unit) /* the entry checks the value itself */
         return p->unit;
     return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 
-/* "thing: bullet, shot or enemy", of a mask of kinds. */
+/* A mask of kinds in words: "player", or "thing: bullet, shot or enemy". */
 static void thing_words(unsigned kinds, char *out, size_t size)
 {
     size_t n = (size_t)snprintf(out, size, "thing");
+
+    for (int k = 1; k < HANDLES; k++)
+        if (kinds == 1u << k) {
+            snprintf(out, size, "%s", api_things[k]->name);
+            return;
+        }
 
     for (int k = 1, left; k < HANDLES && n < size; k++) {
         if (!(kinds >> k & 1))
@@ -73,19 +79,27 @@ static void thing_words(unsigned kinds, char *out, size_t size)
 void api_param_words(const struct api_param *p, char *out, size_t size)
 {
     char range[80] = "", def[80] = "", thing[160];
-    bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX || p->type == A_SPAN;
+    const bool ranged =
+        p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX || p->type == A_SPAN;
+    const bool colour = p->type == A_INT && p->hi == 0xffffff;
+    const char *type = p->type == A_THING   ? thing
+                       : colour             ? "colour"
+                       : p->type == A_COUNT ? "whole number"
+                                            : type_words(p);
 
-    if (ranged)
-        snprintf(range, sizeof range, " from %.14g to %.14g%s%s", p->lo, p->hi, p->unit ? " " : "",
-                 p->unit ? p->unit : "");
+    if (colour)
+        snprintf(range, sizeof range, " from 0x%06x to 0x%06x", (unsigned)p->lo, (unsigned)p->hi);
+    else if (ranged)
+        snprintf(range, sizeof range, " from %.14g to %.14g%s%s%s", p->lo, p->hi, p->unit ? " " : "",
+                 p->unit ? p->unit : "", p->type == A_COUNT ? ", or forever" : "");
     if (p->type == A_STR && p->hi > 0)
         snprintf(range, sizeof range, " of %d to %d bytes", (int)p->lo, (int)p->hi);
     if (p->def)
-        snprintf(def, sizeof def, " = %s", p->def);
+        snprintf(def, sizeof def, " (default %s)", p->def);
     else if (!p->optional)
         snprintf(def, sizeof def, " (required)");
     thing_words(p->type == A_THING ? (unsigned)p->lo : 0, thing, sizeof thing);
-    snprintf(out, size, "%s%s%s", p->type == A_THING ? thing : type_words(p), range, def);
+    snprintf(out, size, "%s%s%s", type, range, def);
 }
 
 enum { HELP_COLUMNS = 100 };
@@ -190,7 +204,7 @@ void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const ch
     for (int i = first; i < e->count; i++)
         api_help_param(&e->params[i], line);
     if (e->flags & API_FIRE)
-        line("    ...        and every argument of what it fires: bullet.fire, shot.fire or laser.NAME");
+        line("    ...        all arguments of bullet.fire, shot.fire or laser.NAME, whichever it fires");
     help_parts(e, line);
 }
 
@@ -198,7 +212,7 @@ void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const ch
 static const struct {
     const char *name, *help;
 } values[] = {
-    { "forever", HELP("stands for no end, where a number of frames or times is expected") },
+    { "forever", HELP("stands for \"without end\" where a number of frames or times is expected") },
     { "print(...)", HELP("writes its arguments to the log") },
     { "require(name)",
       HELP("runs a script of the game once and returns its result: require \"stages/one\"; only while scripts load") },
@@ -207,25 +221,25 @@ static const struct {
     { "game.continues", HELP("number of continues used in this game, by all players") },
     { "game.frames", HELP("frames since the game started") },
     { "hud.banks",
-      HELP("palette banks of text in the HUD, menus and dialogue, for main.lua to set: plain bright faint alarm") },
+      HELP("palette banks of text in the HUD, menus and dialogue, for main.lua to set: plain, bright, faint, alarm") },
     { "hud.low",
-      HELP("rows left free below the registers at the lower edge of the field, for main.lua to set; 1 at first") },
-    { "hud.shy",
-      HELP("distance in px at which a ship hides the registers at the lower edge, for main.lua to set; 0 at first") },
+      HELP("rows left free below the registers at the lower edge of the field, for main.lua to set; initially 1") },
+    { "hud.shy", HELP("distance in px within which a ship hides the registers at the lower edge, for main.lua to set; "
+                      "initially 0") },
     { "hud.gone", HELP("list by player: true while registers at the lower edge are hidden, so that a game can hide its "
                        "own display too") },
     { "hud.graze", HELP("word before the graze count, for main.lua to set; false shows a star") },
     { "hud.cols", HELP("width of the screen in cells of 8 px") },
     { "hud.rows", HELP("height of the screen in cells of 8 px") },
     { "hud.banner(lines?, frames?)",
-      HELP("shows a list of texts in the middle of the field; without lines, removes it") },
+      HELP("shows a list of texts in the middle of the field; without `lines`, removes it") },
     { "hud.centre(row, text, bank?, first?, cols?)",
-      HELP("centres a text, translated, on the screen or in cols cells from first on, breaks it where it is too long, "
-           "and returns the row below") },
+      HELP("translates a text and centres it on the screen, or in `cols` cells from `first`; wraps it if it is too "
+           "long, and returns the row below") },
     { "talk.look", HELP("look of dialogue, for main.lua to set: dim, bank, font") },
     { "rom.title", HELP("title of the game") },
-    { "rom.field", HELP("playfield: x y w h in px; x and y are on the screen") },
-    { "rom.screen", HELP("screen: w h in px") },
+    { "rom.field", HELP("playfield: x, y, w, h in px; x and y are its position on the screen") },
+    { "rom.screen", HELP("screen: w, h in px") },
 };
 
 enum { VALUES = sizeof values / sizeof *values };
@@ -331,7 +345,7 @@ static bool help_thing(int kind, void (*line)(const char *))
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
     if (api_ends((enum handle_kind)kind))
-        line("    alive      read  is it there?");
+        line("    alive      read  true while it exists");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];
         api_property_words(p, words, sizeof words);

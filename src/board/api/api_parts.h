@@ -324,7 +324,7 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
       1,                                                                                                               \
       API_CHANGES,                                                                                                     \
       "group",                                                                                                         \
-      HELP("returns a handle to every live " noun " with a tag; a write or a verb applies to each") },                 \
+      HELP("returns a handle to every live " noun " with a tag; writes and methods apply to all of them") },           \
     {                                                                                                                  \
         noun ".each", each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                             \
             HELP("calls f(" noun ") for each live " noun " with a tag, in slot order")                                 \
@@ -362,12 +362,12 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
 #define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \
     PARAM("radius", A_FX, must, 0, most, "px", NULL, "radius of a circle around the position")
 #define SHAPE_BOX_PARAMS(must)                                                                                         \
-    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centred on the position; needs h"),                   \
-        PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centred on the position; needs w")
+    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centred on the position; needs `h`"),                 \
+        PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centred on the position; needs `w`")
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
     PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
-          "horizontal end of a line from the position; needs to_y and width"),                                         \
-        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "vertical end of a line from the position"),              \
+          "horizontal end of a line that starts at the position; needs `to_y` and `width`"),                           \
+        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "vertical end of that line"),                             \
         PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
 
 /* Reads REGION_PARAMS values. False: the thing it is placed by is dead, so it is nowhere. */

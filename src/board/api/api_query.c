@@ -11,8 +11,8 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
 
     if (from->given ? v[PLACE_X].given || v[PLACE_Y].given : !(v[PLACE_X].given && v[PLACE_Y].given)) {
         if (from->given || v[PLACE_X].given || v[PLACE_Y].given)
-            return api_error(L, entry, "place: expected either x and y, or from");
-        return api_error(L, entry, "place: expected x and y, or from (a thing), got neither");
+            return api_error(L, entry, "place: expected either `x` and `y`, or `from`");
+        return api_error(L, entry, "place: expected `x` and `y`, or `from` (a thing), got neither");
     }
     if (!from->given) {
         *x = fx_add(v[PLACE_X].f, v[PLACE_DX].f);
@@ -174,15 +174,14 @@ static int query(lua_State *L, struct board *b, const char *entry, const struct 
 enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG, NEAR_FROM, NEAR_DX, NEAR_DY };
 
 static const struct api_param near[] = {
-    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL,
-          "kind of thing to look for: bullet, shot, enemy, item, laser or player"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give x and y, or from"),
+    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give `x` and `y`, or `from`"),
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),
     SHAPE_CIRCLE_PARAMS(REQ, 32767),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"),
-    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of x and y"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from"),
+    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of `x` and `y`"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `x`, or to the position of `from`"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `y`, or to the position of `from`"),
 };
 
 static int query_near(lua_State *L, struct board *b, struct api_value *v)
@@ -196,8 +195,7 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
 /* Of query.box and query.line; their shape follows. */
 enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
 #define ASKED                                                                                                          \
-    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL,                                                                        \
-          "kind of thing to look for: bullet, shot, enemy, item, laser or player"),                                    \
+    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),       \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"), PLACE
 
 static const struct api_param box[] = { ASKED, SHAPE_BOX_PARAMS(REQ) };

@@ -31,15 +31,16 @@ static enum api_region_shape shape_given(lua_State *L, const char *entry, const 
          line = any_given(v, REGION_TO_X, LINE_WORDS);
 
     if (circle + box + line > 1)
-        api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got arguments of %s",
+        api_error(L, entry,
+                  "shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got arguments of %s",
                   !box      ? "a circle and a line"
                   : !line   ? "a circle and a box"
                   : !circle ? "a box and a line"
                             : "all three");
     if (box && !all_given(v, REGION_W, BOX_WORDS))
-        api_error(L, entry, "shape: expected both w and h, got only %s", v[REGION_W].given ? "w" : "h");
+        api_error(L, entry, "shape: expected both `w` and `h`, got only `%s`", v[REGION_W].given ? "w" : "h");
     if (line && !all_given(v, REGION_TO_X, LINE_WORDS))
-        api_error(L, entry, "shape: expected all of to_x, to_y and width, got no %s",
+        api_error(L, entry, "shape: expected all of `to_x`, `to_y` and `width`, got no `%s`",
                   !v[REGION_TO_X].given   ? "to_x"
                   : !v[REGION_TO_Y].given ? "to_y"
                                           : "width");
@@ -51,7 +52,8 @@ bool api_region(lua_State *L, struct board *b, const char *entry, const struct a
     *r = (struct api_region){ .shape = shape_given(L, entry, v) };
     if (r->shape == REGION_ALL) {
         if (any_given(v, 0, PLACE_PARAMS))
-            api_error(L, entry, "shape: expected radius, or w and h, or to_x, to_y and width, got only a place");
+            api_error(L, entry,
+                      "shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got only a place");
         return true;
     }
     if (!api_place(L, b, entry, v, &r->x, &r->y))
@@ -178,20 +180,21 @@ enum {
 /* What all clears take, of bullets and of lasers. */
 #define CLEAR_PARAMS_OF_ALL                                                                                            \
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only those with this tag"),                                    \
-        PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position of the shape; give x and y, or from"),   \
+        PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,                                                               \
+              "horizontal position of the shape; give `x` and `y`, or `from`"),                                        \
         PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the shape"),                            \
         SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
-        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),              \
-        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of x and y"),         \
-        PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to x, or to the position of from"),           \
-        PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to y, or to the position of from"),           \
+        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),                \
+        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of `x` and `y`"),     \
+        PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `x`, or to the position of `from`"),       \
+        PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `y`, or to the position of `from`"),       \
         SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT),                                                                 \
-        PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too"),                     \
+        PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),                  \
         PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into")
 
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
     CLEAR_PARAMS_OF_ALL,
-    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "remove lasers that the shape touches too; not those of players"),
+    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "also remove lasers that touch the shape, except players' lasers"),
 };
 
 /* ---- lasers ---- */
@@ -267,7 +270,7 @@ enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, ARG_PLACE = SELF_ITEMS, ARG_ALL = ARG_PL
 
 const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL, "the thing itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
 };
 
@@ -289,12 +292,12 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too"),
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into"),
 };
 
@@ -336,7 +339,7 @@ int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL, "the laser itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
     EVERY_PARAM,
 };
@@ -350,12 +353,12 @@ int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; its kind's if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove kinds with clearable = false too"),
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into"),
     EVERY_PARAM,
 };

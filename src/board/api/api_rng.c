@@ -17,7 +17,7 @@ static const struct api_param ab_int[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, N
                                            PARAM("b", A_INT, REQ, -9e15, 9e15, NULL, NULL, "highest result") };
 static const struct api_param ab_number[] = { PARAM("a", A_NUM, REQ, -1e15, 1e15, NULL, NULL, "lowest result"),
                                               PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL,
-                                                    "upper end, which is never returned unless it equals a") };
+                                                    "upper limit, which is never returned unless it equals `a`") };
 static const struct api_param p_only[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "probability") };
 static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
                                                     "list to pick from, not empty") };
@@ -25,7 +25,7 @@ static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, 
 static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[ARG_A].i > v[ARG_B].i)
-        return api_error(L, "rng.int", "a is greater than b");
+        return api_error(L, "rng.int", "`a` is greater than `b`");
     lua_pushinteger(L, v[ARG_A].i + (int64_t)draw(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
     return 1;
 }
@@ -147,15 +147,16 @@ static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "rng.int", rng_int, PARAMS(ab_int), 2, API_CHANGES, "integer",
-      HELP("returns a random whole number, both ends included") },
-    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number", HELP("returns a random number") },
+      HELP("returns a random whole number from `a` to `b`, including both") },
+    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number",
+      HELP("returns a random number from `a` to `b`") },
     { "rng.chance", rng_chance, PARAMS(p_only), 1, API_CHANGES, "boolean",
       HELP("returns true with a given probability") },
     { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
     { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("returns a random direction") },
     { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees",
       HELP("returns the direction from one position to another; 90 if they are equal or a thing is dead") },
-    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a distance right and down") },
+    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a vector") },
     { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees",
       HELP("returns the shortest turn from one direction to another, from -180 to 180") },
     { "angle.sin", angle_sin, PARAMS(one_dir), 1, 0, "number",

@@ -9,7 +9,7 @@ enum { ARG_KEY = 0, ARG_DEFAULT = 1, ARG_VALUE = 1 };
 
 static const struct api_param save_get[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name it was saved under"),
                                              PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL,
-                                                   "value returned if nothing is saved there; nil if left out") };
+                                                   "value returned if nothing is saved there; defaults to nil") };
 static const struct api_param save_set[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name to save it under"),
                                              PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL,
                                                    "number, boolean or string of up to 60 bytes; nil deletes it") };
@@ -86,6 +86,6 @@ static const struct api_entry entries[] = {
     { "save.get", save_get_run, PARAMS(save_get), 2, API_CHANGES, "value",
       HELP("returns a value saved by this run or an earlier one") },
     { "save.set", save_set_run, PARAMS(save_set), 2, API_CHANGES, NULL,
-      HELP("saves a value beyond the end of the run; practice, demos and runs without a window leave no trace") },
+      HELP("saves a value that later runs can read; practice, demos and runs without a window save nothing") },
 };
 const struct api_module api_save = { entries, sizeof entries / sizeof *entries };

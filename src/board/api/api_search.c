@@ -159,32 +159,32 @@ bool api_help_search(const char *word, void (*line)(const char *))
 static const char *const tasks[][2] = {
     { "declare bullets", "bullet.def" },
     { "fire bullets", "bullet.fire pattern.ring pattern.fan pattern.spiral pattern.aimed" },
-    { "move them", "motion.def bullet:aim bullet:turn bullet.group" },
-    { "clear them", "bullet.clear bullet.sweep bullet:clear" },
+    { "move bullets", "motion.def bullet:aim bullet:turn bullet.group" },
+    { "clear bullets", "bullet.clear bullet.sweep bullet:clear" },
     { "lasers", "laser.def laser.beam laser.bolt laser.curve" },
     { "enemies", "enemy.def enemy.spawn enemy:move path.def path.run" },
     { "ships and shots", "player.def shot.def shot.fire bomb.def option.def" },
     { "buttons", "pad.down pad.pressed" },
-    { "wait, do two things", "wait wait_until wait_for task.go task.own" },
+    { "wait, run tasks", "wait wait_until wait_for task.go task.own" },
     { "stages and bosses", "stage.def stage.wave stage.clear boss.def boss.fight" },
     { "when something happens", "on.hit on.kill on.graze on.take" },
     { "items and score", "item.def item.drop score.add score.rule" },
     { "show text", "text.put text.line say choose hud.banner" },
     { "show pictures", "sprite.put spark.burst bg.def bg.show screen.shake screen.flash" },
     { "sound and music", "sound.play music.play" },
-    { "chance and angles", "rng.int rng.chance angle.to query.near" },
-    { "begin the game", "boot.run" },
+    { "random numbers, angles", "rng.int rng.chance angle.to query.near" },
+    { "start the game", "boot.run" },
 };
 
 void api_help_tasks(void (*line)(const char *))
 {
     char text[160];
 
-    line("  By what to do; curtain help lua NAME explains one, curtain help lua WORD finds a word in names and texts:");
+    line("  By task (curtain help lua NAME explains an entry, curtain help lua WORD searches names and texts):");
     for (size_t i = 0; i < sizeof tasks / sizeof *tasks; i++) {
         snprintf(text, sizeof text, "    %-24s %s", tasks[i][0], tasks[i][1]);
         line(text);
     }
     line("");
-    line("  All there is:");
+    line("  All entries:");
 }

@@ -28,25 +28,29 @@ enum {
 };
 
 const struct api_param api_emit_params[EMIT_PARAMS] = {
-    PARAM("pattern", A_EMIT, OPT, 0, 0, NULL, "one", "how what it fires is arranged: pattern.NAME, or one"),
-    PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL, "number to fire; every pattern but one needs it"),
+    PARAM("pattern", A_EMIT, OPT, 0, 0, NULL, "one",
+          "arrangement of the bullets, as in pattern.NAME; \"one\" fires a single bullet"),
+    PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL, "number to fire; required unless `pattern` is \"one\""),
     PARAM("spread", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle between the first and the last of a fan"),
     PARAM("sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle from the first to the last of an arc, clockwise"),
-    PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last of a stack"),
+    PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last bullet of a stack"),
     PARAM("width", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "distance between the first and the last of a line"),
-    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "numbers of the first and the last one to leave out"),
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL,
+          "bullets to skip: the numbers of the first and the last of them"),
     PARAM("fire", A_SHOOT, OPT, 0, 0, NULL, "bullet", "what to fire; shots belong to the player whose shot fired them"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"),
-    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "pixels per frame; negative flies backwards"),
+    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
+          "speed of flight; if negative, it flies backwards"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
-          "direction of flight, clockwise from the right; its own direction if left out; with aim, an offset"),
+          "direction of flight, clockwise from the right; defaults to the bullet's own; with `aim`, an offset from the "
+          "target's direction"),
     PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", "fire at the nearest target"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-          "number added to the palette bank of the sprite; the kind's if left out"),
+          "number added to the palette bank of the sprite; overrides the kind's"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
     PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers them"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames they wait in place before they fly"),
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that the orbit steps of their motion circle"),
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that the orbit steps of their motion revolve around"),
 };
 
 /* What each pattern must have: n, and the word for its size. */
@@ -88,9 +92,10 @@ static void unknown(lua_State *L, const struct reader *r, const struct api_field
 
     for (size_t i = 0; key && i < sizeof places / sizeof *places; i++)
         if (!strcmp(key, places[i]))
-            api_error(L, DEF, "step %d: emit: %s is not allowed (emit fires from the bullet's position)", r->step, key);
+            api_error(L, DEF, "step %d: emit: `%s` is not allowed (`emit` fires from the bullet's position)", r->step,
+                      key);
     if (key && !strcmp(key, "each"))
-        api_error(L, DEF, "step %d: emit: each is not allowed (a motion runs without Lua; use motion)", r->step);
+        api_error(L, DEF, "step %d: emit: `each` is not allowed (a motion runs without Lua; use `motion`)", r->step);
     snprintf(where, sizeof where, "%s: step %d: emit", DEF, r->step);
     api_refuse_key(L, where, fields);
 }
@@ -148,16 +153,17 @@ static void check_pattern(lua_State *L, const struct reader *r, int pattern)
 
     for (int k = E_SPREAD; k <= E_WIDTH; k++) {
         if (r->v[k].given && k != patterns[pattern].size)
-            api_error(L, DEF, "step %d: emit: %s does not apply to pattern %s", r->step, api_emit_params[k].name, name);
+            api_error(L, DEF, "step %d: emit: `%s` does not apply to pattern \"%s\"", r->step, api_emit_params[k].name,
+                      name);
         if (!r->v[k].given && k == patterns[pattern].size)
-            api_error(L, DEF, "step %d: emit: pattern %s requires %s", r->step, name, api_emit_params[k].name);
+            api_error(L, DEF, "step %d: emit: pattern \"%s\" requires `%s`", r->step, name, api_emit_params[k].name);
     }
     if (pattern == EMIT_ONE && r->v[E_N].given)
-        api_error(L, DEF, "step %d: emit: n does not apply to pattern one (did you forget pattern?)", r->step);
+        api_error(L, DEF, "step %d: emit: `n` does not apply to pattern \"one\" (did you forget `pattern`?)", r->step);
     if (pattern != EMIT_ONE && !r->v[E_N].given)
-        api_error(L, DEF, "step %d: emit: pattern %s requires n", r->step, name);
+        api_error(L, DEF, "step %d: emit: pattern \"%s\" requires `n`", r->step, name);
     if (r->shots && r->v[E_DELAY].given)
-        api_error(L, DEF, "step %d: emit: delay does not apply to shots", r->step);
+        api_error(L, DEF, "step %d: emit: `delay` does not apply to shots", r->step);
 }
 
 static void read_skip(lua_State *L, const struct api_value *v, struct motion_emit *e)
@@ -222,8 +228,8 @@ enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
 const struct api_param api_await_params[AWAIT_PARAMS] = {
     PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "continues once it reaches or crosses this vertical line"),
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "continues once it reaches or crosses this horizontal line"),
-    PARAM("near", A_FX, OPT, 0, WORLD, "px", NULL, "continues once a target is less than this far away"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "continues on group:signal() of this tag"),
+    PARAM("near", A_FX, OPT, 0, WORLD, "px", NULL, "continues once a target is nearer than this"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "continues when group:signal() is called for this tag"),
     PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which it continues anyway"),
 };
 
@@ -261,7 +267,7 @@ void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
     for (int k = W_X; k <= W_TAG; k++)
         n += v[k].given;
     if (n != 1)
-        api_error(L, DEF, "step %d: wait_for: expected one of x, y, near and tag, got %d", step, n);
+        api_error(L, DEF, "step %d: wait_for: expected one of `x`, `y`, `near` and `tag`, got %d", step, n);
     *s = (struct motion_step){ .does = DOES_AWAIT | (named ? DOES_NAMED : 0u),
                                .over = UINT32_MAX,
                                .how = (uint8_t)(v[W_X].given      ? HOW_X

@@ -10,7 +10,7 @@ enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
 enum { OWN_OWNER, OWN_F };
 
 static const struct api_param frames[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
-                                                 "number of frames; 0 continues at once") };
+                                                 "number of frames; 0 continues immediately") };
 
 int api_pass_wait(lua_State *L, struct board *b)
 {
@@ -48,13 +48,13 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                              "f(...): called as the task, with the arguments that follow") };
 static const struct api_param own[] = {
-    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task whose end stops the new task"),
+    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task that the new task ends with"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
           "f(owner, ...): called as the task, with the owner and the arguments that follow")
 };
 static const struct api_param owner[] = { PARAM(
     "owner", A_THING, OPT, OWNERS, 0, NULL, NULL,
-    "thing or task that the scope ends with; the owner of the calling task if left out") };
+    "thing or task whose end also ends the scope; defaults to the owner of the calling task") };
 static const struct api_param task[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
 
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
@@ -115,9 +115,9 @@ static const struct api_param on_graze_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the bullet that it grazed") };
 static const struct api_param on_hit_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                    "f(player, by): called with the player and the bullet or enemy that "
-                                                   "hit it; setting player.safe here cancels the hit") };
-static const struct api_param on_death_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                     "f(player): called with the player, who is still where it died") };
+                                                   "hit it; set player.safe here to cancel the hit") };
+static const struct api_param on_death_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player): called with the player, still at the position of the death") };
 static const struct api_param on_game_over_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                          "f(): called without arguments") };
 static const struct api_param on_kill_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
@@ -132,16 +132,16 @@ static const struct api_param on_take_f[] = { PARAM(
     "f(player, item): called with the player and the item, which can still be read") };
 static const struct api_param on_bomb_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player, late): called with the player; late is true if the bomb saved it from a hit") };
+    "f(player, late): called with the player; late is true if the bomb saved the player from a hit") };
 static const struct api_param on_continue_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player): called with the player, whose score is now the number of its continues") };
+    "f(player): called with the player; its score is now the number of continues it has used") };
 static const struct api_param on_start_f[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else of the game") };
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else in the game") };
 static const struct api_param on_phase_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(enemy, id, won, captured): called with the boss, the id of the phase, whether it was beaten, and whether that "
-    "was without a death or a bomb") };
+    "f(enemy, id, won, captured): called with the boss, the id of the phase, whether it was beaten, and whether it was "
+    "beaten without a death or a bomb") };
 static const struct api_param on_stage_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(name, state): called with the name of the stage and \"start\" or \"clear\"") };
@@ -173,11 +173,11 @@ static const struct api_entry entries[] = {
     { "wait", wait_run, PARAMS(frames), 1, API_CHANGES | API_GLOBAL, NULL,
       HELP("pauses the task for a number of frames") },
     { "task.go", task_go, PARAMS(go), 1, API_CHANGES | API_MORE, "task",
-      HELP("starts a task with the owner of the calling task, so both end with it") },
+      HELP("starts a task with the same owner as the calling task; both end with that owner") },
     { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
       HELP("starts a task that ends with the given owner") },
     { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
-      HELP("creates an owner without a body, to stop several tasks at once") },
+      HELP("creates an owner that isn't a thing, so that several tasks can be stopped together") },
     { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
     { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("returns true while the task runs") },
@@ -193,14 +193,14 @@ static const struct api_entry entries[] = {
     { "on.leave", on_leave, PARAMS(on_leave_f), 1, ON_FLAGS, NULL,
       HELP("calls a function each time an enemy leaves the field") },
     { "on.extend", on_extend, PARAMS(on_extend_f), 1, ON_FLAGS, NULL,
-      HELP("calls a function each time the score or an item gives a player a life") },
+      HELP("calls a function each time the score or an item gives a player an extra life") },
     { "on.take", on_take, PARAMS(on_take_f), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player takes an item") },
     { "on.bomb", on_bomb, PARAMS(on_bomb_f), 1, ON_FLAGS, NULL, HELP("calls a function each time a player bombs") },
     { "on.continue", on_continue, PARAMS(on_continue_f), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player continues after losing the last life") },
     { "on.start", on_start, PARAMS(on_start_f), 1, ON_FLAGS, NULL,
-      HELP("calls a function when a game or a practice attempt starts, to reset what scripts remember") },
+      HELP("calls a function when a game or a practice attempt starts, to reset script variables") },
     { "on.phase", on_phase, PARAMS(on_phase_f), 1, ON_FLAGS, NULL,
       HELP("calls a function at the end of each phase of a boss") },
     { "on.stage", on_stage, PARAMS(on_stage_f), 1, ON_FLAGS, NULL,

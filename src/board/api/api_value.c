@@ -89,9 +89,9 @@ enum { D_NAME, D_OF, D_START };
 
 static const struct api_param def[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
-          "word that names it, as property and as argument of the call that creates the thing"),
-    PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "bullet, shot or enemy; bullet if left out"),
-    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "value of a thing that is created without it")
+          "name of the value, which is also a property of the thing and an argument of the call that creates it"),
+    PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
+    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "value of things created without this argument")
 };
 
 static const char DEF[] = "value.def";
@@ -146,6 +146,6 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a number that each bullet, shot or enemy has; needs values in rom.lua's board") },
+      HELP("declares a number that every bullet, shot or enemy stores; needs `values` in `board` in rom.lua") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

@@ -161,13 +161,13 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
     struct ml m;
 
     if (size < ML_HEADER || bytes_get32(data) != ML_MAGIC)
-        return err_set(err, err_size, "not the program of a BulletML document");
+        return err_set(err, err_size, "not a BulletML program");
     if (bytes_get32(data + 4) > 1)
         return err_set(err, err_size, "unknown format");
     const uint64_t need = layout(&m, data);
     if (m.tops > ML_MAX_TOPS || m.labels > ML_MAX_LABELS || m.numbers > ML_MAX_NUMBERS || m.words > ML_MAX_WORDS ||
         m.steps > ML_MAX_WORDS || m.bytes > ML_MAX_TEXT)
-        return err_set(err, err_size, "larger than a program may be");
+        return err_set(err, err_size, "too large for a program");
     if (need != size)
         return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, need);
     if (!steps_ok(&m))

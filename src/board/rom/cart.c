@@ -151,7 +151,7 @@ static bool open_looks(struct cart *c, char *err, size_t err_size)
     range(c->rom, "blends/", "blends0", &blends);
     c->has_looks = shades + blends > 0;
     if (c->has_looks && c->palettes > CART_MAX_LOOKS)
-        return err_set(err, err_size, "%d lumps \"palette/...\" and tables of their own, expected at most %d",
+        return err_set(err, err_size, "%d lumps \"palette/...\" with shade or blend tables, expected at most %d",
                        c->palettes, CART_MAX_LOOKS);
     for (int i = 0; i < c->palettes && c->has_looks; i++)
         if (!open_look(c, i, err, err_size))
@@ -429,8 +429,8 @@ static bool check_map(const struct lump *l, char *err, size_t err_size)
     bool whole = true;
     for (uint64_t i = 0; i < cells; i++) {
         if (bytes_get16(m.cells + 2 * i) >= m.tiles)
-            return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " is tile %d of %d", l->name, i,
-                           bytes_get16(m.cells + 2 * i), m.tiles);
+            return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " has tile %d, but the map has %d tiles",
+                           l->name, i, bytes_get16(m.cells + 2 * i), m.tiles);
         whole = whole && m.solid[bytes_get16(m.cells + 2 * i)];
     }
     if (whole != m.whole)

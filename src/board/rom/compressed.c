@@ -39,7 +39,7 @@ size_t compressed_size(const void *data, size_t size, char *err, size_t err_size
     else if (plain == 0 || plain > COMPRESSED_MOST || plain / COMPRESSED_TIMES > size)
         err_set(err, err_size,
                 "%zu bytes long, but its header says %" PRIu32
-                " when decompressed: expected 1 to %d, and at most %d times the file's size",
+                " bytes when decompressed: expected 1 to %d, and at most %d times the file's size",
                 size, plain, COMPRESSED_MOST, COMPRESSED_TIMES);
     else
         return plain;
@@ -56,7 +56,7 @@ bool compressed_read(const void *data, size_t size, void *out, char *err, size_t
     if (lzma_read(p + COMPRESSED_HEADER, size - COMPRESSED_HEADER, out, plain) &&
         hash_crc32(out, plain) == bytes_get32(p + 24))
         return true;
-    return err_set(err, err_size, "damaged: decompressed data has a wrong checksum");
+    return err_set(err, err_size, "damaged: decompressed data has the wrong checksum");
 }
 
 void compressed_seal(uint8_t *out, size_t size, const void *rom, size_t rom_size)

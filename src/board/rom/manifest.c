@@ -157,7 +157,7 @@ static bool id_ok(const char *s)
 static bool check_texts(const struct manifest *m, char *err, size_t err_size)
 {
     if (!text_ok(m->id, sizeof m->id) || !id_ok(m->id))
-        return err_set(err, err_size, "id: expected 1 to %zu of a-z 0-9 _", sizeof m->id - 1);
+        return err_set(err, err_size, "id: expected 1 to %zu of the characters a-z 0-9 _", sizeof m->id - 1);
     if (!text_ok(m->title, sizeof m->title) || m->title[0] == '\0')
         return err_set(err, err_size, "title: expected a line of 1 to %zu bytes", sizeof m->title - 1);
     if (!text_ok(m->author, sizeof m->author))

@@ -723,7 +723,8 @@ static void read_tagged(const struct at *a, struct art_sprite *s)
     get_text(a, "tag", "a tag's name", s->tag, sizeof s->tag);
     if (get(a, "frames")) {
         path_of(a, "frames", path);
-        bad(a->lua, path, "frames of an .ase come from its tag (tag = \"NAME\"; without one, all frames)");
+        bad(a->lua, path,
+            "the frames of an .ase file come from its tag (add tag = \"NAME\"; without a tag, all frames are used)");
     }
     s->frames = s->every = 0;
     get_whole(a, "w", 1, 1024, &s->w);
@@ -737,7 +738,7 @@ static void read_cut(const struct at *a, struct art_sprite *s)
 
     if (get(a, "tag")) {
         path_of(a, "tag", path);
-        bad(a->lua, path, "only an .ase or .aseprite has tags");
+        bad(a->lua, path, "only .ase and .aseprite files have tags");
     }
     need_whole(a, "w", 1, 1024, &s->w);
     need_whole(a, "h", 1, 1024, &s->h);
@@ -802,7 +803,7 @@ static void sort_sprites(lua_State *lua, struct art *art, int first)
             s[at] = s[at - 1];
         s[at] = one;
         if (at > 0 && strcmp(s[at - 1].name, one.name) == 0)
-            bad(lua, "sprites", "two sprites are named %s, one of them because of its size", one.name);
+            bad(lua, "sprites", "two sprites are named %s; one of them gets this name from its size", one.name);
     }
 }
 
@@ -838,7 +839,7 @@ static void read_row(const struct at *rows, int i, int first, struct art *art, s
     if (i == 1)
         map->cols = n;
     if (n != map->cols || n == 0)
-        bad(rows->lua, row.path, "expected %d tiles as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
+        bad(rows->lua, row.path, "expected %d tiles, as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
     if (n > MAX_ART_CELLS - art->n_cells)
         bad(rows->lua, row.path, "more than %d tiles in rom.lua; use a map file instead", MAX_ART_CELLS);
     for (int k = 1; k <= n; k++) {
@@ -916,7 +917,7 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     if (file && !tmx && !ends(map->file, ".csv"))
         bad(a->lua, a->path, "file: expected a .csv or a .tmx, got \"%s\"", map->file);
     if (map->n_tiles > 1 && !tmx)
-        bad(a->lua, a->path, "tiles: only a .tmx can use tiles of several pictures");
+        bad(a->lua, a->path, "tiles: only a .tmx can use tiles from several pictures");
     if (map->layer[0] != '\0' && !tmx)
         bad(a->lua, a->path, "layer: only a .tmx has layers");
     if (map->size == 0 && !tmx)

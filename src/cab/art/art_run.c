@@ -82,7 +82,8 @@ static enum result find_shapes(struct art_game *g, const char *path)
         return report_line(RESULT_REFUSED, "%s: %s", path, err);
     const struct board_fault *fault = board_last(g->guard.board)->fault;
     if (fault)
-        result = report_line(RESULT_REFUSED, "hitboxes are missing: the scripts do not load: %s", fault->message);
+        result =
+            report_line(RESULT_REFUSED, "hitboxes are missing because the scripts failed to load: %s", fault->message);
     else
         inspect_kinds(g->guard.board, atlas_shapes_add, &g->shapes);
     add_drawn(g);
@@ -110,9 +111,9 @@ static void print_sprites(const struct art_game *g)
         cart_sprite(&g->cart, i, &s);
         report_print("%s: %dx%d, bank %d, origin %d,%d", cart_sprite_name(&g->cart, i), s.w, s.h, s.bank, s.ox, s.oy);
         if (s.frames > 1)
-            report_print(", %d frames, every %d", s.frames, s.every);
+            report_print(", %d frames, every = %d", s.frames, s.every);
         if (s.rotations > 1)
-            report_print(", turned %d", s.rotations);
+            report_print(", %d rotations", s.rotations);
         print_shapes(g, cart_sprite_name(&g->cart, i));
         report_print("\n");
     }
@@ -131,7 +132,7 @@ static enum result write_atlas(const struct art_game *g, const char *file)
         return report_line(RESULT_REFUSED, "--atlas: this game has no sprites");
     const bool made = atlas_make(&g->cart, &g->shapes, &rgb, &w, &h);
     if (!made && h > PNG_MAX_SIDE)
-        return report_line(RESULT_REFUSED, "--atlas: %d x %d pixels is larger than a PNG may be", w, h);
+        return report_line(RESULT_REFUSED, "--atlas: %d x %d pixels is too large for a PNG", w, h);
     const bool packed = made && png_write_rgb(rgb, w, h, &png, &size);
     free(rgb);
     if (!packed)

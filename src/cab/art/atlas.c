@@ -267,10 +267,10 @@ static void describe(const struct atlas *a, int i, const struct sprite *s, struc
     add_words(out, INK, name);
     snprintf(text, sizeof text, "%d x %d", s->w, s->h);
     if (s->rotations > 1)
-        snprintf(text + strlen(text), sizeof text - strlen(text), ", turned %d", s->rotations);
+        snprintf(text + strlen(text), sizeof text - strlen(text), ", %d rotations", s->rotations);
     add_words(out, FAINT, text);
     if (s->frames > 1) {
-        snprintf(text, sizeof text, "%d frames, every %d", s->frames, s->every);
+        snprintf(text, sizeof text, "%d frames, every = %d", s->frames, s->every);
         add_words(out, FAINT, text);
     }
     for (int k = 0; k < a->shapes->n; k++) {

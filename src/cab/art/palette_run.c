@@ -83,8 +83,9 @@ static enum result import(const char *from, int bank, const char *out)
         return report_error(err);
     const int last = swatch_put(&s, bank, rgb);
     if (last > 15)
-        return report_line(RESULT_REFUSED, "%s: %d colours starting at bank %d need bank %d; the last bank is 15", from,
-                           s.n, bank, last);
+        return report_line(RESULT_REFUSED,
+                           "%s: %d colours starting in bank %d would end in bank %d; the last bank is 15", from, s.n,
+                           bank, last);
     const enum result result = save_palette(out, rgb);
     if (result != RESULT_DONE)
         return result;
@@ -107,7 +108,7 @@ enum result art_run_palette(const char *from, int bank, const char *out)
     if (!out)
         return report_line(
             RESULT_REFUSED,
-            "palette: expected -o FILE.png, the palette to write to; or for a .png -o FILE.gpl or FILE.hex");
+            "palette: expected -o FILE.png, the palette to write to; or, to export a .png, -o FILE.gpl or FILE.hex");
     if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
     if (is_list(from) && ends_in(out, ".png"))

@@ -72,7 +72,7 @@ static bool add_line(struct swatch *s, const char *p, size_t n, const char *file
     uint8_t rgb[3];
 
     if (gpl && line == 1 && (n != strlen("GIMP Palette") || memcmp(p, "GIMP Palette", n) != 0))
-        return err_set(err, err_size, "%s:1: expected the line \"GIMP Palette\"", file);
+        return err_set(err, err_size, "%s:1: expected \"GIMP Palette\"", file);
     if (is_other(p, n, line, gpl))
         return true;
     if (!(gpl ? read_rgb(p, n, rgb) : read_hex(p, n, rgb)))
@@ -80,7 +80,7 @@ static bool add_line(struct swatch *s, const char *p, size_t n, const char *file
                        gpl ? "red, green and blue from 0 to 255" : "a colour of six hexadecimal digits",
                        (int)(n < 40 ? n : 40), p);
     if (s->n == SWATCH_MOST)
-        return err_set(err, err_size, "%s:%d: more than %d colours, 15 in each bank", file, line, SWATCH_MOST);
+        return err_set(err, err_size, "%s:%d: more than %d colours (15 per bank)", file, line, SWATCH_MOST);
     memcpy(s->rgb[s->n++], rgb, 3);
     return true;
 }

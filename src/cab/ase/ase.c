@@ -167,9 +167,9 @@ static bool read_layer(struct reader *r)
     const int flags = take16(r), type = take16(r), level = take16(r);
 
     if (a->n_layers == ASE_MAX_LAYERS)
-        return refuse(r, "Aseprite file with more than %d layers", ASE_MAX_LAYERS);
+        return refuse(r, "the Aseprite file has more than %d layers", ASE_MAX_LAYERS);
     if (type > LAYER_TILEMAP || level > r->level + 1 || level >= MAX_LEVEL)
-        return refuse(r, "damaged Aseprite file: unknown kind of layer %d", a->n_layers + 1);
+        return refuse(r, "damaged Aseprite file: unknown layer type %d", a->n_layers + 1);
     struct ase_layer *l = more(&a->layers, a->n_layers, sizeof *l);
     if (!l)
         return no_memory(r);
@@ -228,7 +228,7 @@ static bool find_link(struct reader *r, int layer, int frame, int *image)
                 *image = a->cels[a->frames[frame].first_cel + i].image;
                 return true;
             }
-    return refuse(r, "frame %d, layer \"%s\": its cel is linked to frame %d, which has none", a->n_frames,
+    return refuse(r, "frame %d, layer \"%s\": its cel is linked to frame %d, which has no cel there", a->n_frames,
                   a->layers[layer].name, frame + 1);
 }
 
@@ -253,7 +253,7 @@ static bool read_cel(struct reader *r)
     if (type == TILES)
         return true; /* of a layer that is not shown */
     if (type > TILES)
-        return refuse(r, "frame %d, layer \"%s\": unknown kind of cel", a->n_frames, a->layers[c.layer].name);
+        return refuse(r, "frame %d, layer \"%s\": unknown cel type", a->n_frames, a->layers[c.layer].name);
     for (int i = 0; i < f->cels; i++)
         if (a->cels[f->first_cel + i].layer == c.layer)
             return refuse(r, "damaged Aseprite file: frame %d has two cels in layer \"%s\"", a->n_frames,
@@ -281,7 +281,7 @@ static bool read_tags(struct reader *r)
         struct ase_tag *t = a->n_tags < ASE_MAX_LIST ? more(&a->tags, a->n_tags, sizeof *t) : NULL;
         if (!t)
             return a->n_tags < ASE_MAX_LIST ? no_memory(r)
-                                            : refuse(r, "Aseprite file with more than %d tags", ASE_MAX_LIST);
+                                            : refuse(r, "the Aseprite file has more than %d tags", ASE_MAX_LIST);
         a->n_tags++;
         t->from = take16(r);
         t->to = take16(r);
@@ -302,7 +302,7 @@ static bool read_palette(struct reader *r)
     if (r->past)
         return true;
     if (size < 1 || size > MAX_PALETTE || first > last || last >= size)
-        return refuse(r, "Aseprite file with a palette of %lu colours, expected 1 to %d", (unsigned long)size,
+        return refuse(r, "the Aseprite file has a palette of %lu colours, expected 1 to %d", (unsigned long)size,
                       MAX_PALETTE);
     for (uint32_t i = first; i <= last && !r->past; i++) {
         const int named = take16(r) & 1;
@@ -350,7 +350,7 @@ static bool read_slice(struct reader *r)
         struct ase_key *k = a->n_keys < ASE_MAX_LIST ? more(&a->keys, a->n_keys, sizeof *k) : NULL;
         if (!k)
             return a->n_keys < ASE_MAX_LIST ? no_memory(r)
-                                            : refuse(r, "Aseprite file with more than %d slice keys", ASE_MAX_LIST);
+                                            : refuse(r, "the Aseprite file has more than %d slice keys", ASE_MAX_LIST);
         a->n_keys++;
         memcpy(k->name, name, sizeof name);
         k->slice = r->slices;
@@ -409,7 +409,7 @@ static bool read_chunks(struct reader *r, const uint8_t *p, size_t n, uint32_t c
             return cut_short(r);
         const uint32_t size = bytes_get32(p + at);
         if (size < CHUNK_HEADER || size > n - at)
-            return refuse(r, "damaged Aseprite file: chunk %lu of frame %d has a wrong size", (unsigned long)i + 1,
+            return refuse(r, "damaged Aseprite file: chunk %lu in frame %d has the wrong size", (unsigned long)i + 1,
                           r->a->n_frames);
         r->p = p + at + CHUNK_HEADER;
         r->n = size - CHUNK_HEADER;
@@ -418,7 +418,7 @@ static bool read_chunks(struct reader *r, const uint8_t *p, size_t n, uint32_t c
         if (!read_chunk(r, bytes_get16(p + at + 4)))
             return false;
         if (r->past)
-            return refuse(r, "damaged Aseprite file: chunk %lu of frame %d is too short", (unsigned long)i + 1,
+            return refuse(r, "damaged Aseprite file: chunk %lu in frame %d is too short", (unsigned long)i + 1,
                           r->a->n_frames);
         at += size;
     }
@@ -465,9 +465,9 @@ static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frame
     a->h = bytes_get16(p + 10);
     const int bits = bytes_get16(p + 12);
     if (bits != 8 && bits != 16 && bits != 32)
-        return refuse(r, "Aseprite file with %d bits per pixel, expected 8, 16 or 32", bits);
+        return refuse(r, "the Aseprite file has %d bits per pixel, expected 8, 16 or 32", bits);
     if (*frames < 1 || *frames > ASE_MAX_FRAMES)
-        return refuse(r, "Aseprite file with %d frames, expected 1 to %d", *frames, ASE_MAX_FRAMES);
+        return refuse(r, "the Aseprite file has %d frames, expected 1 to %d", *frames, ASE_MAX_FRAMES);
     if (a->w < 1 || a->h < 1 || a->w > ASE_MAX_SIDE || a->h > ASE_MAX_SIDE)
         return refuse(r, "Aseprite file of %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
                       ASE_MAX_SIDE);
@@ -485,7 +485,7 @@ static bool finish(struct reader *r)
 
     for (int i = 0; i < a->n_tags; i++)
         if (a->tags[i].from > a->tags[i].to || a->tags[i].to >= a->n_frames)
-            return refuse(r, "tag \"%s\" has frames %d to %d, but the file has %d", a->tags[i].name,
+            return refuse(r, "tag \"%s\" covers frames %d to %d, but the file ends at frame %d", a->tags[i].name,
                           a->tags[i].from + 1, a->tags[i].to + 1, a->n_frames);
     for (int i = 0; i < a->n_cels; i++) {
         const struct ase_layer *l = &a->layers[a->cels[i].layer];

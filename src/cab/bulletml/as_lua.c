@@ -451,13 +451,10 @@ static void put_functions(struct lua_writer *w)
 
 static void put_tops(struct lua_writer *w)
 {
-    as_lua_put(&w->body,
-               "\n-- All of it, in a task of a thing: play(e), or play(e, { rank = 0.8, unit = 2, kind = \"orb\" }).\n"
-               "return function(me, options)\n"
-               "  options = options or {}\n"
-               "  rank, unit = options.rank or rank, options.unit or unit\n"
-               "  kind, kinds = options.kind or kind, options.kinds or kinds\n"
-               "  local o = { me = me, dir = 90, speed = 0, root = true }\n");
+    as_lua_put(&w->body, "\n-- Runs the document in tasks of e: play(e), or play(e, { rank = 0.8, unit = 2, kind = "
+                         "\"orb\" }).\nreturn function(me, options)\n  options = options or {}\n  rank, unit = "
+                         "options.rank or rank, options.unit or unit\n  kind, kinds = options.kind or kind, "
+                         "options.kinds or kinds\n  local o = { me = me, dir = 90, speed = 0, root = true }\n");
     for (int32_t i = 0; i < w->d->n; i++)
         if (document_is_top(w->d, i)) {
             as_lua_put(&w->body, "  task.own(me, function() ");

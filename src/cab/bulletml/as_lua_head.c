@@ -46,21 +46,21 @@ void as_lua_head(struct lua_text *t, const struct document *d, const char *file,
     as_lua_put(t, "-- ");
     for (const char *c = strrchr(file, '/') ? strrchr(file, '/') + 1 : file; *c; c++)
         as_lua_put(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
-    as_lua_put(t, ", as Lua. Directions: 0 is right, as everywhere in Curtain, and 90 down.\n");
-    as_lua_put(t,
-               "-- Not as in the document: a bullet flies in the frame in which it is fired, one sooner than there.\n");
+    as_lua_put(t, ", as Lua. Directions are Curtain's: 0 is right, 90 is down.\n");
+    as_lua_put(t, "-- A bullet moves in the frame that fires it, one frame earlier than in the document.\n");
     if (draws(d))
-        as_lua_put(t, "-- Chance is the game's, so it is another than that of bullet.ml's seed.\n");
+        as_lua_put(t, "-- $rand draws from the game's random numbers, not from the seed of bullet.ml.\n");
     if (has_two(d))
-        as_lua_put(t, "-- Between a bullet's actions there a frame passes; here the next begins at once.\n");
+        as_lua_put(
+            t, "-- A bullet's next action starts immediately; in the document, one frame passes between actions.\n");
     if (strstr(body, "motion.def"))
-        as_lua_put(t, "-- Changes of a motion program begin one frame sooner.\n");
+        as_lua_put(t, "-- Changes in a motion program start one frame earlier.\n");
     if (root_vanishes(d))
-        as_lua_put(t, "-- Where the root vanishes there, the thing stays here, unless you remove it.\n");
+        as_lua_put(t, "-- When the document's root vanishes, the thing that runs it stays until you remove it.\n");
     if (strstr(body, "_to(") || strstr(body, "_on("))
-        as_lua_put(t,
-                   "-- Each bullet whose speed or direction changes has a task; thousands of them are bullet.ml's.\n");
-    as_lua_put(t, "local unit, rank = 1, 0.5         -- px a frame of speed 1; 0 to 1\n"
-                  "local kind, kinds = \"orb\", {}     -- of all bullets; of those of a label: { petal = \"rice\" }\n"
-                  "local actions, fires, bullets = {}, {}, {}\n\n");
+        as_lua_put(
+            t, "-- Each bullet that changes speed or direction has a task; for thousands of them, use bullet.ml.\n");
+    as_lua_put(t,
+               "local unit, rank = 1, 0.5         -- px per frame at speed 1; 0 to 1\nlocal kind, kinds = \"orb\", {}  "
+               "   -- for all bullets; by label: { petal = \"rice\" }\nlocal actions, fires, bullets = {}, {}, {}\n\n");
 }

@@ -13,11 +13,11 @@
 static const struct {
     const char *name, *text;
 } helpers[] = {
-    { "count", "-- A number of frames or times, cut to a whole one.\n"
+    { "count", "-- A number of frames or repeats, rounded down.\n"
                "local function count(v, least)\n"
                "  return math.max(least, math.floor(math.min(v + 0.000001, 1000000000)))\n"
                "end\n" },
-    { "fly", "-- What pushes it is added to its own flight.\n"
+    { "fly", "-- Moves with dir and speed plus x and y, the velocity from accel.\n"
              "local function fly(o)\n"
              "  local x = angle.cos(o.dir) * o.speed + (o.x or 0)\n"
              "  local y = angle.sin(o.dir) * o.speed + (o.y or 0)\n"
@@ -35,7 +35,7 @@ static const struct {
                       "    o.me.dir, o.me.speed = o.dir, o.speed * unit\n"
                       "  end\n"
                       "end\n" },
-    { "update", "-- Brings what is changing to where it is in this frame.\n"
+    { "update", "-- Updates changing values for this frame.\n"
                 "local function update(o)\n"
                 "  local now = board.frame()\n"
                 "  for _, name in ipairs { \"dir\", \"speed\", \"x\", \"y\" } do\n"
@@ -47,7 +47,7 @@ static const struct {
                 "    end\n"
                 "  end\n"
                 "end\n" },
-    { "change", "-- From what it is now to that, over so many frames, beside all else.\n"
+    { "change", "-- Changes a value linearly over some frames; all changes run at the same time.\n"
                 "local function change(o, name, to, over)\n"
                 "  update(o)\n"
                 "  o[name .. \"_to\"] = { from = o[name] or 0, to = to, over = over, start = board.frame() }\n"
@@ -62,17 +62,19 @@ static const struct {
                 "    o.driven = false\n"
                 "  end)\n"
                 "end\n" },
-    { "pause", "-- A bullet that is to vanish goes when its commands of a frame are done, and takes its tasks along.\n"
-               "local function pause(s, n)\n"
-               "  if n > 0 and s.o.gone and not s.o.root then s.o.me:remove() end\n"
-               "  wait(n)\n"
-               "UPDATE"
-               "end\n" },
-    { "straight", "-- Directions and speeds of a shot, or of a change: the next one may go on from them.\n"
-                  "local function straight(s, v)\n"
-                  "  s.dir = v\n"
-                  "  return v\n"
-                  "end\n" },
+    { "pause",
+      "-- Waits n frames. A bullet that vanishes is removed, with its tasks, after its commands of the frame.\n"
+      "local function pause(s, n)\n"
+      "  if n > 0 and s.o.gone and not s.o.root then s.o.me:remove() end\n"
+      "  wait(n)\n"
+      "UPDATE"
+      "end\n" },
+    { "straight",
+      "-- Directions and speeds for a shot or a change. They are stored because a sequence starts from the last one.\n"
+      "local function straight(s, v)\n"
+      "  s.dir = v\n"
+      "  return v\n"
+      "end\n" },
     { "aimed", "local function aimed(s, v)\n"
                "  local p = player.nearest(s.o.me.x, s.o.me.y)\n"
                "  s.dir = (p and angle.to(s.o.me, p) or 90) + v\n"
@@ -99,7 +101,7 @@ static const struct {
                     "  s.speed = s.speed and s.speed + v or 1\n"
                     "  return s.speed\n"
                     "end\n" },
-    { "turn_to", "-- Turns the shorter way.\n"
+    { "turn_to", "-- Turns in the shorter direction.\n"
                  "local function turn_to(s, dir, over)\n"
                  "  change(s.o, \"dir\", s.o.dir + angle.difference(s.o.dir, dir), over)\n"
                  "end\n" },
@@ -118,7 +120,7 @@ static const struct {
     { "push_on", "local function push_on(s, name, v, over)\n"
                  "  change(s.o, name, (s.o[name] or 0) + v, over)\n"
                  "end\n" },
-    { "launch", "-- Fires what a shot says: dir, speed, label, motion, and run, a task of the bullet.\n"
+    { "launch", "-- Fires a shot: dir, speed, label, motion, and run, the function of the bullet's task.\n"
                 "local function launch(s, shot)\n"
                 "  local dir, speed = shot.dir or aimed(s, 0), shot.speed or plain(s, 1)\n"
                 "  local b = bullet.fire { kind = kinds[shot.label] or kind, from = s.o.me, dir = dir,\n"

@@ -85,7 +85,7 @@ static void say_uses(const struct document *d)
     char text[160] = "", params[32];
 
     if (u.aims)
-        add_word(text, sizeof text, "  uses ", "where the player is");
+        add_word(text, sizeof text, "  uses ", "the player's position");
     if (u.rank)
         add_word(text, sizeof text, "  uses ", "$rank");
     if (u.rand)
@@ -94,7 +94,7 @@ static void say_uses(const struct document *d)
     if (u.param)
         add_word(text, sizeof text, "  uses ", params);
     if (d->horizontal)
-        add_word(text, sizeof text, "  uses ", "left for up (horizontal)");
+        add_word(text, sizeof text, "  uses ", "left as up (horizontal)");
     if (text[0])
         puts(text);
 }
@@ -124,9 +124,8 @@ static void describe(const struct document *d, const char *file)
 
     for (int32_t i = 0; i < d->n; i++)
         tops += document_is_top(d, i);
-    snprintf(text, sizeof text, "%s: %d action%s %s by %s", file, tops, tops == 1 ? "" : "s",
-             tops == 1 ? "runs" : "run", tops == 1 ? "itself" : "themselves");
-    add_count(text, sizeof text, count(d, NODE_ACTION) - tops, "other");
+    snprintf(text, sizeof text, "%s: %d top action%s", file, tops, tops == 1 ? "" : "s");
+    add_count(text, sizeof text, count(d, NODE_ACTION) - tops, "other action");
     add_count(text, sizeof text, count(d, NODE_FIRE), "fire");
     add_count(text, sizeof text, count(d, NODE_BULLET), "bullet");
     add_count(text, sizeof text, d->n, "element");

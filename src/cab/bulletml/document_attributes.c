@@ -61,7 +61,7 @@ static void read_type(struct document_reader *r, struct document_node *node, con
             if (node->type != NODE_AIM || turns)
                 return;
             node->type = NODE_ABSOLUTE;
-            document_told(r, (int32_t)(node - r->d->node), "type \"aim\" means the same as absolute here");
+            document_told(r, (int32_t)(node - r->d->node), "type \"aim\" means \"absolute\" here");
             return;
         }
     if (root)

@@ -66,13 +66,13 @@ static void check_order(struct document_reader *r, int32_t node, int32_t child, 
     const unsigned is = BIT(r->d->node[child].element);
 
     if (in == NODE_FIRE && (is & AIMS) && (before & BULLETS))
-        bad_at(r, child, "<%s> is after the %s of its <fire>; move it before", "bullet");
+        bad_at(r, child, "<%s> must be before the %s in its <fire>", "bullet");
     else if (in == NODE_FIRE && (is & BULLETS) && (before & BULLETS))
         bad_at(r, child, "<%s>: %s bullet in one <fire>", "second");
     else if (in == NODE_REPEAT && (is & BIT(NODE_TIMES)) && before)
-        bad_at(r, child, "<%s> is after the %s of its <repeat>; move it before", "action");
+        bad_at(r, child, "<%s> must be before the %s in its <repeat>", "action");
     else if (in == NODE_REPEAT && (is & COMMANDS & ~(unsigned)ACTIONS) && !(before & ACTIONS))
-        bad_at(r, child, "<%s> is in <repeat> without %s around it", "an <action>");
+        bad_at(r, child, "<%s> in <repeat> must be inside %s", "an <action>");
 }
 
 static void check_children(struct document_reader *r, int32_t node)
@@ -87,7 +87,7 @@ static void check_children(struct document_reader *r, int32_t node)
         if (!(rules[in].may & is))
             bad_at(r, i, "<%s> is not allowed in <%s>", document_element_name(in));
         else if (before & is & ONCE)
-            bad_at(r, i, "<%s>: more than one in <%s>", document_element_name(in));
+            bad_at(r, i, "more than one <%s> in <%s>", document_element_name(in));
         else
             check_order(r, node, i, before);
         before |= is;
@@ -171,7 +171,8 @@ static void tell_twins(struct document_reader *r, const struct label *labels, in
         if (by_label(&labels[i], &labels[last]) != 0)
             last = i;
         else if (asked[labels[last].at])
-            document_told(r, labels[i].at, "duplicate label \"%s\": line %d defines it again, and the last one is used",
+            document_told(r, labels[i].at,
+                          "duplicate label \"%s\": line %d defines it again; the last definition is used",
                           labels[i].node->label, labels[last].node->line);
     }
     free(asked);

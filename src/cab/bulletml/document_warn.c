@@ -99,7 +99,7 @@ static void look_at_params(struct document_reader *r, int32_t ref, const uint8_t
     for (int32_t i = d->node[ref].first; i != DOCUMENT_NONE; i = d->node[i].next)
         given++;
     if (given > 9)
-        document_told(r, ref, "of its %d params only the first 9 have a name", given);
+        document_told(r, ref, "%d params, but only the first 9 have names ($1 to $9)", given);
     else if (most[d->node[ref].target] > given)
         document_told(r, ref, "\"%s\" uses $%d, which is 1 because only %d param%s given", d->node[ref].label,
                       most[d->node[ref].target], given, given == 1 ? " is" : "s are");
@@ -136,7 +136,7 @@ static void look_at_wait(struct document_reader *r, int32_t node)
     double frames;
 
     if (constant(r->d, node, &frames) && frames < 1 && frames != 0)
-        document_told(r, node, "%g frames is no wait: the action continues at once", frames);
+        document_told(r, node, "a wait of %g frames has no effect: the action continues immediately", frames);
 }
 
 static void look_at_bullet(struct document_reader *r, int32_t node)

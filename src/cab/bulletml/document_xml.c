@@ -199,7 +199,7 @@ static void read_number(struct reader *x, int32_t at)
     int line, column;
 
     if (blank(x->text, x->n)) {
-        document_bad(x->r, node->line, node->column, "<%s>: no number in it", name_of(x, at));
+        document_bad(x->r, node->line, node->column, "<%s>: expected a number, got nothing", name_of(x, at));
         return;
     }
     node->ops = expression_read(x->text, x->n, ops, &large, &error);
@@ -210,7 +210,7 @@ static void read_number(struct reader *x, int32_t at)
     }
     node->op = document_keep(x->r, ops, (size_t)node->ops * sizeof *ops);
     if (large)
-        document_told(x->r, at, "a number above 2147483647 is reduced to it");
+        document_told(x->r, at, "numbers above 2147483647 are reduced to 2147483647");
 }
 
 static void end_element(void *user, const XML_Char *name)
@@ -248,7 +248,7 @@ static void add_text(void *user, const XML_Char *s, int length)
         document_bad(x->r, line_of(x), column_of(x), "<%s>: expected elements, got text", name_of(x, x->open));
     } else if (x->closed) {
         if (!x->told)
-            document_told(x->r, x->open, "text after the comment in it is ignored");
+            document_told(x->r, x->open, "text after the comment is ignored");
         x->told = true;
     } else if (n > TEXT - x->n) {
         document_bad(x->r, line_of(x), column_of(x), "<%s>: number longer than %d bytes", name_of(x, x->open),

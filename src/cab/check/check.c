@@ -94,10 +94,11 @@ static void check_manifest(struct check *c)
 static void check_id(struct check *c)
 {
     if (c->manifest && !symbols_returns(&c->rom, "id"))
-        diagnostics_add(&c->found, "rom.lua", 0,
-                        "no id; the folder's name is used, so a copy under another name loses demos, saves and scores; "
-                        "add id = \"%s\"",
-                        c->m.id);
+        diagnostics_add(
+            &c->found, "rom.lua", 0,
+            "no id; the folder's name is used, so a copy under a different name loses demos, saves and scores; "
+            "add id = \"%s\"",
+            c->m.id);
 }
 
 /* ---- the folder ---- */
@@ -115,13 +116,13 @@ static bool open_folder(struct check *c, enum result *result)
 
     *result = RESULT_REFUSED;
     if (files_size(c->dir) >= 0)
-        report_line(*result, "%s: is a file; check takes the folder of a game", c->dir);
+        report_line(*result, "%s: is a file; check takes a game's folder", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
         report_line(*result, "%s", files_absent(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
         *result = report_error(err);
     else if (!tree_has(&c->files, "rom.lua"))
-        report_line(*result, "%s: not the folder of a game: no rom.lua in it", c->dir);
+        report_line(*result, "%s: not a game's folder: it has no rom.lua", c->dir);
     else
         return true;
     return false;

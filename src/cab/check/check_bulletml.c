@@ -48,5 +48,5 @@ void check_bulletml(struct check *c)
                         "documents in bulletml/ are not packed: BulletML is disabled; add bulletml = 1024 to board");
     if (n == 0 && c->manifest && c->m.bulletml > 0)
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "board", "bulletml"),
-                        "board.bulletml: no document bulletml/NAME.xml");
+                        "board.bulletml is set, but the game has no document bulletml/NAME.xml");
 }

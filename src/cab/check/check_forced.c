@@ -352,7 +352,7 @@ static void win(struct run *r)
     uint8_t *nvram = NULL;
     size_t size = 0;
 
-    go_round(r, "a game that is won", &won, &nvram, &size);
+    go_round(r, "a won game", &won, &nvram, &size);
     struct board_start start = check_start(r);
     start.nvram = nvram;
     start.nvram_size = nvram != NULL ? size : 0;
@@ -412,7 +412,8 @@ static void each_game(struct each *e)
     for (int d = 0; d < difficulties(e->r); d++) {
         struct board_start start = check_start(e->r);
         start.difficulty = check_cart(e->r)->m.n_difficulties > 0 ? d : -1;
-        snprintf(what, sizeof what, "a game that is lost %s", difficulty_name(e->r, d));
+        const char *name = difficulty_name(e->r, d);
+        snprintf(what, sizeof what, "a lost game%s%s", name[0] ? ", " : "", name);
         if (next(e))
             tour(e->r, what, TOUR_LOST, &start);
     }

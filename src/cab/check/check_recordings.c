@@ -20,7 +20,7 @@ static void say_flaws(struct check *c, const char *file, uint32_t rate, const st
                         (double)f->first / rate);
     if (fabs(f->mean) > mean_most)
         diagnostics_add(&c->found, file, 0,
-                        "its mean is %.1f %% of full scale (DC offset): it starts and ends with a click",
+                        "its mean is %.1f %% of full scale (DC offset), so it clicks at its start and end",
                         f->mean * 100);
 }
 
@@ -28,15 +28,15 @@ static void say_loop(struct check *c, const struct art_sound *s, const struct pc
 {
     if (f->clicks)
         diagnostics_add(&c->found, s->file, 0,
-                        "its loop clicks: from its end, %.3f s, to its start, %.3f s, it jumps by %.1f %% of full "
-                        "scale; neighbouring frames by %.1f %% at most",
+                        "its loop clicks: from the loop's end (%.3f s) to its start (%.3f s) the signal jumps by "
+                        "%.1f %% of full scale, but by at most %.1f %% between other neighbouring frames",
                         (double)p->n / p->rate, (double)p->loop / p->rate, f->jump * 100, f->usual * 100);
     if (p->loop < 0 || s->tempo == 0)
         return;
     const double beats = (double)(p->n - p->loop) / p->rate * s->tempo / 6000;
     if (fabs(beats - round(beats)) > beats_most)
         diagnostics_add(&c->found, s->file, 0,
-                        "its loop is %.2f beats long at tempo %g: music.beat drifts away from the sound", beats,
+                        "its loop is %.2f beats long at tempo %g, so music.beat drifts away from the sound", beats,
                         s->tempo / 100.0);
 }
 

@@ -113,7 +113,7 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
     static const char *const words[] = { [INSPECT_CIRCLE] = "hit circle",
                                          [INSPECT_BOX] = "hit box",
                                          [INSPECT_CAPSULE] = "hit capsule",
-                                         [INSPECT_CIRCLES] = "hit circles, together" };
+                                         [INSPECT_CIRCLES] = "combined hit circles" };
     const struct run *r = context;
     struct check *c = r->c;
     int64_t w = (int64_t)kind->x1 - kind->x0, h = (int64_t)kind->y1 - kind->y0;
@@ -131,7 +131,7 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
             continue;
         const char *file = declared(c, kind->of, kind->name, &line);
         diagnostics_add(&c->found, file, line,
-                        "%s \"%s\": its %s of %.7g x %.7g px %s larger than its sprite, \"%s\" of %d x %d px", kind->of,
+                        "%s \"%s\": its %s (%.7g x %.7g px) %s larger than its sprite \"%s\" (%d x %d px)", kind->of,
                         kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
                         kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, pic_w, pic_h);
     }
@@ -167,7 +167,7 @@ static void note_ramp(void *context, const struct inspect_shape_of *kind)
         return;
     const char *file = declared(r->c, kind->of, kind->name, &line);
     diagnostics_add(&r->c->found, file, line,
-                    "%s \"%s\": its blend, \"%s\", needs ramps, but colour %d of bank %d is darker than colour %d",
+                    "%s \"%s\": its blend \"%s\" needs ramps, but colour %d in bank %d is darker than colour %d",
                     kind->of, kind->name, kind->ramp, at, kind->bank, at - 1);
 }
 
@@ -462,7 +462,7 @@ static void judge_contrast(struct run *r)
             continue;
         l->told = true;
         diagnostics_add(&r->c->found, r->what, 0,
-                        "bullets \"%s\" in bank %d hardly stand out: %d of %d, in %d sampled frames; first at %d, %d "
+                        "bullets \"%s\" in bank %d are hard to see: %d of %d in %d sampled frames; the first at %d,%d "
                         "in frame %" PRIu32,
                         l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
     }
@@ -576,8 +576,9 @@ static void run_loaded(struct run *r)
     contrast_close(&r->contrast);
     free(r->hash_cache);
     if (wrong != ALL && !doubted)
-        diagnostics_add(&r->c->found, r->what, 0, "differs from frame %" PRIu32 " on (curtain verify %s %s/%s)", wrong,
-                        r->c->dir, r->c->dir, r->what);
+        diagnostics_add(&r->c->found, r->what, 0,
+                        "playback diverges at frame %" PRIu32 " (see curtain verify %s %s/%s)", wrong, r->c->dir,
+                        r->c->dir, r->what);
     check_finish(r);
     r->c->demos++;
 }

@@ -168,7 +168,7 @@ void check_heard_judge(struct check *c, struct check_heard *h, const char *what)
 {
     if (h->over > h->frames / RARELY)
         diagnostics_add(&c->found, what, 0,
-                        "the mix exceeds full scale in %" PRIu32 " of %" PRIu32 " frames, first in %" PRIu32
+                        "the mix exceeds full scale in %" PRIu32 " of %" PRIu32 " frames, first in frame %" PRIu32
                         ": too loud",
                         h->over, h->frames, h->first);
     for (int i = 0; i < h->n; i++) {

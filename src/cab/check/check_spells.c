@@ -41,9 +41,10 @@ static void judge_spells(struct check *c, const struct check_script *s)
     for (int t = 0; t < f->n_tables; t++) {
         const struct symbol_key *spell = spell_of(f, t);
         if (spell != NULL && key_of(f, t, "bonus_to") == NULL && key_of(f, t, "survive") == NULL)
-            diagnostics_add(&c->found, s->path, spell->line,
-                            "spell \"%s\": its bonus does not decrease like that of other spells (set bonus_to)",
-                            spell->value != NULL ? spell->value : "?");
+            diagnostics_add(
+                &c->found, s->path, spell->line,
+                "spell \"%s\": its bonus does not decrease, unlike the bonus of other spells (set bonus_to)",
+                spell->value != NULL ? spell->value : "?");
     }
 }
 

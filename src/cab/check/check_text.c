@@ -78,12 +78,12 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
     if (code > 32 && (code < 127 || code > 160))
         bytes[utf8_put(bytes, code)] = '\0';
     if (n > 1)
-        snprintf(more, sizeof more, ", and %d more of this text", n - 1);
+        snprintf(more, sizeof more, " and %d more character%s", n - 1, n == 2 ? "" : "s");
     snprintf(what, sizeof what, "%s %s%s%sU+%04X%s",
-             cart_has_glyph(cart, code) ? "text cells cannot hold" : "no font of the game has a glyph for",
+             cart_has_glyph(cart, code) ? "text cells cannot hold" : "no font in the game has a glyph for",
              bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
     if (!place.sure && !any_shown(c, cart, s, place))
-        diagnostics_note(&c->found, path, line, "%s; not seen in any run", what);
+        diagnostics_note(&c->found, path, line, "%s; no run shows it", what);
     else
         diagnostics_add(&c->found, path, line, "%s: a box is drawn instead%s", what,
                         cart_has_glyph(cart, code) ? " (add wide = true to board in rom.lua)" : "");

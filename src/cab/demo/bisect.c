@@ -292,12 +292,12 @@ static bool apart(struct bisect *s)
     const struct side *a = &s->a, *b = &s->b;
 
     if (a->end || b->end)
-        return err_set(s->err, sizeof s->err, "%s ends in frame %u, %s is longer; they are equal up to there",
+        return err_set(s->err, sizeof s->err, "%s ends in frame %u; %s is longer, and both are equal up to there",
                        (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
     if (a->frame == b->frame)
-        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: the traces are of different parts",
+        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: the traces cover different parts",
                        a->path, a->line, a->part, b->path, b->line, b->part);
-    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: the traces are of different frames",
+    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: the traces cover different frames",
                    a->path, a->line, (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
@@ -398,8 +398,7 @@ static void compare_rows(struct bisect *s)
                      s->a.path, HASH_DIGITS, s->b.values, s->b.path);
         return;
     }
-    report_print("to compare columns and slots, use the output of both builds for: hash ROM --demo DEMO --trace %s "
-                 "--frames %u:%u\n",
+    report_print("to compare columns and slots, run in both builds: hash ROM --demo DEMO --trace %s --frames %u:%u\n",
                  names, (unsigned)(s->frame ? s->frame - 1 : 0), (unsigned)s->frame);
 }
 

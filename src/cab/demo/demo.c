@@ -215,12 +215,12 @@ bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t 
     int dip = bad_dip(d, m);
 
     if (strcmp(d->id, m->id) != 0)
-        snprintf(err, err_size, "demo of another game (\"%s\", this is \"%s\")", d->id, m->id);
+        snprintf(err, err_size, "demo for another game (\"%s\", this is \"%s\")", d->id, m->id);
     else if (d->start.difficulty >= m->n_difficulties)
-        snprintf(err, err_size, "its difficulty %d is out of range: this game has %d", (int)d->start.difficulty,
-                 (int)m->n_difficulties);
+        snprintf(err, err_size, "difficulty %d is out of range: this game has %d difficulties",
+                 (int)d->start.difficulty, (int)m->n_difficulties);
     else if (dip >= 0)
-        snprintf(err, err_size, "its DIP switch %s has the value %d, which this game does not know", m->dips[dip].name,
+        snprintf(err, err_size, "DIP switch %s has the value %d, which does not exist in this game", m->dips[dip].name,
                  (int)d->start.dip[dip]);
     else
         return true;

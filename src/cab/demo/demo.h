@@ -123,8 +123,8 @@ bool demo_points(const struct demo *d, int player, int64_t *points);
  * manifest allows. */
 bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size);
 
-/* "recorded on another build", "recorded on core version 2" ... for one that may not hold on this ROM and engine; NULL:
- * no reason to doubt it. */
+/* "recorded with another game version", "recorded with core version 2" ... for one that may not hold on this ROM and
+ * engine; NULL: no reason to doubt it. */
 const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size);
 
 /*

@@ -74,7 +74,7 @@ void annotation_aliases(struct prose *to)
         }
     }
     prose_add(to, "---@alias motion_name string\n");
-    prose_add(to, "\n---what path.def returned\n---@class route\n");
+    prose_add(to, "\n---a path that path.def returned\n---@class route\n");
 }
 
 /* Adds text to the n letters of out; returns how many there are then. */

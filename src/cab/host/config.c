@@ -34,23 +34,23 @@ static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan"
 
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
-    { "scale", "Window Size", "Picture", AT(scale), 0, 16, 0, NULL, NULL, 1,
-      "window pixels per game pixel; 0: the largest that fits", "x", "Auto" },
-    { "fullscreen", "Fullscreen", "Picture", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
+    { "scale", "Window Size", "Display", AT(scale), 0, 16, 0, NULL, NULL, 1,
+      "pixels per game pixel; 0 picks the largest size that fits", "x", "Auto" },
+    { "fullscreen", "Fullscreen", "Display", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
       NULL },
-    { "turn", "Rotate", "Picture", AT(turn), 0, 3, 0, turns, turn_labels, 1,
-      "turn the picture, for a rotated monitor; over: upside down", NULL, NULL },
-    { "scaling", "Scaling", "Picture", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
-      "whole: sharp, at integer scale; smooth: fills the window", NULL, NULL },
-    { "crt", "CRT Filter", "Picture", AT(crt), 0, 1, 0, no_yes, off_on, 1, "scanlines and shadow mask of a CRT", NULL,
+    { "turn", "Rotate", "Display", AT(turn), 0, 3, 0, turns, turn_labels, 1,
+      "rotate to match a rotated monitor; over: upside down", NULL, NULL },
+    { "scaling", "Scaling", "Display", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
+      "integer scale (whole) is sharp; smooth fills the window", NULL, NULL },
+    { "crt", "CRT Filter", "Display", AT(crt), 0, 1, 0, no_yes, off_on, 1, "scanlines and shadow mask of a CRT", NULL,
       NULL },
-    { "border", "Border", "Picture", AT(border), 0, 1, 1, no_yes, off_on, 1,
+    { "border", "Border", "Display", AT(border), 0, 1, 1, no_yes, off_on, 1,
       "art around the picture, if the game has any", NULL, NULL },
-    { "panels", "Panels", "Picture", AT(panels), 0, 1, 0, places, place_labels, 1,
+    { "panels", "Panels", "Display", AT(panels), 0, 1, 0, places, place_labels, 1,
       "where a wide window shows messages and panels", NULL, NULL },
-    { "vsync", "VSync", "Picture", AT(vsync), 0, 1, 1, no_yes, off_on, 1, "show frames in step with the display", NULL,
+    { "vsync", "VSync", "Display", AT(vsync), 0, 1, 1, no_yes, off_on, 1, "show frames in step with the display", NULL,
       NULL },
-    { "run_ahead", "Run-Ahead", "Picture", AT(run_ahead), 0, 1, 0, NULL, NULL, 1,
+    { "run_ahead", "Run-Ahead", "Display", AT(run_ahead), 0, 1, 0, NULL, NULL, 1,
       "show the next frame early: one frame less input latency", " frame", "Off" },
     { "dim", "Dim Backgrounds", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
       "darken backgrounds by a quarter to three quarters", NULL, NULL },
@@ -58,37 +58,37 @@ static const struct config_setting settings[] = {
       "soft: flashes at quarter strength", NULL, NULL },
     { "colours", "Colour-Blind Mode", "Accessibility", AT(colours), 0, 3, 0, views_colours, colour_labels, 1,
       "colours that are easier to tell apart", NULL, NULL },
-    { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1,
-      "always show the hitbox of the ship", NULL, NULL },
-    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume in percent", "%", NULL },
-    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "music volume in percent", "%", NULL },
+    { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1, "always show the ship's hitbox",
+      NULL, NULL },
+    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume, in percent", "%", NULL },
+    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "music volume, in percent", "%", NULL },
     { "sounds", "Sound Effects", "Sound", AT(sounds), 0, 100, 100, NULL, NULL, 10,
-      "volume of everything but music in percent", "%", NULL },
+      "volume of everything except music, in percent", "%", NULL },
     { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
     { "resample", "Resample", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
       "no: bit-exact sound, paced by the sound card", NULL, NULL },
     { "away", "When Unfocused", "Gameplay", AT(away), 0, 1, 1, aways, away_labels, 1,
-      "without the focus, go-on keeps playing and stop pauses", NULL, NULL },
-    { "keep_replays", "Replays Saved", "Gameplay", AT(replays), 0, 1000, 50, NULL, NULL, 10,
-      "recent runs saved per game; named replays don't count", NULL, "None" },
+      "when focus is lost: stop pauses, go-on keeps playing", NULL, NULL },
+    { "keep_replays", "Saved Replays", "Gameplay", AT(replays), 0, 1000, 50, NULL, NULL, 10,
+      "recent runs to save per game; named replays don't count", NULL, "None" },
     { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
       "save an unfinished run and offer to resume it next time", NULL, NULL },
     { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
-      "seconds of play that the clip key saves as a GIF", " s", NULL },
+      "number of seconds that the clip key saves as a GIF", " s", NULL },
     { "speed", "Game Speed", "Gameplay", AT(speed), 0, 2, 0, speeds, speed_labels, 1,
       "slower play is marked in replays", NULL, NULL },
     { "autofire", "Autofire", "Player 1", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,
       "holding fire shoots 15 times a second", NULL, NULL },
     { "focus", "Focus", "Player 1", AT(focus[0]), 0, 1, 0, focus_words, focus_labels, 1,
-      "toggle: pressing focus turns it on or off", NULL, NULL },
+      "toggle: pressing the focus button turns focus on or off", NULL, NULL },
     { "one_hand", "One-Handed", "Player 1", AT(one_hand[0]), 0, 2, 0, hand_words, hand_labels, 1,
-      "one half of the keyboard or controller; fire is automatic", NULL, NULL },
-    { "autofire2", "Autofire", "Player 2", AT(autofire[1]), 0, 1, 0, no_yes, off_on, 1, "autofire of player 2", NULL,
+      "use half of the keyboard or controller; fire is automatic", NULL, NULL },
+    { "autofire2", "Autofire", "Player 2", AT(autofire[1]), 0, 1, 0, no_yes, off_on, 1, "autofire for player 2", NULL,
       NULL },
-    { "focus2", "Focus", "Player 2", AT(focus[1]), 0, 1, 0, focus_words, focus_labels, 1, "focus mode of player 2",
+    { "focus2", "Focus", "Player 2", AT(focus[1]), 0, 1, 0, focus_words, focus_labels, 1, "focus mode for player 2",
       NULL, NULL },
     { "one_hand2", "One-Handed", "Player 2", AT(one_hand[1]), 0, 2, 0, hand_words, hand_labels, 1,
-      "one-handed layout of player 2", NULL, NULL },
+      "one-handed layout for player 2", NULL, NULL },
 };
 #undef AT
 
@@ -177,7 +177,7 @@ static bool set_value(struct config *c, const struct config_setting *s, const ch
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
 {
     if (value[0] && !manifest_word_ok(value)) {
-        snprintf(err, err_size, "lang: expected a language's name of letters, digits, _ and -, got \"%s\"", value);
+        snprintf(err, err_size, "lang: expected a language name of letters, digits, _ and -, got \"%s\"", value);
         return false;
     }
     snprintf(c->lang, sizeof c->lang, "%s", value);
@@ -282,6 +282,6 @@ void config_help(void (*line)(const char *))
         snprintf(text, sizeof text, "  %-15s %-42s %s", s->name, value, s->help);
         line(text);
     }
-    snprintf(text, sizeof text, "  %-15s %-42s %s", "lang", "(none)", "language, in games that offer more than one");
+    snprintf(text, sizeof text, "  %-15s %-42s %s", "lang", "(none)", "language, in games with more than one");
     line(text);
 }

@@ -13,7 +13,7 @@ static const char *const example[] = {
     "    volume = 60",
     "    # keep playing when another window has the focus",
     "    away = go-on",
-    "    # fire with Z, Enter or the lower button of a controller",
+    "    # fire with Z, Enter or the bottom face button of a controller",
     "    p1.fire = z enter pad.south",
     "    pause = none",
 };

@@ -25,7 +25,7 @@ static const struct action {
     { "p1.focus", "Focus", "lshift pad.r1 pad.r2", "move slowly" },
     { "p1.special", "Special", "c pad.west pad.l1", "depends on the game" },
     { "p1.start", "Start", "enter 1 pad.start", "start; pauses the game" },
-    { "p1.select", "Select", "tab pad.select", "select" },
+    { "p1.select", "Select", "tab pad.select", "depends on the game" },
     { "p2.up", "Up", "w kp8 pad.up pad.lup", "player 2" },
     { "p2.down", "Down", "s kp5 kp2 pad.down pad.ldown", "" },
     { "p2.left", "Left", "a kp4 pad.left pad.lleft", "" },
@@ -37,33 +37,33 @@ static const struct action {
     { "p2.start", "Start", "2 kp* pad.start", "" },
     { "p2.select", "Select", "3 kp- pad.select", "" },
     { "pause", "Pause", "p pause", "pause or resume" },
-    { "step", "Frame Advance", "period", "one frame forward, then pause" },
-    { "slow", "Slow Motion", "comma", "half, quarter or full speed" },
-    { "turbo", "Fast-Forward", "slash", "as fast as possible while held" },
-    { "rewind", "Rewind", "backspace", "back in time while held" },
-    { "back", "Frame Back", "b", "one frame back, then pause" },
+    { "step", "Frame Advance", "period", "go one frame forward and pause" },
+    { "slow", "Slow Motion", "comma", "switch between half, quarter and full speed" },
+    { "turbo", "Fast-Forward", "slash", "run as fast as possible while held" },
+    { "rewind", "Rewind", "backspace", "go back in time while held" },
+    { "back", "Frame Back", "b", "go one frame back and pause" },
     { "before", "Previous Event", "lbracket", "jump to the previous stage, boss, phase or death" },
-    { "after", "Next Event", "rbracket", "jump to the next one" },
+    { "after", "Next Event", "rbracket", "jump to the next stage, boss, phase or death" },
     { "goto", "Go to Frame", "home", "enter a frame number and jump there" },
-    { "takeover", "Take Over", "t", "play on from here in a demo, as a new demo" },
+    { "takeover", "Take Over", "t", "in a demo: play from here, as a new demo" },
     { "reload", "Reload", "f5", "reload the game's folder now" },
     { "practice", "Practice", "f2", "choose a section to practise" },
-    { "retry", "Retry", "r", "restart the section at once" },
-    { "silence", "Mute", "m", "sound off or on" },
+    { "retry", "Retry", "r", "restart the section immediately" },
+    { "silence", "Mute", "m", "turn sound off or on" },
     { "quieter", "Volume Down", "minus", "lower the volume by ten percent" },
     { "louder", "Volume Up", "equals", "raise the volume by ten percent" },
     { "screenshot", "Screenshot", "f12", "save a PNG in your pictures folder" },
     { "capture", "Save Clip", "f6", "save a GIF of the last seconds in the same folder" },
     { "full", "Fullscreen", "f11 alt+enter", "switch between fullscreen and window" },
-    { "quit", "Quit", "ctrl+q", "quit at once" },
+    { "quit", "Quit", "ctrl+q", "quit without asking" },
     { "menu", "Menu", "escape pad.guide", "open the menu" },
     { "help", "Key Bindings", "f1", "list all keys and what they do" },
-    { "log", "Log", "f8", "script output and errors" },
-    { "shapes", "Show Hitboxes", "h", "hitboxes and graze rings over the picture" },
-    { "gauges", "Pool Usage", "g", "how full every pool is, and Lua's memory" },
-    { "split", "Frame Times", "v", "where the time of each frame goes" },
-    { "tasks", "Tasks", "n", "tasks, their lines and random numbers drawn" },
-    { "mixer", "Mixer", "f3", "voices, levels and position in the music" },
+    { "log", "Log", "f8", "show script output and errors" },
+    { "shapes", "Show Hitboxes", "h", "show hitboxes and graze rings over the picture" },
+    { "gauges", "Pool Usage", "g", "show how full each pool is, and Lua memory" },
+    { "split", "Frame Times", "v", "show how each frame's time is spent" },
+    { "tasks", "Tasks", "n", "show tasks with their current lines, and random numbers drawn" },
+    { "mixer", "Mixer", "f3", "show voices, levels and the position in the music" },
     { "console", "Console", "backquote", "run a line of Lua while the game is paused" },
 };
 
@@ -284,7 +284,7 @@ bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size
     if (n == KEYS_EACH) {
         char title[KEYS_TITLE];
         keys_title(action, title, sizeof title);
-        snprintf(err, err_size, "%s already has %d keys, the most it can have", title, KEYS_EACH);
+        snprintf(err, err_size, "%s already has %d keys, the maximum", title, KEYS_EACH);
         return false;
     }
     list[n] = code;

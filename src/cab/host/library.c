@@ -54,8 +54,8 @@ bool library_open(enum library library, const struct library_function *list, siz
 
 bool library_missing(enum library library, char *err, size_t err_size)
 {
-    return err_set(err, err_size, "this build does not load shared libraries; %s reads %s", libraries[library].name,
-                   libraries[library].reads);
+    return err_set(err, err_size, "this build cannot load shared libraries such as %s, which reads %s",
+                   libraries[library].name, libraries[library].reads);
 }
 #endif
 

@@ -119,5 +119,5 @@ enum result report_stdout(enum result result)
 {
     if (fflush(stdout) == 0 && !ferror(stdout))
         return result;
-    return report_line(RESULT_HOST, "cannot write standard output");
+    return report_line(RESULT_HOST, "cannot write to standard output");
 }

@@ -121,7 +121,7 @@ static bool check_options(const struct args *a, uint64_t seen, char *err, size_t
         if (a->demo && fixed >> o & 1)
             return err_set(err, err_size, "%s cannot be combined with --demo: the demo sets it", args_options[o].name);
         if (!a->stage && practice >> o & 1)
-            return err_set(err, err_size, "%s needs --stage: it applies to practice starts", args_options[o].name);
+            return err_set(err, err_size, "%s needs --stage: it applies only to practice starts", args_options[o].name);
     }
     return check_verify(seen, err, err_size) && check_pairs(a, seen, err, err_size);
 }

@@ -23,7 +23,7 @@ static void help_all(void (*line)(const char *))
 {
     char text[320], name[48];
 
-    line("curtain plays bullet-hell games. A ROM is the folder of a game or a .rom file.");
+    line("curtain plays bullet-hell games. A ROM is a game's folder or a .rom file.");
     line("");
     for (int i = 0; i < COMMANDS; i++) {
         snprintf(name, sizeof name, "%s %s", args_commands[i].name, args_commands[i].words);

@@ -16,39 +16,38 @@ const struct command_row args_commands[COMMANDS] = {
                           "ffmpeg" },
     [COMMAND_HASH] = { "hash", "[ROM]", 0, 1, "run without a window and print the state hash of every frame: N HASH" },
     [COMMAND_VERIFY] = { "verify", "ROM DEMO...", 2, 1 << 20,
-                         "replay demos and compare hashes; report the first frame and the parts that differ. As DEMO, "
-                         "- reads names from standard input, one per line" },
+                         "replay demos and compare hashes; report the first frame and the parts that differ. If DEMO "
+                         "is -, read names from standard input, one per line" },
     [COMMAND_TEST] = { "test", "DIR [NAME...]", 1, 1 << 20,
-                       "run the demos in demos/ and the scripts in tests/ of a game, or those named, and report which "
+                       "run a game's demos in demos/ and scripts in tests/, or only the named ones, and report which "
                        "pass" },
-    [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file from the folder of a game" },
+    [COMMAND_PACK] = { "pack", "DIR", 1, 1, "make a .rom file from a game's folder" },
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "list the contents of a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM to a file in DIR" },
-    [COMMAND_NEW] = { "new", "DIR", 1, 1, "create a folder with a complete game to change" },
-    [COMMAND_EXPORT] = { "export", "ROM", 1, 1,
-                         "make a single file that runs a game by itself, under the game's name" },
+    [COMMAND_NEW] = { "new", "DIR", 1, 1, "create a folder with a complete game that you can change" },
+    [COMMAND_EXPORT] = { "export", "ROM", 1, 1, "make a standalone program, a single file with the game's name" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
-                        "find mistakes in the folder of a game: scripts, art, missing and unused files, Lua memory" },
+                        "find mistakes in a game's folder: scripts, art, missing and unused files, Lua memory" },
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
-                        "play the demos and sections of a game and print the cost of its frames, its most expensive "
-                        "lines of Lua, and its use of each capacity" },
+                        "play a game's demos and sections and print the cost of its frames, its most expensive lines "
+                        "of Lua, and how much of each capacity it uses" },
     [COMMAND_SURVIVE] = { "survive", "[ROM]", 0, 1,
-                          "search for a run without a hit; write it as a demo, or a map of where no way was found; and "
-                          "measure the difficulty" },
+                          "search for a run without a hit and write it as a demo, or write a picture of where the "
+                          "search failed; measure the difficulty" },
     [COMMAND_SOUND] = { "sound", "ROM [NAME]", 1, 2,
-                        "list the sounds and music of a game with their lengths and loudness; or measure, play or "
-                        "write one of them" },
+                        "list a game's sounds and music with their lengths and loudness; or measure, play or write one "
+                        "of them" },
     [COMMAND_ART] = { "art", "ROM", 1, 1,
-                      "list the sprites of a game: size, bank, origin, frames and hitboxes; or draw them all on one "
+                      "list a game's sprites: size, bank, origin, frames and hitboxes; or draw them all in one "
                       "picture" },
     [COMMAND_PALETTE] = { "palette", "FILE", 1, 1,
-                          "copy the colours of a .hex or .gpl file into a bank of the palette -o; or write a bank of a "
-                          "palette to such a file" },
+                          "copy the colours of a .hex or .gpl file into a bank of the palette that -o names; or export "
+                          "a bank as such a file" },
     [COMMAND_BULLETML] = { "bulletml", "FILE...", 1, 1 << 20,
                            "check BulletML documents and describe them; or convert one to Lua" },
     [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
-                       "this help; or the help of a command, the settings and their file, or the Lua API and its names "
-                       "that contain a word" },
+                       "print this help; or help for a command, for the settings and their file, for the Lua API, or "
+                       "for the API names that contain a word" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "print release, core version, Lua release, compiler and flags (also --version)" },
     [COMMAND_LICENCES] = { "licences", "", 0, 0, "print the authors and licences of the software in this program" },
@@ -89,41 +88,44 @@ const struct command_row args_commands[COMMANDS] = {
 const struct option_row args_options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, TEXT(record), "record the run as demo F" },
     [OPTION_PRINTS] = { "--prints", "WORD", FOR_HEADLESS | FOR_VERIFY | FOR_SURVIVE, WORD(prints, demo_prints_words),
-                        "checksums in the demo: of every frame; of every second (seconds), a tenth of the size; or "
-                        "auto: of every frame up to a minute" },
+                        "checksums in the demo: every (one per frame), seconds (one per second; a tenth of the size), "
+                        "or auto (\"every\" for demos of up to a minute, \"seconds\" for longer ones)" },
     [OPTION_DEMO] = { "--demo", "F", FOR_RUN | FOR_BENCH, TEXT(demo),
-                      "play demo F; after its end no button is pressed" },
+                      "play demo F; no buttons are held after its end" },
     [OPTION_SEED] = { "--seed", "N", FOR_START, NUMBER(seed, 0, UINT64_MAX),
-                      "seed of the random streams, 0 to 2^64 - 1 (default: the clock for play, otherwise 0)" },
+                      "seed of the random streams, 0 to 2^64 - 1 (default: taken from the clock for play, otherwise "
+                      "0)" },
     [OPTION_DIP] = { "--dip", "NAME=VALUE", FOR_START, SETTINGS(dips, n_dips),
-                     "set a DIP switch of the game; repeatable" },
+                     "set one of the game's DIP switches; repeatable" },
     [OPTION_STAGE] = { "--stage", "S", FOR_START, TEXT(stage),
                        "start at NAME, NAME:MARK or BOSS/PHASE; append @SHIP to choose the ship" },
     [OPTION_LIVES] = { "--lives", "N", FOR_RUN, NUMBER(lives, 1, ARGS_MAX_LIVES),
                        "with --stage: number of lives, 1 to 99" },
     [OPTION_REGISTER] = { "--register", "NAME=VALUE", FOR_RUN | FOR_SURVIVE, SETTINGS(registers, n_registers),
-                          "with --stage: starting value of a register of the ship; repeatable" },
+                          "with --stage: starting value of one of the ship's registers; repeatable" },
     [OPTION_INVINCIBLE] = { "--invincible", NULL, FOR_RUN, SWITCH(invincible),
                             "with --stage: the player cannot be hit" },
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_START, TEXT(difficulty), "starting difficulty" },
-    [OPTION_LANG] = { "--lang", "NAME", FOR_START, TEXT(lang), "language of the game, from lang/NAME.txt" },
+    [OPTION_LANG] = { "--lang", "NAME", FOR_START, TEXT(lang), "the game's language, from lang/NAME.txt" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE, NUMBER(scale, 1, ARGS_MAX_SCALE),
                        "window or clip pixels per game pixel, 1 to 16" },
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, READ(args_speed),
-                       "speed of the clip: 1 to 16 times, or slower: 1/2 to 1/16" },
+                       "clip speed: 1 to 16, or 1/2 to 1/16 for slow motion" },
     [OPTION_FORMAT] = { "--format", "WORD", FOR_CAPTURE, TEXT(format),
-                        "gif, apng, y4m, wav, mp4 or webm (default: from the file name of -o)" },
+                        "gif, apng, y4m, wav, mp4 or webm (default: from the file extension of -o)" },
     [OPTION_SLOWER] = { "--slower", "N", FOR_BENCH, NUMBER(machine, 1, ARGS_MAX_SLOWER),
-                        "frame shares on a machine N times slower, 1 to 1000" },
+                        "show times for a machine N times slower, 1 to 1000" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, SWITCH(fullscreen), "fill the screen" },
-    [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, SWITCH(mute), "no sound" },
+    [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, SWITCH(mute), "turn sound off" },
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS, READ(args_presses),
-                       "buttons player 1 holds: fire, or fire,focus, or bomb@200, left@60:90, fire@0:600:8 for frames "
-                       "of the run; 2.fire is player 2's" },
+                       "buttons that player 1 holds, as in fire or fire,focus; only in some frames, as in bomb@200, "
+                       "left@60:90 or fire@0:600:8; for player 2, as in 2.fire" },
     [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS | FOR_SURVIVE, READ(args_frames),
-                        "render: 600, or 1,60,600, or 0:600:60 (both ends included); capture: 60:600 or 60-600; hash: "
-                        "run N frames, or with --trace these frames; survive: at most N frames (default 7200)" },
-    [OPTION_EVERY] = { "--every", "N", FOR_HASH, NUMBER(every, 1, ARGS_MAX_FRAME), "print every Nth frame only" },
+                        "render: frames to write, as in 600, or 1,60,600, or 0:600:60 (both ends included); capture: a "
+                        "range, as in 60:600 or 60-600; hash: N, the number of frames to run, or, with --trace, the "
+                        "frames to print; survive: N, the most frames to search (default "
+                        "7200)" },
+    [OPTION_EVERY] = { "--every", "N", FOR_HASH, NUMBER(every, 1, ARGS_MAX_FRAME), "print only every Nth frame" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, SWITCH(parts), "also print the hash of each part" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH, NAMES(traces, n_traces),
                        "print the contents of these parts, one line per slot: bullets,player or all; repeatable" },
@@ -134,54 +136,58 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_COLOURS] = { "--colours", "WORD", FOR_VIEW, WORD(colours, views_colours),
                          "colour-blind mode: normal, protan, deutan, tritan" },
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, TEXT(sheet),
-                       "put all frames on one picture, each with its number" },
+                       "put all frames in one picture, each with its number" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND, TEXT(wav),
-                     "render: write the sound of all frames up to the last of --frames; sound: write NAME, like -o" },
+                     "render: write the sound of all frames up to the last one in --frames; sound: write NAME, like "
+                     "-o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, SWITCH(notes),
-                       "print the notes and settings of one, one per line (docs/measured/music.md)" },
+                       "print the notes and settings of NAME, one per line (docs/measured/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, SWITCH(play),
                       "play NAME in a window that shows the mixer; Escape quits" },
     [OPTION_ATLAS] = { "--atlas", "F.png", FOR_ART, TEXT(atlas),
                        "draw all sprites at three times their size, with names, banks, origins and hitboxes" },
-    [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, NUMBER(bank, 0, 15), "the bank, 0 to 15" },
+    [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, NUMBER(bank, 0, 15), "bank in the palette, 0 to 15" },
     [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE, TEXT(out),
                      "output. render: folder (default: the current one); capture: clip, or - for standard output; "
-                     "pack: ROM file; export: file; survive: demo, or the picture with .png instead, or with --all the "
-                     "folder of both; sound: WAV file; palette: palette (.png), or a bank of one (.gpl, .hex)" },
-    [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship could be, frame by frame" },
+                     "pack: ROM file; export: file; survive: demo (the picture gets the extension .png), or, with "
+                     "--all, a folder for both; sound: WAV file; palette: a palette (.png) or one bank (.gpl, .hex)" },
+    [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship can be, frame by frame" },
     [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE, SWITCH(all),
-                     "search every stage and boss phase at every difficulty, one line each, and report those that are "
-                     "harder at an easier difficulty; with --stage or --difficulty, only those" },
+                     "search every stage and boss phase at every difficulty, print a line for each, and report those "
+                     "that are harder at an easier difficulty; --stage and --difficulty limit the search" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
-                        "maximum number of plans, in hundreds, 1 to 1000 (default 4)" },
+                        "at most N hundred plans, 1 to 1000 (default 4)" },
     [OPTION_BOTS] = { "--bots", "N", FOR_SURVIVE, NUMBER(bots, 1, ARGS_MAX_BOTS),
-                      "do not search: run N simple bots that play on after each hit, and report hits per minute; with "
-                      "--all, stages from mark to mark" },
+                      "do not search: run N simple bots that continue after each hit, and report hits per minute; with "
+                      "--all, split stages at their marks" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, SWITCH(resume), "resume the unfinished run without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY, SWITCH(no_resume),
-                           "start at the title without asking; the unfinished run stays until you start another" },
+                           "start at the title without asking; the unfinished run stays saved until you start "
+                           "another" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES, SWITCH(nearest),
-                         "when packing a folder: use the nearest colour of the bank for one that is not in it" },
+                         "when packing a folder: replace each colour that is not in the bank with the nearest one that "
+                         "is" },
     [OPTION_PLAIN] = { "--plain", NULL, FOR_PACK, SWITCH(plain),
-                       "pack: do not compress, for machines that read the ROM in place; the game is the same" },
+                       "do not compress, for machines that read the ROM in place; the game is the same" },
     [OPTION_FROM] = { "--from", "NAME", FOR_NEW, TEXT(from),
-                      "template: shooter (ship, stage, boss, music; the default), first (30 lines), pattern (a place "
-                      "to try patterns), bulletml (a gallery of documents)" },
+                      "the game to start from: shooter (ship, stage, boss, music; the default), first (30 lines), "
+                      "pattern (to try patterns), bulletml (a gallery of documents)" },
     [OPTION_BISECT] = { "--bisect", NULL, FOR_VERIFY, SWITCH(bisect),
-                        "verify --bisect A B: compare the output of hash for two runs (--parts or --trace) and report "
-                        "the first frame, part, slot and column that differ. - is standard input" },
+                        "verify --bisect A B: compare what hash --parts or --trace printed for two runs, and report "
+                        "the first frame, part, slot and column that differ. Write - for standard input" },
     [OPTION_RESTAMP] = { "--restamp", NULL, FOR_VERIFY, SWITCH(restamp),
-                         "rewrite demos that hold, in the newest format and for this ROM" },
+                         "rewrite passing demos in the newest format, for this ROM" },
     [OPTION_RERECORD] = { "--rerecord", NULL, FOR_VERIFY, SWITCH(rerecord),
-                          "replay the buttons of demos of another core version or build to their end and rewrite the "
-                          "demos for this one; report what changed in checksums, score, moments and length. Exit code "
-                          "0: score, moments and length are known to be equal; 1: they are not; 2: not written" },
+                          "replay the buttons of demos from another core version or build to the end and rewrite the "
+                          "demos for this one; report changes in checksums, score, markers and length. Exit code 0: "
+                          "score, markers and length are known to be unchanged; 1: they changed or are unknown; 2: "
+                          "nothing was written" },
     [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH | FOR_SURVIVE, SWITCH(json),
-                      "print JSON. verify: an object per demo, one per line: verdict, score, ship, difficulty, flags, "
-                      "length, moments, hashes (docs/reference/demo-format.md); list --replays: an object per replay; "
-                      "bench: one object; survive: one per section" },
+                      "print JSON. verify: one object per demo, one per line: verdict, score, ship, difficulty, flags, "
+                      "length, moments, hashes (docs/reference/demo-format.md); list --replays: one object per replay; "
+                      "bench: one object; survive: one object per section" },
     [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST, SWITCH(replays),
-                         "print the saved runs of the game: file, date, length, ship, difficulty, points, end" },
+                         "print the game's saved runs: file, date, length, ship, difficulty, points, how they ended" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, SWITCH(null),
                       "verify ROM -: each name ends in a NUL byte (also -0)" },
     [OPTION_UPDATE] = { "--update", NULL, FOR_TEST, SWITCH(update),
@@ -195,27 +201,27 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_JOBS] = { "--jobs", "N", FOR_TEST, NUMBER(jobs, 1, ARGS_MAX_JOBS),
                       "tests to run at the same time, 1 to 64 (default: the number of processors)" },
     [OPTION_ANNOTATIONS] = { "--annotations", NULL, FOR_HELP, SWITCH(annotations),
-                             "help lua, help test: print the API as definitions for editors (LuaLS, the Lua language "
-                             "server)" },
+                             "help lua, help test: print the API as definitions for the Lua language server (LuaLS)" },
     [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP, SWITCH(luacheck),
-                          "help lua: print the API's names as a .luacheckrc, the settings of luacheck" },
+                          "help lua: print the API's names as a .luacheckrc, the settings file of luacheck" },
     [OPTION_KEYS] = { "--keys", NULL, FOR_EXPORT, SWITCH(keys),
-                      "include the developer keys and commands in the program: rewind, frame steps, console, panels; "
-                      "verify, render" },
+                      "include the developer keys (rewind, frame steps, console, panels) and commands (verify, "
+                      "render)" },
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
-                         "also write FILE.desktop and FILE.png, an entry for the desktop menu" },
+                         "also write a desktop menu entry, FILE.desktop and FILE.png" },
     [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, SWITCH(web),
-                     "write one HTML file that plays the game in browsers, ID.html, instead of a program" },
+                     "write an HTML file that plays the game in browsers, ID.html, instead of a program" },
     [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, SWITCH(libretro),
-                          "write a core with the game for RetroArch and other libretro players, ID_libretro.so and "
-                          "ID_libretro.info, instead of a program" },
+                          "write a core that contains the game, for RetroArch and other libretro players, instead of a "
+                          "program: ID_libretro.so and ID_libretro.info" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full),
                       "also print the licence texts, which must accompany the program" },
     [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),
                      "print an equivalent script with motion programs and tasks" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script error; play: also print sound latency; verify: also "
-                         "print hashes, moment and buttons of a difference (also -v, --traceback)" },
-    [OPTION_HELP] = { "--help", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "help for the command (also -h)" },
+                         "print where in the game a difference is, its hashes, and the buttons held (also -v, "
+                         "--traceback)" },
+    [OPTION_HELP] = { "--help", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "print help for the command (also -h)" },
     [OPTION_VERSION] = { "--version", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "print the version and build" },
 };

@@ -59,13 +59,14 @@ static int name_width(const struct measure *m)
 
 static void print_head(const struct bench *b, int width)
 {
-    char share[32] = "of a frame";
+    char share[32] = "% of a frame";
 
     if (b->slower > 1)
         snprintf(share, sizeof share, "%dx slower", b->slower);
     report_print("%*s %-37s %12s\n", width + 15, "", "milliseconds", share);
     report_print("%-*s %7s %6s %6s %6s %6s %6s %6s %6s %5s %6s%s  %s\n", width, "section", "frames", "Lua", "tick",
-                 "draw", "sound", "mean", "99 %", "worst", "mean", "worst", b->slower > 1 ? "   late" : "", "slowest");
+                 "draw", "sound", "mean", "99 %", "worst", "mean", "worst", b->slower > 1 ? "   late" : "",
+                 "slowest frame");
 }
 
 static void print_section(const struct bench *b, const struct measure_section *s, const char *name, int width)
@@ -100,14 +101,14 @@ static void print_sections(const struct bench *b, const struct measure *m)
 static void print_phases(const struct measure *m)
 {
     static const char *const words[PHASES] = {
-        [PHASE_SCRIPTS] = "script tasks",       [PHASE_MOTION] = "moves", [PHASE_HITS] = "hits",
+        [PHASE_SCRIPTS] = "script tasks",       [PHASE_MOTION] = "movement", [PHASE_HITS] = "hits",
         [PHASE_EVENTS] = "events and handlers", [PHASE_REST] = "other",
     };
     uint64_t sum = 0;
 
     for (int i = 0; i < PHASES; i++)
         sum += m->all.phase[i];
-    report_print("\nOne tick:");
+    report_print("\nTime per tick:");
     for (int i = 0; i < PHASES; i++)
         report_print("%s %s %.0f %%", i ? "," : "", words[i], sum ? 100.0 * (double)m->all.phase[i] / (double)sum : 0);
     report_print(".\n");
@@ -124,14 +125,14 @@ static void print_verdict(const struct bench *b, const struct measure *m)
     const uint32_t most = measure_most(&m->all, 99);
     char text[32];
 
-    report_print("On time at 60 frames a second: 99 %% of the frames on a machine %.1f times slower than this "
-                 "one,\nall of them on one %.1f times slower.",
+    report_print("On a machine %.1f times slower than this one, 99 %% of the frames would be on time at 60 frames per "
+                 "second;\non a machine %.1f times slower, all of them.",
                  times(most), times(m->all.worst));
     if (b->slower > 1 && late)
-        report_print(" On one %d times slower, late frames: %s (%.2f %%).", b->slower, grouped(text, late),
-                     100.0 * late / m->all.frames);
+        report_print(" On a machine %d times slower, %s frame%s would be late (%.2f %%).", b->slower,
+                     grouped(text, late), late == 1 ? "" : "s", 100.0 * late / m->all.frames);
     else if (b->slower > 1)
-        report_print(" On one %d times slower, no frame is late.", b->slower);
+        report_print(" On a machine %d times slower, no frame would be late.", b->slower);
     report_print("\n");
 }
 
@@ -215,8 +216,8 @@ static void print_lines(const struct measure *m)
 
     if (!n)
         return;
-    report_print("\nScripts use %s units of work a frame: a Lua instruction is one unit, an API call 100 or more.\nThe "
-                 "most expensive lines:\n\n",
+    report_print("\nScripts use %s units of work per frame: a Lua instruction is one unit, an API call 100 or "
+                 "more.\nThe most expensive lines:\n\n",
                  grouped(text, work / m->all.frames));
     report_print("%8s %8s %7s %7s   %s\n", "share", "per frame", "in API", "in @std", "line");
     for (int i = 0; i < n; i++)
@@ -243,12 +244,12 @@ static void print_rooms(const struct measure *m)
     const uint64_t saved = rooms_saved(m, room, n);
     char ram[32], less[32];
 
-    report_print("\n%-20s %8s %8s %8s %9s %11s\n", "capacity", "asked", "most", "used", "enough", "saves");
+    report_print("\n%-20s %8s %8s %8s %9s %11s\n", "capacity", "limit", "peak", "used", "enough", "saves");
     for (int i = 0; i < n; i++)
         print_room(&room[i]);
     report_print("\nThe board uses %s KiB of RAM", grouped(ram, board_room(m->cart) / 1024));
     if (saved >= WORTH)
-        report_print("; %s KiB less with the capacities that are enough for these runs", grouped(less, saved / 1024));
+        report_print("; %s KiB less with capacities that are just enough for these runs", grouped(less, saved / 1024));
     report_print(".\n");
 }
 
@@ -256,8 +257,8 @@ void bench_print(const struct bench *b, const struct measure *m)
 {
     char frames[32];
 
-    report_print("%s: %s frames of %d run%s, each timed %d times; a frame at 60 a second has 16.67 ms\n\n", b->path,
-                 grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
+    report_print("%s: %s frames from %d run%s, each timed %d times; at 60 frames per second a frame lasts 16.67 ms\n\n",
+                 b->path, grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
     print_sections(b, m);
     print_phases(m);
     print_verdict(b, m);

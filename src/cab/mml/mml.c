@@ -163,7 +163,8 @@ static void read_swing(struct mml *m, uint32_t at, uint32_t p, uint32_t end)
     p = skip_blanks(m, p, end);
     const int64_t n = mml_decimal(m, &p, end, "a length", 2000, 64000) / 1000;
     if (p == end || m->text[p] != ',' || 4 * TUNE_QUARTER % n != 0)
-        mml_bad(m, p < end ? p : at, "expected #swing 16,60: of each two 16th notes the first has 60 percent");
+        mml_bad(m, p < end ? p : at,
+                "expected #swing 16,60: the first of every two 16th notes gets 60 percent of their time");
     p++;
     m->swing = (uint32_t)(4 * TUNE_QUARTER / n);
     m->swing_percent = (uint32_t)(mml_decimal(m, &p, end, "percent", 50000, 80000) / 1000);
@@ -426,7 +427,7 @@ void mml_swing(struct mml *m)
         struct mml_track *t = &m->tracks[i];
         if (t->loop >= 0 && (t->end - t->loop) % (2 * m->swing) != 0)
             mml_bad(m, t->loop_from,
-                    "with #swing the part that L repeats must be whole pairs of %d ticks, got %u ticks",
+                    "with #swing, the part that L repeats must be a multiple of %d ticks, got %u ticks",
                     (int)(2 * m->swing), (unsigned)(t->end - t->loop));
         swing_track(m, t);
     }
@@ -440,7 +441,7 @@ static void warn_near(const struct mml *m, const struct mml_about *about, uint32
     write_place(m, from, sentence, sizeof sentence);
     const size_t n = strlen(sentence);
     snprintf(sentence + n, sizeof sentence - n,
-             "within one frame (1/60 s) of the previous note in this track, which is cut off");
+             "starts within one frame (1/60 s) of the previous note in this track and cuts it off");
     about->warn(about->context, sentence);
 }
 

@@ -171,7 +171,7 @@ static uint16_t share(struct setting *s, const char *what)
 
 static uint16_t ratio(struct setting *s)
 {
-    return (uint16_t)(number(s, "times the note's pitch", 10, 32000) * 256 / 1000);
+    return (uint16_t)(number(s, "a pitch ratio", 10, 32000) * 256 / 1000);
 }
 
 static uint16_t radians(struct setting *s)
@@ -208,12 +208,12 @@ static void read_op(struct setting *s, int k)
     const int n = inst_ops(s->i->inst.kind);
 
     if (k >= n)
-        mml_bad(s->m, s->key_at, n ? "it has %d operators" : "only fm and fm4 have operators", n);
+        mml_bad(s->m, s->key_at, n ? "this instrument has %d operators" : "only fm and fm4 have operators", n);
     o->ratio = ratio(s);
     if (!next(s))
         return;
     o->level =
-        inst_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (an operator that is heard)") : radians(s);
+        inst_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (for an audible operator)") : radians(s);
     if (!next(s))
         return;
     o->env.attack = time_of(s);
@@ -240,7 +240,7 @@ static void read_algorithm(struct setting *s)
         const bool heard = inst_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
-            mml_bad(s->m, from, "expected the algorithm before the operators: it decides which of them are heard");
+            mml_bad(s->m, from, "expected the algorithm before the operators: it decides which are audible");
         s->i->ops[k].level = heard ? 32767 : 652;
     }
 }
@@ -335,7 +335,7 @@ _Noreturn static void unknown(const struct setting *s)
     int best = EDIT_FAR;
 
     if (strcmp(s->key, "harmonics") == 0 || strcmp(s->key, "points") == 0)
-        mml_bad(s->m, s->key_at, "only a wave has %s", s->key);
+        mml_bad(s->m, s->key_at, "only wave instruments have %s", s->key);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         if (edit_distance(s->key, names[k]) < best) {
             best = edit_distance(s->key, names[k]);

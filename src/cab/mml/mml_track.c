@@ -438,7 +438,7 @@ static void group(struct reader *r)
     r->p += 2;
     r->group_total = length(r);
     if (r->group_total < n)
-        BAD(r, from, "%u notes in %u ticks", (unsigned)n, (unsigned)r->group_total);
+        BAD(r, from, "%u notes do not fit in %u ticks", (unsigned)n, (unsigned)r->group_total);
     r->group_n = n;
     r->group_k = 0;
     r->p = from + 2;
@@ -666,7 +666,7 @@ static uint32_t length_or_none(struct reader *r, const char *form)
 static void set_glide(struct reader *r)
 {
     r->p++;
-    r->glide = length_or_none(r, "G and a length for the slide from the previous note, or G0");
+    r->glide = length_or_none(r, "G and the slide's length, as in G16, or G0");
     if (r->glide > 65535)
         BAD(r, r->p, "slides are limited to 65535 ticks");
 }
@@ -674,7 +674,7 @@ static void set_glide(struct reader *r)
 /* S2,16: notes come from 2 semitones below within a 16th. */
 static void set_from_below(struct reader *r)
 {
-    static const char form[] = "S semitones,length, or S0";
+    static const char form[] = "S semitones,length, as in S2,16, or S0";
 
     r->p++;
     r->from_below = number(r, form, -48, 48);
@@ -691,7 +691,7 @@ static void set_from_below(struct reader *r)
 /* W8,-2: notes are struck again each 8th, 2 of 16 softer. */
 static void set_strike(struct reader *r)
 {
-    static const char form[] = "W length,louder, or W0";
+    static const char form[] = "W length,steps, as in W8,-2, or W0";
 
     r->p++;
     r->strike = length_or_none(r, form);

@@ -75,11 +75,11 @@ static void run(struct console *c, struct board *b, bool keeps)
     bool kept = strncmp(c->line, keep, sizeof keep - 1) == 0;
     print_format(c, CANVAS_YELLOW, "> %s", c->line);
     if (kept && !keeps) {
-        print(c, CANVAS_RED, "a demo is playing: nothing can be saved");
+        print(c, CANVAS_RED, "`keep` is unavailable while a demo plays");
         return;
     }
     if (!save(c, b)) {
-        print(c, CANVAS_RED, "out of memory: RAM could not be restored afterwards");
+        print(c, CANVAS_RED, "out of memory: changes could not be undone");
         return;
     }
     bool good = board_eval(b, c->line + (kept ? sizeof keep - 1 : 0), out, sizeof out);
@@ -87,7 +87,7 @@ static void run(struct console *c, struct board *b, bool keeps)
         board_restore(b, c->snapshot);
     print(c, good ? CANVAS_WHITE : CANVAS_RED, out);
     if (good && kept)
-        print(c, CANVAS_GREY, "kept: the demo is touched; scores are no longer saved");
+        print(c, CANVAS_GREY, "changes kept; the run is marked as touched, and its scores are not saved");
     c->kept = c->kept || (good && kept);
 }
 

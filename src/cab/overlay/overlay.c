@@ -472,9 +472,9 @@ static void add_speaker(struct panel *s, const struct speaker *p)
     if (p->muted)
         add(s, CANVAS_YELLOW, "muted");
     else if (p->state == SPEAKER_GONE)
-        add(s, CANVAS_RED, "no speaker");
+        add(s, CANVAS_RED, "no sound device");
     else if (p->state == SPEAKER_OFF || !p->seen.looks)
-        add(s, CANVAS_GREY, "nothing heard yet");
+        add(s, CANVAS_GREY, "no sound yet");
     else
         add(s, p->seen.dry ? CANVAS_YELLOW : CANVAS_WHITE, "volume %d%%  latency %.1f ms  gaps %u", p->volume,
             (double)p->seen.sum / (double)p->seen.looks * 1000 / SPEAKER_RATE, (unsigned)p->seen.dry);
@@ -510,7 +510,7 @@ static void place_mixer(struct layout *l, const struct canvas *canvas, const str
         add(&s, CANVAS_CYAN, "%s %6.1f dB", c ? "right" : "left ", decibels(m->out[c]));
         add_level(&s, m->out[c]);
     }
-    add(&s, CANVAS_CYAN, "%-3s  %-16s %-6s %-4s  %4s", "", "of", "wave", "note", "pan");
+    add(&s, CANVAS_CYAN, "%-3s  %-16s %-6s %-4s  %4s", "", "sound", "wave", "note", "pan");
     for (int i = 0; i < VOICES; i++)
         add_voice(&s, i, b, m->voice[i]);
     place(l, canvas, &s);
@@ -531,7 +531,7 @@ static void add_author(struct panel *s, const struct board *b, uint32_t by)
     if (inspect_task(b, by, &task))
         add(s, CANVAS_WHITE, "by     task %u %s", (unsigned)by, task.at);
     else
-        add(s, CANVAS_WHITE, "by     task %u, over", (unsigned)by);
+        add(s, CANVAS_WHITE, "by     task %u, ended", (unsigned)by);
 }
 
 static void add_motion(struct panel *s, const struct inspect_thing *t)
@@ -541,7 +541,7 @@ static void add_motion(struct panel *s, const struct inspect_thing *t)
         return;
     snprintf(name, sizeof name, t->motion ? "%s" : "number %s%u", t->motion ? t->motion : "", (unsigned)t->program);
     if (t->step > t->steps)
-        add(s, CANVAS_WHITE, "motion %s, over", name);
+        add(s, CANVAS_WHITE, "motion %s, ended", name);
     else if (t->left)
         add(s, CANVAS_WHITE, "motion %s step %u/%u, %u left", name, (unsigned)t->step, (unsigned)t->steps,
             (unsigned)t->left);
@@ -565,7 +565,7 @@ static void add_health(struct panel *s, const struct inspect_thing *t)
         add(s, CANVAS_WHITE, "age    %u", (unsigned)t->age);
     add(s, CANVAS_WHITE, enemy ? "hp     %d" : "lives  %d", (int)(enemy ? t->hp : t->lives));
     if (t->safe)
-        add(s, CANVAS_WHITE, t->safe < 0 ? "safe   for ever" : "safe   %d", (int)t->safe);
+        add(s, CANVAS_WHITE, t->safe < 0 ? "safe   always" : "safe   %d", (int)t->safe);
 }
 
 static void describe(struct panel *s, const struct board *b, const struct inspect_thing *t)

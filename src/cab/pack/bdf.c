@@ -179,8 +179,8 @@ static bool find_charset(struct reader *r)
         if (i == sizeof charsets / sizeof *charsets) {
             r->at = r->charset_line;
             return refuse(r,
-                          "characters in %.60s; expected ISO10646-1 (Unicode), US-ASCII, KOI8-R, FontSpecific, or "
-                          "ISO8859-1 to 5, 7, 9, 10, 13 to 16",
+                          "unsupported character set %.60s; expected ISO10646-1 (Unicode), US-ASCII, KOI8-R, "
+                          "FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16",
                           said);
         }
         r->charset = &charsets[i];
@@ -193,9 +193,9 @@ static bool find_charset(struct reader *r)
 static bool read_bits(struct reader *r, int64_t bits)
 {
     if (bits != 1 && bits != 2 && bits != 4 && bits != 8)
-        return refuse(r, "pixels of %d bits; expected 1, 2, 4 or 8", (int)bits);
+        return refuse(r, "%d bits per pixel; expected 1, 2, 4 or 8", (int)bits);
     if (r->bits != 1 && r->bits != bits)
-        return refuse(r, "pixels of %d bits, but earlier %d", (int)bits, r->bits);
+        return refuse(r, "%d bits per pixel, but %d earlier", (int)bits, r->bits);
     r->bits = (int)bits;
     return true;
 }
@@ -336,7 +336,7 @@ static bool check_letter(const struct reader *r, const struct letter *l, const s
     if (l->w > FACE_SIDE || l->h > FACE_SIDE)
         return refuse(r, "character of %dx%d px; expected at most %d in each direction", l->w, l->h, FACE_SIDE);
     if (!fits(g->x, -128, 127) || !fits(g->y, -128, 127))
-        return refuse(r, "U+%04X is too far from the line", (unsigned)l->code);
+        return refuse(r, "U+%04X is too far from the baseline", (unsigned)l->code);
     return true;
 }
 
@@ -346,7 +346,7 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
     const bool wanted = l->encoded && l->code >= 0 && faces_has(r->wanted, (uint32_t)l->code);
 
     if (!l->boxed || !l->encoded)
-        return refuse(r, "BITMAP without ENCODING and BBX before it");
+        return refuse(r, "BITMAP needs ENCODING and BBX before it");
     if (wanted && !check_letter(r, l, &g))
         return false;
     g.code = (uint32_t)l->code;

@@ -124,7 +124,7 @@ static bool read_line(struct reader *r, const char *p, const char *end)
     if (one.words == NULL)
         return false;
     if (one.text[0] == '\0' || one.words[0] == '\0')
-        return refuse(r, "expected %s the =", one.text[0] == '\0' ? "a text before" : "a translation after");
+        return refuse(r, "expected %s the =", one.text[0] == '\0' ? "text before" : "a translation after");
     if (r->l->n == WORDS_MAX)
         return refuse(r, "more than %d texts", WORDS_MAX);
     if (r->l->n == r->room && !grow(r))

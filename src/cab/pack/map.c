@@ -294,9 +294,9 @@ static bool csv_number(struct csv *c)
     const uint32_t turns = v != c->first - 1 && v >= INT32_MIN && v <= UINT32_MAX ? map_turns((uint32_t)v) : 0;
     const int64_t tile = turns ? (int64_t)((uint32_t)v & ~MAP_GID_TURNS) : v;
     if (tile < c->first - !turns || tile - c->first + 1 > MAP_NUMBER)
-        return err_set(c->err, c->err_size,
-                       "%s:%d: expected %d for empty or a tile number from %d on, got %" PRId64 "%s", c->file, c->line,
-                       c->first - 1, c->first, v, v == -1 ? " (Tiled's CSV counts from 0: add first = 0)" : "");
+        return err_set(
+            c->err, c->err_size, "%s:%d: expected %d (empty) or a tile number of at least %d, got %" PRId64 "%s",
+            c->file, c->line, c->first - 1, c->first, v, v == -1 ? " (Tiled's CSV counts from 0: add first = 0)" : "");
     return csv_add(c, (uint32_t)(tile - c->first + 1) | turns);
 }
 
@@ -321,7 +321,7 @@ static bool csv_line(struct csv *c)
     if (!c->out->cols)
         c->out->cols = c->n - had;
     if (c->n - had != c->out->cols)
-        return err_set(c->err, c->err_size, "%s:%d: %d tiles, expected %d as in the first line", c->file, c->line,
+        return err_set(c->err, c->err_size, "%s:%d: %d tiles, expected %d, as in the first line", c->file, c->line,
                        c->n - had, c->out->cols);
     c->out->rows++;
     return true;

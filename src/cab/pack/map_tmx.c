@@ -218,11 +218,11 @@ static bool read_tile(struct tmx *t, struct xml *x)
     while ((event = xml_next(x)) == XML_OPEN) {
         const char *what = strcmp(x->name, "animation") == 0 ? "animated tiles are not supported; remove the animation"
                            : strcmp(x->name, "image") == 0
-                               ? "image collections are not supported; put the tiles on one picture"
+                               ? "image collections are not supported; put the tiles in one picture"
                                : NULL;
         if (!is_one_of(x->name, harmless) &&
             !(what != NULL ? refuse(t, x, x->name_line, "%s", what)
-                           : refuse(t, x, x->name_line, "<%.40s> of a tile is not supported", x->name)))
+                           : refuse(t, x, x->name_line, "<%.40s> in a tile is not supported", x->name)))
             return false;
         if (!xml_skip(x))
             return false;
@@ -243,7 +243,7 @@ static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
         return read_tile(t, x);
     if (strcmp(x->name, "tileoffset") == 0)
         return check_attributes(t, x, offset) && xml_skip(x);
-    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> of a tileset is not supported", x->name))
+    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> in a tileset is not supported", x->name))
         return false;
     return xml_skip(x);
 }
@@ -269,7 +269,7 @@ static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
     s->sheet.margin = (int)margin;
     s->sheet.columns = (int)columns;
     if (((w && w != t->side) || (h && h != t->side)) &&
-        !refuse(t, x, x->name_line, "tiles of %dx%d px, expected those of the map, %dx%d", (int)w, (int)h, (int)t->side,
+        !refuse(t, x, x->name_line, "tiles of %dx%d px, expected %dx%d, as in the map", (int)w, (int)h, (int)t->side,
                 (int)t->side))
         return false;
     while ((event = xml_next(x)) == XML_OPEN)
@@ -587,11 +587,10 @@ static bool collect_sheets(struct tmx *t, struct xml *x, int line)
         if (s->used == 0)
             continue;
         if (out->sheets == MAP_SHEETS)
-            return xml_refuse(x, line, "the layer uses tiles of more than %d tilesets", (int)MAP_SHEETS);
+            return xml_refuse(x, line, "the layer uses tiles from more than %d tilesets", (int)MAP_SHEETS);
         const int64_t count = s->count > 0 ? s->count : MAP_NUMBER - base;
         if (s->used > count)
-            return xml_refuse(x, line,
-                              "tile %" PRId64 " does not belong to a tileset: the one at %s has %" PRId64 " tiles",
+            return xml_refuse(x, line, "tile %" PRId64 " does not belong to a tileset: %s has only %" PRId64 " tiles",
                               s->first + s->used - 1, s->sheet.place, count);
         s->sheet.base = (uint32_t)base;
         out->sheet[out->sheets++] = s->sheet;
@@ -712,12 +711,12 @@ static bool read_layer(struct tmx *t, struct xml *x)
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "data") == 0) {
             if (data)
-                return xml_refuse(x, x->name_line, "second <data>");
+                return xml_refuse(x, x->name_line, "more than one <data>");
             data = true;
             if (!read_data(t, x))
                 return false;
         } else if (strcmp(x->name, "properties") != 0) {
-            return xml_refuse(x, x->name_line, "<%.40s> of a layer is not supported", x->name);
+            return xml_refuse(x, x->name_line, "<%.40s> in a layer is not supported", x->name);
         } else if (!xml_skip(x)) {
             return false;
         }
@@ -747,7 +746,7 @@ static bool tile_layer(struct tmx *t, struct xml *x)
         return xml_skip(x);
     }
     if (t->found)
-        return xml_refuse(x, x->name_line, "second layer with this name");
+        return xml_refuse(x, x->name_line, "more than one layer with this name");
     return read_layer(t, x);
 }
 
@@ -761,7 +760,7 @@ static bool read_object(struct xml *x)
     if (!hidden && xml_value(x, "gid") != NULL)
         return xml_refuse(x, x->name_line, "tile objects are not supported; put the tile on the layer");
     if (!hidden && xml_value(x, "template") != NULL)
-        return xml_refuse(x, x->name_line, "template objects are not supported; detach it in Tiled");
+        return xml_refuse(x, x->name_line, "template objects are not supported; detach the template in Tiled");
     while ((event = xml_next(x)) == XML_OPEN) {
         if (!hidden && strcmp(x->name, "text") == 0)
             return xml_refuse(x, x->name_line, "text objects are not supported");
@@ -800,9 +799,9 @@ static bool any_layer(struct tmx *t, struct xml *x)
     if (strcmp(x->name, "imagelayer") != 0)
         return xml_refuse(x, x->name_line, "<%.40s> is not supported", x->name);
     return unseen ? xml_skip(x)
-                  : xml_refuse(
-                        x, x->name_line,
-                        "image layers are not supported; hide it, or choose a layer in rom.lua with layer = \"NAME\"");
+                  : xml_refuse(x, x->name_line,
+                               "image layers are not supported; hide the layer, or choose another in rom.lua with "
+                               "layer = \"NAME\"");
 }
 
 static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x))
@@ -877,7 +876,7 @@ static bool read_file(struct tmx *t)
     if (!read_map(t, x) || xml_next(x) != XML_END)
         return false;
     if (t->wanted[0] == '\0' && t->layers > 1)
-        return xml_refuse(x, t->layer_line, "second tile layer; choose one in rom.lua with layer = \"NAME\"");
+        return xml_refuse(x, t->layer_line, "more than one tile layer; choose one in rom.lua with layer = \"NAME\"");
     if (!t->found && t->wanted[0] != '\0')
         return err_set(t->err, t->err_size, "%s: no tile layer \"%s\"%s%s%s", x->file, t->wanted,
                        t->names[0] != '\0' ? " (the map has " : "", t->names, t->names[0] != '\0' ? ")" : "");

@@ -390,7 +390,7 @@ static bool read_cells(struct packer *p, const struct art_font *font, const stru
     tell_faint(p, font->file, &picture, NULL);
     bool good = faces_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
     if (good && !faces_sort(f, &code)) {
-        snprintf(why, sizeof why, "`chars` has U+%04X twice", (unsigned)code);
+        snprintf(why, sizeof why, "`chars` contains U+%04X twice", (unsigned)code);
         good = false;
     }
     art_picture_free(&picture);
@@ -548,7 +548,7 @@ static int picture_of(struct packer *p, const struct art_map *m, const struct ma
     if (s->picture[0] == '\0')
         err_set(p->err, p->err_size, "%s: the tileset's picture is outside the game's folder", s->place);
     else
-        err_set(p->err, p->err_size, "%s: the map uses tiles of %s; add it to `tiles` of map \"%s\" in rom.lua",
+        err_set(p->err, p->err_size, "%s: the map uses tiles from %s; add it to `tiles` of map \"%s\" in rom.lua",
                 s->place, s->picture, m->name);
     return -1;
 }
@@ -858,7 +858,7 @@ static bool add_lang(struct packer *p, const char *path)
 
     snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("lang/") - strlen(".txt")), path + strlen("lang/"));
     if (!manifest_word_ok(name))
-        return err_set(p->err, p->err_size, "%s: expected a language's name of 1 to %d letters, digits, _ and -", path,
+        return err_set(p->err, p->err_size, "%s: expected a language name of 1 to %d letters, digits, _ and -", path,
                        MAX_WORD - 1);
     if (!load_text(p, path, LANG_FILE, &text, &size))
         return false;
@@ -918,7 +918,7 @@ static bool add_bulletml(struct packer *p, const char *path)
     name_bulletml(path, name);
     if (good && !name_free(p, name)) {
         free(data);
-        return err_set(p->err, p->err_size, "%s: another document is packed as \"%s\", too", path, name);
+        return err_set(p->err, p->err_size, "%s: another document is also packed as \"%s\"", path, name);
     }
     return good && add(p, "bulletml/", name, data, size);
 }
@@ -952,8 +952,8 @@ static bool add_files(struct packer *p)
     const char *a, *b;
 
     if (tree_twins(&p->files, &a, &b))
-        return err_set(p->err, p->err_size,
-                       "%s and %s differ only in upper and lower case, which is the same file on some systems", a, b);
+        return err_set(p->err, p->err_size, "%s and %s differ only in case; on some systems they are the same file", a,
+                       b);
     snprintf(path, sizeof path, "%s.lua", p->m.entry);
     if (!tree_has(&p->files, path))
         return err_set(p->err, p->err_size, "rom.lua: entry: %s does not exist", path);

@@ -325,15 +325,15 @@ static bool read_header(const uint8_t *data, size_t n, struct layout *l, char *e
     if (n < sizeof signature + 25)
         return err_set(err, err_size, "truncated PNG");
     if (get_be32(p) != 13 || memcmp(p + 4, "IHDR", 4) != 0)
-        return err_set(err, err_size, "PNG without a header");
+        return err_set(err, err_size, "the PNG has no header");
     *l = (struct layout){ get_be32(p + 8), get_be32(p + 12), p[16], p[17], p[20], NULL, NULL, 0, 0, 0 };
     if (l->colour > 6 || l->bits > 16 || !(depths[l->colour] & l->bits) || (l->bits & (l->bits - 1)) || p[18] ||
         p[19] || l->interlaced > 1)
-        return err_set(err, err_size, "PNG with an unknown colour type or depth");
+        return err_set(err, err_size, "the PNG has an unknown colour type or depth");
     if (l->w == 0 || l->h == 0)
-        return err_set(err, err_size, "PNG without pixels");
+        return err_set(err, err_size, "the PNG has no pixels");
     if (l->w > PNG_MAX_SIDE || l->h > PNG_MAX_SIDE || (uint64_t)l->w * l->h > PNG_MAX_PIXELS) {
-        snprintf(err, err_size, "PNG too large: %lu x %lu pixels", (unsigned long)l->w, (unsigned long)l->h);
+        snprintf(err, err_size, "the PNG is too large: %lu x %lu pixels", (unsigned long)l->w, (unsigned long)l->h);
         return false;
     }
     return true;
@@ -344,11 +344,11 @@ static bool check_palette(const struct layout *l, char *err, size_t err_size)
     if (l->colour != 3)
         return true;
     if (!l->palette)
-        return err_set(err, err_size, "PNG with palette indices but no palette");
+        return err_set(err, err_size, "the PNG has palette indices but no palette");
     if (l->colours < 1 || l->colours > 256 || get_be32(l->palette - 8) % 3 != 0)
-        return err_set(err, err_size, "PNG with a damaged palette");
+        return err_set(err, err_size, "the PNG has a damaged palette");
     if (l->opacities > l->colours)
-        return err_set(err, err_size, "PNG with more alpha values than colours");
+        return err_set(err, err_size, "the PNG has more alpha values than colours");
     return true;
 }
 
@@ -402,10 +402,10 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
     if (n >= 0 && (size_t)n == size)
         return true;
     if (n >= 0 && (size_t)n < size)
-        return err_set(err, err_size, "PNG with fewer pixels than its header says");
+        return err_set(err, err_size, "the PNG has fewer pixels than its header says");
     if (n >= 0 || !strcmp(stbi_failure_reason(), "output buffer limit"))
-        return err_set(err, err_size, "PNG with more pixels than its header says");
-    snprintf(err, err_size, "PNG that cannot be read (%s)", stbi_failure_reason());
+        return err_set(err, err_size, "the PNG has more pixels than its header says");
+    snprintf(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
     return false;
 }
 
@@ -438,8 +438,7 @@ static bool look_up(const struct layout *l, uint8_t *rgba, uint8_t *index_of, ch
     for (size_t i = 0; i < (size_t)l->w * l->h; i++, rgba += 4) {
         uint32_t index = rgba[0];
         if (index >= l->colours) {
-            snprintf(err, err_size,
-                     "pixel %lu,%lu has palette index %u, but the last colour of the PNG's palette is %u",
+            snprintf(err, err_size, "pixel %lu,%lu has palette index %u, but the PNG's palette ends at index %u",
                      (unsigned long)(i % l->w), (unsigned long)(i / l->w), index, l->colours - 1);
             return false;
         }
@@ -465,7 +464,7 @@ static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size
     if (reading.shortage)
         result_host(err, err_size, "out of memory");
     else
-        snprintf(err, err_size, "PNG that cannot be read (%s)", stbi_failure_reason());
+        snprintf(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
     return NULL;
 }
 
@@ -519,7 +518,7 @@ bool png_read_indexed(const uint8_t *data, size_t n, uint8_t **rgba, uint8_t **i
     if (n < sizeof signature || memcmp(data, signature, sizeof signature) != 0)
         return err_set(err, err_size, "not a PNG");
     if (n > PNG_MAX_BYTES)
-        return err_set(err, err_size, "PNG too large");
+        return err_set(err, err_size, "the PNG is too large");
     if (!read_header(data, n, &l, err, err_size) || !walk_chunks(data, n, &l, err, err_size) ||
         !check_palette(&l, err, err_size))
         return false;

@@ -28,7 +28,7 @@ bool border_open(struct border *b, const uint8_t *rgba, int w, int h, char *err,
     if (x1 >= 0)
         return true;
     *b = (struct border){ 0 };
-    return err_set(err, err_size, "a border needs a hole: pixels that are wholly transparent, where the picture goes");
+    return err_set(err, err_size, "the border has no hole; make the area of the game's picture fully transparent");
 }
 
 /* One way: the art's pixel that a point at p (in parts of a window pixel, SAMPLES each) shows. from, size: where the

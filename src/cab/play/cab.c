@@ -172,7 +172,7 @@ uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
     if (image && newer)
         memcpy(image, newer, waits);
     if (!image || (!newer && plat_load(name, image, (size_t)size) != size)) {
-        cab_say(cab, "curtain: %s: cannot read; scores are not saved", files_shown(name, shown));
+        cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
         cab->no_scores = true;
     } else if (nvram_valid(image, (size_t)size)) {
         start->nvram = image;
@@ -356,6 +356,19 @@ void cab_take_lang(struct cab *cab, struct board_start *start)
         snprintf(start->lang, sizeof start->lang, "%s", cab->config.lang);
 }
 
+/* Why plat_open failed. */
+static const char *no_window(void)
+{
+    char about[128];
+
+    plat_about(about, sizeof about);
+    if (strcmp(about, "no window") == 0)
+        return "cannot open a window: this build has no window support. Play with curtain, or write pictures with "
+               "curtain-null "
+               "render";
+    return "cannot open a window";
+}
+
 bool cab_power(struct cab *cab)
 {
     const struct cab_options *o = &cab->options;
@@ -372,7 +385,7 @@ bool cab_power(struct cab *cab)
     if (cab_fault(cab) && o->open && !o->demo)
         return wait_for_fault(cab);
     if (!cab_open_window(cab))
-        return refuse(cab, RESULT_HOST, "cannot open a window");
+        return refuse(cab, RESULT_HOST, no_window());
     cab_picture_close(&cab->picture);
     if (!cab_picture_open(&cab->picture, cab_live(cab)))
         return refuse(cab, RESULT_HOST, "out of memory for the picture");

@@ -146,7 +146,7 @@ static bool open_demo(struct cab *cab, const char *path, const char *what, bool 
 bool cab_watch(struct cab *cab, const char *path, uint32_t frame)
 {
     if (cab->options.record || cab->options.demo)
-        return refuse(cab, "Replay unavailable", "not with --record or --demo");
+        return refuse(cab, "Replay unavailable", "not available with --record or --demo");
     if (!open_demo(cab, path, "Cannot show this replay", false))
         return false;
     cab->guest.watching = true;
@@ -236,7 +236,7 @@ bool cab_resume(struct cab *cab)
 
     cab_resume_path(cab, path);
     if (cab->options.record || cab->options.demo)
-        return refuse(cab, what, "not with --record or --demo");
+        return refuse(cab, what, "not available with --record or --demo");
     if (!open_demo(cab, path, what, true)) {
         cab_keep_left(cab);
         return false;
@@ -268,7 +268,7 @@ void cab_resume_arrived(struct cab *cab)
     cab->paused = cab->awaits = true;
     cab->timebar_left = 0;
     cab_notice(cab, CAB_NOTICE_STAYS, "Run resumed: press a button%s",
-               cab->guest.same ? "" : ". High scores have changed since, so this run's are not saved");
+               cab->guest.same ? "" : ". High scores have changed since then, so this run's scores are not saved");
     cab_say(cab, "curtain: %s: resumed at frame %u%s", cab_game(cab), (unsigned)d->frames,
-            cab->guest.same ? "" : "; high scores have changed since, so this run's are not saved");
+            cab->guest.same ? "" : "; high scores have changed since then, so this run's scores are not saved");
 }

@@ -188,8 +188,8 @@ static void write_report(struct cab *cab, const struct sink *out, const char *wh
 {
     const struct session *s = &cab->session;
 
-    put(out, "Curtain report. It contains the run up to the failure. With the game,\n    curtain verify GAME "
-             "THIS-FILE\nreplays the run, and\n    curtain play GAME --demo THIS-FILE\nshows it.\n\nreason    ");
+    put(out, "Curtain report. It contains the run up to the failure. To replay the run:\n    curtain verify GAME "
+             "THIS-FILE\nTo watch it:\n    curtain play GAME --demo THIS-FILE\n\nreason    ");
     put(out, what);
     put(out, which);
     if (s->now) {

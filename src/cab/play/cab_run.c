@@ -335,7 +335,7 @@ static void report_reload_failure(struct cab *cab)
 void cab_reload(struct cab *cab)
 {
     if (cab->guest.home) {
-        cab_notice(cab, CAB_NOTICE_FRAMES, "An older version is running: changes show at the title");
+        cab_notice(cab, CAB_NOTICE_FRAMES, "An older version is running: changes take effect at the title");
         return;
     }
     if (!cab->options.path) {

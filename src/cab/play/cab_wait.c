@@ -75,7 +75,7 @@ bool cab_wait(struct cab *cab, const char *why, const char *more)
     if (!w->on)
         folder_open(&cab->folder, cab->options.path);
     w->on = true;
-    cab_say(cab, "curtain: %s: waiting for a change", cab->options.path);
+    cab_say(cab, "curtain: %s: waiting for a file to change", cab->options.path);
     return true;
 }
 
@@ -85,14 +85,12 @@ static void draw(struct cab *cab)
     struct picture *p = &cab->picture;
     struct waiting *w = &cab->waiting;
     struct canvas canvas;
-    struct page page = {
-        title, w->why, w->more,
-        w->settings
-            ? "Fix and save the file to continue. Enter: play with default settings, file unchanged. Escape: quit."
-        : w->looks ? "Checking the changes"
-                   : "Fix and save the file to continue. Escape: quit.",
-        .top = w->top
-    };
+    struct page page = { title, w->why, w->more,
+                         w->settings ? "Fix and save the file to continue. Enter: play with default settings (the file "
+                                       "stays unchanged). Escape: quit."
+                         : w->looks  ? "Checking the changes"
+                                     : "Fix and save the file to continue. Escape: quit.",
+                         .top = w->top };
 
     if (w->settings)
         snprintf(title, sizeof title, "Cannot read the settings");

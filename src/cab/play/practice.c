@@ -280,7 +280,7 @@ static void describe_section(const struct practice_menu *m, const struct section
     if (m->records.damaged)
         snprintf(row->help, sizeof row->help, "Not counted: the attempts file is damaged.");
     else if (r && r->attempts)
-        snprintf(row->help, sizeof row->help, "Cleared %d of %d attempts.", (int)r->captures, (int)r->attempts);
+        snprintf(row->help, sizeof row->help, "Cleared in %d of %d attempts.", (int)r->captures, (int)r->attempts);
     else
         snprintf(row->help, sizeof row->help, "No attempts yet.");
     row->ink = stage ? CANVAS_CYAN : CANVAS_WHITE;
@@ -325,7 +325,7 @@ static void describe(void *of, int at, struct screen_row *row)
     if (r.kind == ROW_SECTION)
         describe_section(m, &m->sections.section[r.i], row);
     else if (r.kind == ROW_TITLE)
-        snprintf(row->label, sizeof row->label, "Start from the Title");
+        snprintf(row->label, sizeof row->label, "Start from Title");
     else if (r.kind != ROW_BLANK)
         describe_setting(m, r, row);
 }

@@ -35,8 +35,8 @@ static const char *text(void *of)
 {
     struct cab *cab = of;
 
-    return players(cab) > 1 ? "The first controller used is player 1's. Press START on another for player 2."
-                            : "The first controller used plays. Press START on another to switch to it.";
+    return players(cab) > 1 ? "Player 1 gets the first controller used. Press START on another to add player 2."
+                            : "The first controller you use controls the game. Press START on another to switch.";
 }
 
 /* What is held on controller i, as it is printed there: "2: cross, L1  ". Returns its length. */

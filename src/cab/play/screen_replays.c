@@ -63,9 +63,9 @@ static int chosen(struct cab *cab)
 static void act_row(void *of, int at, struct screen_row *row)
 {
     struct cab *cab = of;
-    static const char *const labels[] = { "Watch", "Save with a Name", "Delete" };
+    static const char *const labels[] = { "Watch", "Name Replay", "Delete" };
     static const char *const helps[] = { "Watch from the start. T: take over and practise.",
-                                         "Named replays are saved until you delete them.", "" };
+                                         "Named replays stay until you delete them.", "" };
 
     snprintf(row->label, sizeof row->label, "%s",
              at == NAME && card(cab, chosen(cab))->name[0] ? "Rename" : labels[at]);

@@ -23,7 +23,8 @@ static void row(void *of, int at, struct screen_row *row)
 
     snprintf(row->label, sizeof row->label, "%s", at == GO_ON ? "Resume" : "New Game");
     snprintf(row->help, sizeof row->help, "%s",
-             at == GO_ON ? "Replays the run to where you left, then pauses." : "Saves the unfinished run as a replay.");
+             at == GO_ON ? "Replays the run to where you left off, then pauses."
+                         : "Saves the unfinished run as a replay.");
     row->faint = at == GO_ON && !cab->left.can;
 }
 
@@ -55,7 +56,7 @@ static void describe(struct cab *cab, const struct card *c)
     const struct rom *rom = cab_cart(cab)->rom;
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
-    int n = snprintf(cab->left.text, sizeof cab->left.text, "%u:%02u played%s%s%s. ", seconds / 60, seconds % 60,
+    int n = snprintf(cab->left.text, sizeof cab->left.text, "Played for %u:%02u%s%s%s. ", seconds / 60, seconds % 60,
                      c->ship[0] ? " with " : "", c->ship, c->flags & DEMO_RESUMED ? ", resumed before" : "");
     char *more = cab->left.text + n;
     const size_t room = sizeof cab->left.text - (size_t)n;
@@ -63,7 +64,7 @@ static void describe(struct cab *cab, const struct card *c)
     cab->left.changed = !same;
     cab->left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     if (c->core != CORE_VERSION)
-        snprintf(more, room, "Cannot resume: it was recorded with core version %u, this is %d.", (unsigned)c->core,
+        snprintf(more, room, "Cannot resume: recorded with core version %u; this is %d.", (unsigned)c->core,
                  CORE_VERSION);
     else if (!cab->left.can)
         snprintf(more, room, "Cannot resume: the game has changed and its old version is not stored.");

@@ -330,7 +330,7 @@ bool session_reload(struct session *s, const char *path, bool nearest)
         return true;
     }
     if (strcmp(rom->cart.m.id, s->now->cart->m.id) != 0) {
-        snprintf(s->err, sizeof s->err, "the folder now has another game (\"%s\", was \"%s\")", rom->cart.m.id,
+        snprintf(s->err, sizeof s->err, "the folder now contains another game (\"%s\", was \"%s\")", rom->cart.m.id,
                  s->now->cart->m.id);
         session_rom_free(rom);
         return false;

@@ -17,6 +17,6 @@ bool beside_read(const struct beside *b, uint8_t **bytes, size_t *size, char *na
         if (plat_beside(b->where[i], name, name_size) && plat_size(name) >= 0)
             return files_read(name, name, MOST, bytes, size, err, err_size);
     return err_set(err, err_size,
-                   "export: no %s next to this program or in %s of its installation; run `%s` in Curtain's source tree",
+                   "export: %s is not next to this program or in its installed %s; run `%s` in Curtain's source tree",
                    b->what, b->installed, b->make);
 }

@@ -123,7 +123,7 @@ static bool build(struct export *e)
     if (!mark_find(e->file, end, &at))
         return err_set(e->err, e->err_size,
                        e->want->kind == EXPORT_CORE ? "%s: not a core that can hold a game; build one with make library"
-                                                    : "%s is not the running one",
+                                                    : "%s is not the running program",
                        e->from);
     if (e->want->kind == EXPORT_PROGRAM)
         blank_builtin(e->want, e->file, end);
@@ -347,7 +347,7 @@ static bool has_window(void)
 static bool may_export(struct export *e)
 {
     if (own_game()->rom)
-        return err_set(e->err, e->err_size, "export: this program is %s, already exported; use curtain to export",
+        return err_set(e->err, e->err_size, "export: this program is an exported game, %s; export with curtain",
                        own_game()->m.title);
     if (e->want->kind == EXPORT_PROGRAM && !has_window())
         return err_set(e->err, e->err_size, "export: this program has no window; use curtain, not curtain-null");

@@ -47,7 +47,7 @@ static const char zlib[] =
 
 static const char nothing[] = "No notice is required.\n";
 static const char of_system[] =
-    "It belongs to the operating system and is not in the program's file: no notice is required.\n";
+    "It is part of the operating system, not of this program's file: no notice is required.\n";
 static const char unknown[] = "Its licence is unknown: ask the author of this port of Curtain.\n";
 
 struct work {
@@ -88,19 +88,19 @@ static int list(struct work all[WORKS])
 {
     int n = 0;
 
-    all[n] = work("Curtain", "MIT", "the engine, and the Lua library in every ROM", "Copyright (c) The Curtain authors",
-                  mit);
+    all[n] =
+        work("Curtain", "MIT", "engine, and the Lua library in every ROM", "Copyright (c) The Curtain authors", mit);
     snprintf(all[n++].version, sizeof all->version, "%s", CURTAIN_VERSION);
-    all[n] = work("Lua", "MIT", "runs the scripts", board_lua_copyright(), mit);
+    all[n] = work("Lua", "MIT", "script interpreter", board_lua_copyright(), mit);
     snprintf(all[n++].version, sizeof all->version, "%s", board_lua_release());
-    all[n++] = work("stb", "public domain", "reads and writes PNG", "Sean Barrett and others; also available under MIT",
-                    nothing);
+    all[n++] = work("stb", "public domain", "PNG reader and writer",
+                    "Sean Barrett and others; also available under MIT", nothing);
     n += of_port(&all[n]);
 #ifdef __GLIBC__
-    all[n] = work("glibc", "LGPL 2.1", "C library of the system", "the GNU C Library", of_system);
+    all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", of_system);
     snprintf(all[n++].version, sizeof all->version, "%d.%d", __GLIBC__, __GLIBC_MINOR__);
 #else
-    all[n++] = work("libc", "its own", "C library of the system", "the system's C library", of_system);
+    all[n++] = work("libc", "its own", "system C library", "the system's C library", of_system);
 #endif
     return n;
 }
@@ -127,7 +127,7 @@ enum result licences_run(bool full)
     for (int i = 0; i < n; i++)
         report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
                      all[i].what);
-    puts("When packing, the program loads libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) for recordings and");
+    puts("When packing, the program loads libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) for samples, music and");
     puts("libexpat (MIT) for BulletML, if installed. Playing a game needs none of them.");
     if (full)
         print_texts(all, n);

@@ -108,9 +108,9 @@ void own_help(void (*line)(const char *))
              own.m.author[0] ? ", by " : "", own.m.author, CURTAIN_VERSION);
     line(text);
     line("");
-    line("  licences [--full]     print the authors and licences of the software in it");
+    line("  licences [--full]     print the authors and licences of the included software");
     line("  version               print the version and build");
-    line("  help [config]         print this help; or the settings and their file");
+    line("  help [config]         print this help, or the settings and their file");
     line("");
     line("Options:");
 }

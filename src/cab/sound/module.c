@@ -64,7 +64,7 @@ static bool read_pass(const struct functions *f, openmpt_module *module, struct 
     for (size_t n; (n = f->read(module, SND_RATE, PART, part)) > 0;)
         if (!pcm_add(pass, part, n))
             return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
-    return pass->n > 0 ? true : err_set(err, err_size, "nothing to hear in it");
+    return pass->n > 0 ? true : err_set(err, err_size, "it contains no music");
 }
 
 /* Does p end with the same frames? */

@@ -224,7 +224,7 @@ static bool read_packets(const struct packets *k, struct tags *out, char *err, s
         out->codec = "Opus";
         return read_comments(second + 8, n - 8, out, err, err_size);
     }
-    return err_set(err, err_size, "expected Vorbis or Opus in it");
+    return err_set(err, err_size, "expected Vorbis or Opus data");
 }
 
 bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size)

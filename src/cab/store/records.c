@@ -97,7 +97,7 @@ static bool read_line(struct records *r, const char *s, const char **why)
     *why = "expected CAPTURES ATTEMPTS DIFFICULTY MARK";
     if (digit && !read_record(&got, s))
         return false;
-    *why = "second record of this section";
+    *why = "duplicate record for this section";
     if (digit && find(r, got.section, got.difficulty))
         return false;
     *why = "out of memory";

@@ -10,7 +10,15 @@
 #include "json.h"
 #include "../host/report.h"
 
-const char *replays_end_word(enum card_end end)
+static const char *end_text(enum card_end end)
+{
+    static const char *const words[CARD_ENDS] = { "unfinished", "all stages", "game over", "quit", "script error" };
+
+    return words[end];
+}
+
+/* In JSON, whose values do not change. */
+static const char *end_key(enum card_end end)
 {
     static const char *const words[CARD_ENDS] = { "left", "all stages", "game over", "quit", "a fault" };
 
@@ -43,7 +51,7 @@ static void print_line(const char *path, const struct card *c)
                  c->difficulty[0] ? c->difficulty : "-", c->points[0]);
     if (c->players > 1)
         report_print("+%" PRId64, c->points[1]);
-    report_print(" %s", replays_end_word(c->end));
+    report_print(" %s", end_text(c->end));
     print_flags(c->flags);
     if (c->name[0])
         report_print(" \"%s\"", c->name);
@@ -79,7 +87,7 @@ static void print_json(const char *path, const struct card *c)
     for (int p = 0; p < PADS; p++)
         json_number(&j, NULL, c->points[p]);
     json_close(&j, ']');
-    json_text(&j, "end", replays_end_word(c->end));
+    json_text(&j, "end", end_key(c->end));
     json_number(&j, "stages", c->stages);
     json_number(&j, "first", c->first);
     json_number(&j, "frames", c->last);

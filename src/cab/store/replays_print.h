@@ -8,9 +8,6 @@
 #include <stdbool.h>
 #include "replays.h"
 
-/* How a run ended, in words. */
-const char *replays_end_word(enum card_end end);
-
 /* Prints all of a game: "FILE DATE LENGTH SHIP DIFFICULTY POINTS END[, flags][ "NAME"]", or with
  * json an object each. DATE is UTC. False: no memory for all of them. */
 bool replays_print(const char *id, bool json);

@@ -256,6 +256,6 @@ void bots_compare(const struct bots *easier, const struct bots *harder, char *wh
 
     why[0] = 0;
     if (rate * 19 > then * 20)
-        snprintf(why, size, "%u.%u hits a minute, compared with %u.%u", (unsigned)(rate / 10), (unsigned)(rate % 10),
+        snprintf(why, size, "%u.%u hits per minute, compared with %u.%u", (unsigned)(rate / 10), (unsigned)(rate % 10),
                  (unsigned)(then / 10), (unsigned)(then % 10));
 }

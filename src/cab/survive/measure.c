@@ -147,10 +147,10 @@ void measure_compare(const struct measure *easier, const struct measure *harder,
     if (live + 2 < live_then)
         snprintf(why, size, "%d of %d bots survive, compared with %d", live, bots_all(&easier->bots), live_then);
     else if (live <= live_then && last + last / 5 + 60 < last_then)
-        snprintf(why, size, "bots last %u.%u s, compared with %u.%u", (unsigned)(last / 60), (unsigned)(last / 6 % 10),
-                 (unsigned)(last_then / 60), (unsigned)(last_then / 6 % 10));
+        snprintf(why, size, "bots survive %u.%u s on average, compared with %u.%u", (unsigned)(last / 60),
+                 (unsigned)(last / 6 % 10), (unsigned)(last_then / 60), (unsigned)(last_then / 6 % 10));
     else if (rate > rate_then + rate_then / 10 + 100 && live <= live_then)
-        snprintf(why, size, "%u bullets a second, compared with %u", (unsigned)(rate / 100),
+        snprintf(why, size, "%u bullets per second, compared with %u", (unsigned)(rate / 100),
                  (unsigned)(rate_then / 100));
     else if (easier->gap > 0 && easier->gap + 20 < harder->gap && live <= live_then)
         snprintf(why, size, "narrowest gap %d.%d px, compared with %d.%d", easier->gap / 10, easier->gap % 10,

@@ -181,7 +181,7 @@ static enum result compare(const struct survive *s, const struct section_run *ea
     if (s->a->bots)
         bots_compare(&easier->measure.bots, &harder->measure.bots, why, sizeof why);
     else if (!section_survived(easier) && section_survived(harder))
-        snprintf(why, sizeof why, "no way was found, but one at the next difficulty");
+        snprintf(why, sizeof why, "no way was found, but one was found at the next difficulty");
     else
         measure_compare(&easier->measure, &harder->measure, why, sizeof why);
     if (!why[0])
@@ -302,7 +302,7 @@ static enum result all_sections(struct survive *s)
         result = worse(result, report_line(RESULT_DIFFERS, "--all: cannot list all sections: %s", list->why));
     if (n == 0)
         result = report_line(RESULT_REFUSED, "--all: %s",
-                             list->why[0] ? list->why : "no such stage or boss in the game (--stage)");
+                             list->why[0] ? list->why : "--stage: no such stage or boss in the game");
     free(list);
     free(run);
     return report_stdout(result);

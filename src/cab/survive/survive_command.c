@@ -18,7 +18,7 @@ enum result survive_command(const struct args *a)
     if ((a->n_spans && !one_frame) || !game_open(g, a->n_words ? a->words[0] : NULL, a, err, sizeof err)) {
         free(g);
         if (a->n_spans && !one_frame)
-            return report_line(RESULT_REFUSED, "--frames: survive takes one number, the frames to search");
+            return report_line(RESULT_REFUSED, "--frames: survive takes one number, the number of frames to search");
         return report_error(err);
     }
     const struct survive_options o = { .path = g->path ? g->path : "the built-in game",

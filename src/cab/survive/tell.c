@@ -36,32 +36,31 @@ static void tell_survived(const struct seek *s)
 {
     report_print("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
                  tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
-                 s->verdict == SEEK_LASTED ? "; not over by then (--frames sets the limit)" : "");
+                 s->verdict == SEEK_LASTED ? "; the section continues (--frames sets the limit)" : "");
 }
 
 static void tell_cannot(const struct seek *s)
 {
-    report_print("proved unavoidable: by frame %u every ship is hit, whatever it presses except bombs\n",
+    report_print("proved unavoidable: by frame %u the ship is hit, whatever buttons are pressed, unless it bombs\n",
                  (unsigned)s->last);
-    report_print(
-        "  covered: every position that any steering from frame %u on can reach, rounded up; hitboxes rounded down\n",
-        (unsigned)s->begin);
-    report_print("  valid for these bullets; they flew identically in %u more runs with other buttons, fire held or "
-                 "not. Not valid\n  for a script that reads the player's position where none of these runs was, or for "
-                 "a ship saved by a bomb\n",
+    report_print("  covered: every position the ship can reach from frame %u on, rounded up; hitboxes rounded down\n",
+                 (unsigned)s->begin);
+    report_print("  valid for these bullets; they flew identically in %u more runs with other buttons, with and "
+                 "without fire. Not\n  valid if a script reads player positions that none of these runs reached, or if "
+                 "a bomb saves the ship\n",
                  (unsigned)s->probes);
     report_print("  longest run found: until frame %u\n", (unsigned)s->frames);
 }
 
 static void tell_not_found(const struct seek *s)
 {
-    report_print("no way found: in %u plans no ship got past frame %u (from frame %u). This does not prove that there "
-                 "is none:\n",
+    report_print("no way found: in %u plans the ship never got past frame %u (from frame %u). This does not prove that "
+                 "there is no way:\n",
                  (unsigned)s->plans, (unsigned)s->frames, (unsigned)s->begin);
-    report_print("  a ship has 17 moves a frame, and one position was followed in each %s cell of the field\n",
+    report_print("  the ship has 17 moves per frame, and only one position was followed in each %s cell of the field\n",
                  s->reacts ? "two-pixel" : "half-pixel");
     if (s->reacts)
-        report_print("  bullets depend on what the ship does (from frame %u at the latest), so nothing can be proved\n",
+        report_print("  bullets depend on what the ship does (from frame %u or earlier), so nothing can be proved\n",
                      (unsigned)s->reacts_at);
     else
         report_print("  raise --effort to make more plans\n");
@@ -71,7 +70,7 @@ static void tell_measure(const struct measure *m, bool survived)
 {
     const struct bots *b = &m->bots;
 
-    report_print("  bots that survive  %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); average lifetime %u.%u s\n",
+    report_print("  surviving bots     %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); average lifetime %u.%u s\n",
                  bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER],
                  b->n[BOT_WANDER], b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10,
                  tenth(bots_mean(b)) % 10);
@@ -79,12 +78,13 @@ static void tell_measure(const struct measure *m, bool survived)
         return;
     report_print("  narrowest gap      at least %d.%d px; the ship is %d.%d px wide\n", m->gap / 10, m->gap % 10,
                  m->ship / 10, m->ship % 10);
-    report_print("  bullets            %u.%u a second, %u at once\n", (unsigned)(measure_per_second(m) / 100),
-                 (unsigned)(measure_per_second(m) / 10 % 10), (unsigned)m->most);
+    report_print("  bullets            %u.%u per second, at most %u at a time\n",
+                 (unsigned)(measure_per_second(m) / 100), (unsigned)(measure_per_second(m) / 10 % 10),
+                 (unsigned)m->most);
     if (m->aimed)
-        report_print(
-            "  reaction           %d frames: of %d bullets on course for the ship, a tenth leave no more time\n",
-            m->reaction, m->aimed);
+        report_print("  reaction           %d frames: a tenth of the %d bullets on course for the ship leave no more "
+                     "time than that\n",
+                     m->reaction, m->aimed);
     else
         report_print("  reaction           no bullet was on course for the ship\n");
 }
@@ -93,7 +93,7 @@ static void tell_bots(const struct bots *b)
 {
     const unsigned rate = bots_rate(b), each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
 
-    report_print("%u.%u hits a minute: %u of %d bots in %u.%u s each; %d were not hit\n", rate / 10, rate % 10,
+    report_print("%u.%u hits per minute: %u hits on %d bots in %u.%u s each; %d were not hit\n", rate / 10, rate % 10,
                  (unsigned)bots_hits(b), bots_all(b), each / 10, each % 10, bots_lived(b));
 }
 
@@ -221,7 +221,7 @@ void tell_row(const struct tell_of *of, const struct section_run *s)
 void tell_bots_head(void)
 {
     report_print("%-24s %-10s %6s %8s %6s %14s %10s\n", "section", "difficulty", "bots", "seconds", "hits",
-                 "hits a minute", "that dodge");
+                 "hits/minute", "dodge bots");
 }
 
 void tell_bots_row(const struct tell_of *of, const struct section_run *s)

@@ -117,7 +117,7 @@ static bool press(void *context, int run, const char *list, char *err, size_t er
     struct stage *s = context;
 
     if (s->run[run].plays && list[0])
-        return err_set(err, err_size, "pads: not allowed, the demo's buttons are in use");
+        return err_set(err, err_size, "pads: not allowed with a demo, which contains its own input");
     return s->t->press(s->t->user, run, list, err, err_size);
 }
 

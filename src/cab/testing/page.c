@@ -143,7 +143,7 @@ static void row(FILE *out, const struct test *t)
 {
     const bool good = t->verdict == TEST_HOLDS;
 
-    fprintf(out, "<tr><td class=\"%s\">%s</td><td>", good ? "good" : "bad", good ? "holds" : "fails");
+    fprintf(out, "<tr><td class=\"%s\">%s</td><td>", good ? "good" : "bad", good ? "passes" : "fails");
     told_escaped(out, t->name);
     fprintf(out, "</td><td class=\"n\">%u frames</td><td class=\"n\">%.2f s</td></tr>\n", (unsigned)t->frames,
             (double)t->usec / 1e6);

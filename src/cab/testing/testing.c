@@ -210,9 +210,8 @@ static void look_for_taken(void *context, const char *words)
         outcome_each(&a->tests[k], SAYS_TAKEN, is_taken, &other);
         if (other.by < 0)
             continue;
-        snprintf(sentence, sizeof sentence,
-                 "%.100s is also used by %.100s: pictures and hashes cannot be shared by tests", words,
-                 a->tests[k].name);
+        snprintf(sentence, sizeof sentence, "%.100s is also used by %.100s: tests cannot share pictures and hashes",
+                 words, a->tests[k].name);
         a->no_memory |= !outcome_add(&a->tests[mine->i], sentence);
     }
 }

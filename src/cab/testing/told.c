@@ -34,9 +34,9 @@ void told_sums(const struct sums *s)
 
     report_print("%d test%s: ", s->tests, s->tests == 1 ? "" : "s");
     if (s->fail == 0)
-        report_print("%s", s->tests == 1 ? "it holds" : "all hold");
+        report_print("%s", s->tests == 1 ? "passed" : "all passed");
     else
-        report_print("%d hold%s, %d fail%s", good, good == 1 ? "s" : "", s->fail, s->fail == 1 ? "s" : "");
+        report_print("%d passed, %d failed", good, s->fail);
     report_print("; %u frames in %.2f s\n", (unsigned)s->frames, (double)s->usec / 1e6);
 }
 

@@ -45,7 +45,7 @@ static bool check_text(struct xml *x)
         const char *from = s;
         const uint32_t code = utf8_next(&s, x->end);
         if ((code >= 0x80 && s == from + 1) || !is_character(code))
-            return xml_refuse(x, line, "byte 0x%02x is not text in UTF-8; save the file as UTF-8", *from & 0xff);
+            return xml_refuse(x, line, "byte 0x%02x is not valid UTF-8; save the file as UTF-8", *from & 0xff);
         line += code == '\n';
     }
     return true;
@@ -207,7 +207,7 @@ static enum xml_event close_tag(struct xml *x, char *name)
 
     skip_space(x);
     if (name == NULL || x->at == x->end || *x->at != '>')
-        return xml_refuse(x, x->name_line, "a tag without its >"), XML_BAD;
+        return xml_refuse(x, x->name_line, "a tag without a closing >"), XML_BAD;
     x->at++;
     *name_end = '\0';
     if (x->depth == 0 || strcmp(x->open[x->depth - 1], name) != 0)
@@ -232,7 +232,7 @@ static bool read_attributes(struct xml *x, char *name_end)
             return true;
         }
         if (x->empty || x->at == x->end || from == x->at)
-            return xml_refuse(x, x->name_line, "a tag without its >");
+            return xml_refuse(x, x->name_line, "a tag without a closing >");
         *name_end = '\0';
         if (!read_attribute(x))
             return false;
@@ -252,7 +252,7 @@ static enum xml_event read_tag(struct xml *x)
         return xml_refuse(x, x->line, "expected a name after <"), XML_BAD;
     if (x->depth == XML_NEST || (x->depth == 0 && x->started))
         return xml_refuse(x, x->line,
-                          x->started && x->depth == 0 ? "second root element" : "elements nested too deeply"),
+                          x->started && x->depth == 0 ? "more than one root element" : "elements nested too deeply"),
                XML_BAD;
     x->name = name;
     x->n = 0;

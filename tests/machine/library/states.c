@@ -108,7 +108,7 @@ int main(int argc, char **argv)
         curtain_frame(c, pads);
     uint8_t state[4096];
     failed |= check("nor is such a run saved", curtain_save(c, state, sizeof state, err, sizeof err) == 0 &&
-                                                   strstr(err, "too many changes of input"));
+                                                   strstr(err, "too many input changes"));
     for (int i = 0; i < STATES; i++)
         free(kept[i].bytes);
     free_board(a, at[0]);

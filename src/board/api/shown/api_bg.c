@@ -34,17 +34,15 @@ enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED
 #define SHARED                                                                                                         \
     { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE },        \
         { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "layer: where the left edge of its map is in the field; plane: where the eye is over the map; grows "  \
-                "by vx"),                                                                                              \
+                "left edge of a layer's map in the field, or position of a plane's eye over the map; grows by `vx`"),  \
           PROP_WRITE },                                                                                                \
         { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "layer: where the top edge of its map is in the field; plane: where the eye is over the map; grows "   \
-                "by vy"),                                                                                              \
+                "top edge of a layer's map in the field, or position of a plane's eye over the map; grows by `vy`"),   \
           PROP_WRITE },                                                                                                \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
         { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
-                "back is behind all things, front is in front of all sprites"),                                        \
+                "`back` is behind all things, `front` is in front of all sprites"),                                    \
           PROP_WRITE },                                                                                                \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE }, \
         { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },              \
@@ -169,8 +167,8 @@ static const struct api_prop plane_props[PLANE_PROPS] = {
             "true for a ceiling above the horizon instead of a floor below it"),
       PROP_WRITE },
     { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
-            "{ to = 0xRRGGBB, far = px }: colour it fades to with distance, and the distance from which nothing else "
-            "is seen; nil for no fog"),
+            "{ to = 0xRRGGBB, far = px }: colour it fades to with distance, and the distance at which only that colour "
+            "is left; nil for no fog"),
       PROP_WRITE },
 };
 
@@ -291,18 +289,19 @@ enum { ARG_I, ARG_LINES };
 
 static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL,
                                                        "number of the layer, from back to front") };
-static const struct api_param lines_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL,
-                                                       "number of the layer"),
-                                                 PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL,
-                                                       "a wave, or a list of px, one for each line from the top of the "
-                                                       "field, repeated at its end; straight if left out") };
+static const struct api_param lines_params[] = {
+    PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, "number of the layer"),
+    PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "a wave, or a list of shifts in px, one for each line from the top of the field, repeated as needed; "
+          "omit it to straighten the layer")
+};
 
 enum { WAVE, EVERY, SPEED, WAVE_PARAMS };
 
 static const struct api_param wave_params[WAVE_PARAMS] = {
-    PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, "distance it sways to each side"),
+    PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, "distance the lines sway to each side"),
     PARAM("every", A_FX, REQ, 1, WORLD, "px", NULL, "distance from one crest to the next"),
-    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", "speed at which the wave runs down"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", "speed at which the wave moves down"),
 };
 
 static int bg_layer(lua_State *L, struct board *b, struct api_value *v)
@@ -417,15 +416,16 @@ static const struct api_entry entries[] = {
     { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer",
       HELP("returns one of the four tile layers of the background") },
     PARAM("bg.plane", bg_plane, NULL, 0, 0, 0, "plane",
-          "returns the plane of the background, a floor or a ceiling seen in perspective"),
+          "returns the background's plane, a floor or a ceiling in perspective"),
     { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL, HELP("shifts each line of a layer sideways") },
 #ifndef WITHOUT_HELP
     { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL, HELP("a wave instead of a list") },
 #endif
     { "sys.bg_fade", sys_bg_fade, PARAMS(fade_params), 1, API_SYS | API_CHANGES, "frames",
-      HELP("the background goes black and comes back; returns when it is black") },
+      HELP("fades the background to black and back; returns the frames until it is black") },
     { "sys.bg_shown", sys_bg_shown, PARAMS(shown_params), 1, API_SYS | API_CHANGES, "number",
-      HELP("which background is shown; n: from now on") },
-    { "sys.bg_clear", sys_bg_clear, NULL, 0, 0, API_SYS | API_CHANGES, NULL, HELP("no background; a fade goes on") },
+      HELP("returns the number of the background shown; n sets it") },
+    { "sys.bg_clear", sys_bg_clear, NULL, 0, 0, API_SYS | API_CHANGES, NULL,
+      HELP("turns the background off; a fade continues") },
 };
 const struct api_module api_bg = { entries, sizeof entries / sizeof *entries };

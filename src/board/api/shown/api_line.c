@@ -26,17 +26,19 @@ static const struct api_param line_put[] = {
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
           "string or number to write, up to 240 characters; \\n starts a new row"),
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing it moves with, dx and dy away from it; the line is removed when that thing is; not with x, y or from"),
-    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; the cells' own font if left out"),
-    PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows break; only \\n breaks them if left out"),
-    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at x"),
+          "thing it moves with, at a distance of `dx` and `dy`; the line is removed when that thing is; not with `x`, "
+          "`y` or `from`"),
+    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
+    PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at `x`"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
     PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
-          "measure x and y from the corner of the screen instead of the field; not with follow"),
-    PARAM("letter", A_INT, OPT, 0, 600, "frames", "0", "frames before each letter appears; 0 shows all at once"),
-    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box in the darkest colour of the bank behind it"),
+          "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
+    PARAM("letter", A_INT, OPT, 0, 600, "frames", "0",
+          "frames before each letter appears; 0 shows all letters immediately"),
+    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box behind it in the darkest colour of the bank"),
     PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
 };
 
 /* The text at `at`, a string or a number; raises. */
@@ -82,9 +84,9 @@ static bool place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx 
     if (!v[L_FOLLOW].given)
         return api_place(L, b, "text.line", v + L_PLACE, x, y);
     if (v[L_PLACE].given || v[L_PLACE + 1].given || v[L_PLACE + 2].given)
-        api_error(L, "text.line", "follow cannot be combined with x, y or from");
+        api_error(L, "text.line", "`follow` cannot be combined with `x`, `y` or `from`");
     if (v[L_SCREEN].i)
-        api_error(L, "text.line", "screen cannot be combined with follow");
+        api_error(L, "text.line", "`screen` cannot be combined with `follow`");
     return board_alive(b, v[L_FOLLOW].i);
 }
 
@@ -113,15 +115,16 @@ enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position, or that of the thing it follows; a write is ignored then"),
+            "horizontal position; while it follows a thing, this is that thing's position and writes are ignored"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position, or that of the thing it follows; a write is ignored then"),
+            "vertical position; while it follows a thing, this is that thing's position and writes are ignored"),
       PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of x at which it is drawn"),
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of `x` at which it is drawn"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below y at which it is drawn"), PROP_WRITE },
-    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "its text; a write starts the letters again"), PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below `y` at which it is drawn"), PROP_WRITE },
+    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "its text; after a write, the letters appear again one by one"),
+      PROP_WRITE },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
     { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "true once all letters have appeared"), PROP_READ },
@@ -220,8 +223,8 @@ static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
-      HELP("writes a line of text at any pixel, in the field, on the screen or attached to a thing; needs lines in "
-           "board in rom.lua") },
+      HELP("writes a line of text at any pixel in the field or on the screen, or attached to a thing; needs `board = { "
+           "lines = n }`") },
     { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
 };
 const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

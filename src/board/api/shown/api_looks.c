@@ -45,8 +45,8 @@ void api_pictures_read(lua_State *L, const char *entry, const struct api_value *
         add(L, entry, p, first[fixed], lua_gettop(L), own);
         lua_pop(L, 1);
     }
-    const int n = api_sorted_names(L, entry, "pictures", "{ NAME = sprite }, as { hurt = \"moth_hurt\" }", table->at,
-                                   names, most);
+    const int n = api_sorted_names(L, entry, "pictures", "{ NAME = sprite }, such as { hurt = \"moth_hurt\" }",
+                                   table->at, names, most);
     for (int i = 0; i < n; i++) {
         if (is_first(p, fixed, names[i]))
             continue;

@@ -32,25 +32,25 @@ enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1
 
 static const struct api_param put[] = {
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position; give x and y, or follow"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position; give `x` and `y`, or `follow`"),
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture"),
     PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front",
-          "drawing order among other things; over is above the dimmed picture and allows no blend"),
+          "drawing order; `over` is above everything that screen.dim darkens and can't be combined with `blend`"),
     PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
-          "measure x and y from the corner of the screen instead of the field; not with follow"),
+          "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
     PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it left to right"),
     PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it top to bottom"),
     PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; opaque if left out"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
     PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL,
           "thing it moves with; the sprite is removed when that thing is"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the thing it follows; needs follow"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the thing it follows; needs follow"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the thing it follows; needs `follow`"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the thing it follows; needs `follow`"),
 };
 
-#define OVER_BLEND "sprites in layer over cannot blend"
+#define OVER_BLEND "sprites in layer \"over\" cannot blend"
 
 /* Two ways to say where. */
 static void check_put(lua_State *L, const struct api_value *v)
@@ -58,14 +58,14 @@ static void check_put(lua_State *L, const struct api_value *v)
     const bool xy = v[PUT_X].given && v[PUT_Y].given;
 
     if (v[PUT_FOLLOW].given ? v[PUT_X].given || v[PUT_Y].given : !xy)
-        api_error(L, "sprite.put", "place: expected x and y, or follow (a thing), got %s",
+        api_error(L, "sprite.put", "place: expected `x` and `y`, or `follow` (a thing), got %s",
                   v[PUT_FOLLOW].given                ? "both"
-                  : v[PUT_X].given || v[PUT_Y].given ? "one of x and y"
+                  : v[PUT_X].given || v[PUT_Y].given ? "only one of `x` and `y`"
                                                      : "neither");
     if (!v[PUT_FOLLOW].given && (v[PUT_DX].given || v[PUT_DY].given))
-        api_error(L, "sprite.put", "dx, dy: require follow");
+        api_error(L, "sprite.put", "dx, dy: require `follow`");
     if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
-        api_error(L, "sprite.put", "screen cannot be combined with follow");
+        api_error(L, "sprite.put", "`screen` cannot be combined with `follow`");
     if (v[PUT_BLEND].given && v[PUT_LAYER].i == LAYER_OVER)
         api_error(L, "sprite.put", "blend: " OVER_BLEND);
 }
@@ -123,10 +123,10 @@ static const struct api_param plate[] = {
     PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "top edge on the screen"),
     PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width"),
     PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its shades 1 and 10"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its colours 1 and 10"),
     PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
-    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw it above the sprites of layer over too"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it after the end of the boss's phase that created it"),
+    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw it above sprites in layer `over`, too"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
 };
 
 static bool is_plate(const struct sprites *s, uint32_t i)
@@ -160,12 +160,12 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position; read only while it follows a thing"),
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position; read-only while it follows a thing"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position; read only while it follows a thing"),
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position; read-only while it follows a thing"),
       PROP_WRITE },
     { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
-            "name of its picture; writing another one restarts the animation; nil for a plate"),
+            "name of its picture; writing a different name restarts the animation; nil for a plate"),
       PROP_WRITE },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE },
     { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
@@ -242,8 +242,8 @@ static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, 
 
     if (s->flags[i] & SPRITE_FOLLOW ? p == P_X || p == P_Y : p == P_DX || p == P_DY)
         api_error(L, "sprite",
-                  s->flags[i] & SPRITE_FOLLOW ? "%s: the sprite follows a thing; write dx and dy"
-                                              : "%s: the sprite follows nothing; write x and y",
+                  s->flags[i] & SPRITE_FOLLOW ? "%s: the sprite follows a thing; set `dx` and `dy` instead"
+                                              : "%s: the sprite follows nothing; set `x` and `y` instead",
                   props[p].value.name);
     if (!plate_is && (p == P_W || p == P_H))
         api_error(L, "sprite", "%s: can only be written on a plate; a sprite's size comes from rom.lua",
@@ -318,19 +318,19 @@ static const struct api_param spark_def[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name to declare it under"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
     PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until it disappears"),
-    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", "0", "downward acceleration"),
-    PARAM("drag", A_FX, OPT, 0, 1, "of the speed a frame", "0", "fraction of its speed that it loses each frame"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture; give bank or banks"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; opaque if left out"),
+    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", "0", "downward acceleration"),
+    PARAM("drag", A_FX, OPT, 0, 1, "per frame", "0", "fraction of its speed that it loses each frame"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0",
+          "number added to the palette bank of the picture; give `bank` or `banks`"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL,
           "list of up to eight banks to go through, each for an equal part of its life"),
     PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front",
-          "middle draws it below players and bullets, front above them"),
+          "`middle` draws it below players and bullets, `front` above them"),
 };
 
-static const char NO_KINDS[] =
-    "no kind is free: `board.sparks` in rom.lua is 0, or all %d are declared (each bank after "
-    "the first counts as one)";
+static const char NO_KINDS[] = "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
+                               "after the first counts as one)";
 
 /* banks: the first is the kind's, and each other a row after it. drawn: the rest of `bank`. */
 static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
@@ -361,7 +361,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     if (i == NO_SLOT)
         return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
-        return api_error(L, "spark.def", "expected bank or banks, got both");
+        return api_error(L, "spark.def", "expected either `bank` or `banks`, got both");
     const bool under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
     const unsigned drawn = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (under ? SPARK_UNDER : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
@@ -383,16 +383,15 @@ static const struct api_param burst[] = {
     PLACE,
     PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number to create"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0",
-          "middle of the directions they fly in; with radius, added to the direction outwards"),
+          "middle of the range of directions; with `radius`, it is added to the outward direction"),
     PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "360",
-          "width of the range of directions; 0 if left out and radius is given"),
-    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1",
-          "highest speed; each spark gets between half of it and all of it"),
+          "width of the range of directions; with `radius`, it defaults to 0"),
+    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1", "highest speed; each spark gets at least half of it"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
-          "radius of a ring to start on, evenly spaced, flying outwards; not with to_x"),
+          "radius of a ring from which they fly outwards, evenly spaced; not with `to_x`"),
     PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
-          "horizontal end of a line to start on, evenly spaced; needs to_y"),
-    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical end of that line; needs to_x"),
+          "horizontal end of a line along which they start, evenly spaced; needs `to_y`"),
+    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical end of that line; needs `to_x`"),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -405,7 +404,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
                              .radius = v[B_RADIUS].f };
 
     if (v[B_TO_X].given != v[B_TO_Y].given || (v[B_TO_X].given && v[B_RADIUS].given))
-        return api_error(L, "spark.burst", "shape: expected radius, or to_x and to_y, or neither");
+        return api_error(L, "spark.burst", "shape: expected `radius`, or `to_x` and `to_y`, or neither");
     if (s.radius && !v[B_SPREAD].given)
         s.spread = 0;
     if (!api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
@@ -428,9 +427,9 @@ static const struct api_param text_put[] = {
     PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, "row, from 0 at the top"),
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, "string or number to write"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
-    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of the text at col"),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of the text at `col`"),
     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL,
-          "font from rom.lua; the cells' own font if left out; needs board = { wide = true }"),
+          "font from rom.lua; defaults to the font of the cells; needs `board = { wide = true }`"),
     PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", "outline the letters in the darkest colour of the bank"),
     PARAM("size", A_INT, OPT, 1, 2, NULL, "1", "2 draws letters two cells wide and two high"),
 };
@@ -500,13 +499,13 @@ static const struct api_param set_colour[] = {
 enum { ARG_NAME };
 
 static const struct api_param load[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                               "a palette from rom.lua; main is the one the game starts with") };
+                                               "palette from rom.lua; the game starts with the palette `main`") };
 
 enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
 
 static const struct api_param fade[] = {
-    PARAM("to", A_ANY, REQ, 0, 0, "colour 0xrrggbb, or a palette", NULL,
-          "colour to fade to, or a palette from rom.lua; main is the one the game starts with"),
+    PARAM("to", A_ANY, REQ, 0, 0, "colour 0xRRGGBB, or a palette", NULL,
+          "colour to fade to, or the name of a palette from rom.lua; the game starts with the palette `main`"),
     PARAM("over", A_INT, REQ, 0, 65535, "frames", NULL, "frames the fade takes"),
     PARAM("first", A_INT, OPT, 0, 255, NULL, "0", "first palette entry to fade"),
     PARAM("last", A_INT, OPT, 0, 255, NULL, "255", "last palette entry to fade"),
@@ -587,7 +586,7 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "palette.cycle", "first %d is greater than last %d", (int)v[CYCLE_FIRST].i,
                          (int)v[CYCLE_LAST].i);
     if (!pal_cycle(&b->pal, (uint8_t)v[CYCLE_FIRST].i, (uint8_t)v[CYCLE_LAST].i, (uint16_t)v[CYCLE_EVERY].i))
-        return api_error(L, "palette.cycle", "all %d cycles are running (every = 0 stops one)", CYCLES);
+        return api_error(L, "palette.cycle", "all %d cycles are running (`every = 0` stops one)", CYCLES);
     return 0;
 }
 
@@ -596,9 +595,9 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
 
 static const struct api_param shake[] = {
-    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL, "distance it moves at first; shrinks to nothing"),
+    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL, "distance it moves at first; the distance shrinks to 0"),
     PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames it lasts"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if left out"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if omitted"),
 };
 
 enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
@@ -606,7 +605,7 @@ enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
 static const struct api_param flash[] = {
     PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", "colour as 0xRRGGBB"),
     PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames it takes to fade out"),
-    PARAM("share", A_FX, OPT, 0, 1, NULL, "1", "strength at first: 1 is the pure colour"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "1", "initial strength; 1 is the pure colour"),
 };
 
 enum { BARS_H, BARS_OVER };
@@ -666,10 +665,10 @@ static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
       HELP("places a sprite in the field or on the screen, or attaches it to a thing") },
     { "sprite.plate", sprite_plate, PARAMS(plate), 0, API_CHANGES, "sprite",
-      HELP("places a dark plate with a light rim on the screen: above the dimmed picture, below the text") },
+      HELP("places a dark plate with a light rim on the screen, above the dimmed picture and below the text") },
     { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the sprite") },
     { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of spark: a picture for the eye only, that scripts can't read and nothing hits") },
+      HELP("declares a kind of spark: a purely visual particle that never hits and that scripts can't read") },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
       HELP("creates sparks that fly apart from a point, a ring or a line") },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
@@ -677,22 +676,23 @@ static const struct api_entry entries[] = {
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL,
       HELP("clears a rectangle of text cells; without arguments, all of them") },
     { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
-      HELP("returns a text in the language of the run, from lang/NAME.txt; without a translation, the text itself") },
+      HELP("translates text with lang/NAME.txt into the language of the run; returns the text unchanged if it has no "
+           "translation") },
     { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL,
-      HELP("sets all 256 colours at once from a palette from rom.lua") },
+      HELP("sets all 256 colours to a palette from rom.lua") },
     { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,
       HELP("fades colours to one colour or to a palette from rom.lua") },
     { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
-      HELP("rotates a range of colours by one entry every few frames, up to 8 ranges at once") },
+      HELP("rotates a range of colours by one entry every few frames; up to 8 ranges can rotate at the same time") },
     { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,
-      HELP("shakes the picture of the field; nothing really moves, so hits stay the same") },
+      HELP("shakes the picture of the field; nothing really moves, so hits aren't affected") },
     { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
-      HELP("tints the whole picture and fades the tint out") },
+      HELP("tints the entire picture and fades the tint out") },
     { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
-      HELP("slides bars in at the top and bottom of the field, below the text") },
+      HELP("slides in black bars at the top and bottom of the field, drawn under the text") },
     { "screen.dim", screen_dim_run, PARAMS(dim), 0, API_CHANGES, "share",
-      HELP("darkens the picture except plates, sprites of layer over and text, even while the game is paused; returns "
-           "the previous share") },
+      HELP("darkens everything except plates, text and sprites in layer `over`, even while the game is paused; returns "
+           "the previous `share`") },
 };
 const struct api_module api_screen = { entries, sizeof entries / sizeof *entries };

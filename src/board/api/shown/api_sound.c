@@ -16,34 +16,34 @@ enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 1
 
 static const struct api_param play[] = {
     PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
-    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of the volume that rom.lua gives it"),
-    PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "position between left, -1, and right, 1; give pan or from"),
+    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of its volume in rom.lua"),
+    PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "stereo position: -1 is left, 1 is right; give `pan` or `from`"),
     PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing whose position in the field decides between left and right; if it is dead, nothing plays"),
+          "thing whose position in the field sets the stereo position; if it is dead, nothing plays"),
     PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "pitch shift"),
 };
 static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
-                                               "sound from rom.lua to stop; all sounds if left out") };
+                                               "sound from rom.lua to stop; all sounds if omitted") };
 static const struct api_param music_play_params[] = {
     PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of music from rom.lua"),
     PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
-          "frames in which the current music fades out first; cannot be combined with at"),
-    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", "restart it if it is playing already; otherwise it continues"),
+          "frames in which the current music first fades out; cannot be combined with `at`"),
+    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", "restart it if it is already playing; otherwise it continues"),
     PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
-          "set the current music aside, up to three pieces deep, and continue it when this piece ends or when "
-          "music.play asks for it"),
+          "set the current music aside, up to three pieces deep, and resume it when this piece ends or music.play "
+          "names it"),
     PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL,
-          "\"beat\" or \"bar\": start on the next one of the current music; at once if left out; cannot be combined "
-          "with fade"),
+          "start on the next \"beat\" or \"bar\" of the current music, or immediately if omitted; cannot be combined "
+          "with `fade`"),
 };
 static const struct api_param volume[] = {
-    PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; only reads it if left out"),
+    PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; omit it to only read"),
     PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "frames the change takes")
 };
 static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
                                                             "frames in which it fades out") };
 static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
-                                                "number of beats, which are quarter notes") };
+                                                "number of beats (quarter notes)") };
 static const struct api_param until[] = { PARAM(
     "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1",
     "number of beats to wait for, or the name of a marker of the current piece") };
@@ -59,7 +59,7 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
     fx x, y;
 
     if (v[P_PAN].given && v[P_FROM].given)
-        return api_error(L, "sound.play", "expected pan or from, got both");
+        return api_error(L, "sound.play", "expected either `pan` or `from`, got both");
     struct cue cue = { cart_sound(&b->cart, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
                        (int16_t)(v[P_PAN].n * TUNE_PAN), (int32_t)(v[P_PITCH].n * PITCH_ONE) };
     if (v[P_FROM].given) {
@@ -86,7 +86,7 @@ static int music_play(lua_State *L, struct board *b, struct api_value *v)
     const char *at = v[M_AT].given ? lua_tostring(L, v[M_AT].at) : NULL;
 
     if (at && v[M_FADE].i)
-        return api_error(L, "music.play", "expected at or fade, got both");
+        return api_error(L, "music.play", "expected either `at` or `fade`, got both");
     for (int i = 0; at && i < 2; i++)
         if (!strcmp(at, places[i]))
             how.at = i ? MUSIC_AT_BAR : MUSIC_AT_BEAT;
@@ -285,24 +285,24 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
-      HELP("plays a sound from rom.lua; silent while a stage is skipped on the way to a practice mark") },
+      HELP("plays a sound from rom.lua; silent while a stage skips ahead to a practice mark") },
     { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("stops a sound, or all of them") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
-      HELP("plays a piece of music from rom.lua, instead of the current one") },
+      HELP("plays a piece of music from rom.lua instead of the current one") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
       HELP("stops the music, including pieces that were set aside") },
     { "music.volume", music_volume, PARAMS(volume), 2, API_CHANGES, "number",
       HELP("changes the volume of all music and returns the previous one; each new game starts at 1") },
     { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", HELP("returns the name of the piece that is playing") },
     { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer",
-      HELP("returns how many beats, which are quarter notes, the piece has played, from 0") },
+      HELP("returns how many beats (quarter notes) the piece has played, from 0") },
     { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", HELP("returns how many bars the piece has played, from 0") },
     { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil",
       HELP("returns the name of the last marker the piece has passed") },
     { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
-      HELP("converts beats to frames at the current tempo; at 120 beats a minute if nothing is playing") },
+      HELP("converts beats to frames at the current tempo, or at 120 beats per minute if nothing is playing") },
     { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
-      HELP("pauses the task until a beat or a marker and returns the beat; a marker that won't come again, or any with "
-           "nothing playing, doesn't pause it") },
+      HELP("waits for a beat or a marker and returns the beat; it doesn't wait for a marker that won't come again, or "
+           "for any marker if nothing is playing") },
 };
 const struct api_module api_sound = { entries, sizeof entries / sizeof *entries };

@@ -27,7 +27,7 @@ static const struct api_param part_params[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the part"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of its body"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below its body"),
-    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage it takes that its body takes too"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage it takes that is also dealt to its body"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
@@ -210,7 +210,7 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
         return;
     }
     if (!e->body[i])
-        vm_fault(L, FAULT_SCRIPT, "enemy: %s: this enemy is not a part (enemy.spawn { follow = .. } makes one)",
+        vm_fault(L, FAULT_SCRIPT, "enemy: %s: this enemy is not a part (enemy.spawn { follow = .. } spawns one)",
                  names[p]);
     if (p == BODY_SHARE)
         e->share[i] = v;
@@ -228,27 +228,28 @@ enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVE
 static const struct api_param orbit[] = {
     SELF,
     PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing to circle; once it is gone, the point where it was; give around, or x and y"),
+          "thing to circle, or its last position once it has despawned; give `around`, or `x` and `y`"),
     PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the circle"),
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the circle"),
-    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the start; its present distance if left out"),
-    PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the end of over; radius if left out; needs over"),
+    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the start; defaults to its current distance"),
+    PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL,
+          "radius at the end of `over`; defaults to `radius`; needs `over`"),
     PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees it moves around the centre per frame, clockwise"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction from the centre at the start; its present one if left out"),
-    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", "duration"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction from the centre at the start; defaults to the current one"),
+    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", "duration of the orbit"),
 };
 
 enum { W_W = 1, W_H, W_EVERY, W_OVER, W_X, W_Y, W_EASE };
 static const struct api_param wander[] = {
     SELF,
-    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, "width of the area, centred on x and y"),
-    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centred on x and y"),
-    PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the next"),
-    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; at most every"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the area; where it is if left out"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the area; where it is if left out"),
+    PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, "width of the area, centred on `x` and `y`"),
+    PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centred on `x` and `y`"),
+    PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the start of the next"),
+    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; must not exceed `every`"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the area; defaults to where the enemy is"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the area; defaults to where the enemy is"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
-          "how its speed changes on the way: in starts slowly, out ends slowly, both does both"),
+          "how its speed changes on the way: `in` starts slowly, `out` ends slowly, `both` does both"),
 };
 
 static bool forever(const struct api_value *v)
@@ -263,9 +264,9 @@ static void check_orbit(lua_State *L, const struct api_value *v)
 
     api_body_check(L, name, "orbit");
     if (v[O_AROUND].given ? place : !(v[O_X].given && v[O_Y].given))
-        api_error(L, name, "expected either around (a thing) or x and y");
+        api_error(L, name, "expected either `around` (a thing) or `x` and `y`");
     if (v[O_RADIUS_TO].given && forever(&v[O_OVER]))
-        api_error(L, name, "radius_to: requires over");
+        api_error(L, name, "radius_to: requires `over`");
 }
 
 static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -311,28 +312,31 @@ static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
 {
     api_body_check(L, api_bound(L)->entry->name, "wander");
     if (v[W_OVER].i > v[W_EVERY].i)
-        return api_error(L, api_bound(L)->entry->name, "over: expected at most every (%d frames), got %d",
+        return api_error(L, api_bound(L)->entry->name, "over: expected at most `every` (%d frames), got %d",
                          (int)v[W_EVERY].i, (int)v[W_OVER].i);
     return api_enemy_act(L, b, wander_one, v);
 }
 
 static const struct api_param parts_params[] = {
     PARAM("self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, "the thing itself"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of the parts to list; all parts if left out")
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of the parts to list; all parts if omitted")
 };
 
-#define NEXT_ENDS "; the next move, orbit, wander or write of x or y ends it; needs board = { bodies = true }"
+#define NEXT_ENDS                                                                                                      \
+    "; a later `move`, `orbit`, `wander` or write to `x` or `y` ends this; needs `board = { bodies = true }`"
 #define VERBS(thing, it)                                                                                               \
-    API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL, "moves " it " in a circle and returns at once" NEXT_ENDS),   \
+    API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL,                                                              \
+             "starts moving " it " in a circle and returns immediately" NEXT_ENDS),                                    \
         API_VERB(thing ":wander", enemy_wander, wander, 1, NULL,                                                       \
-                 "moves " it " to random places in an area and returns at once" NEXT_ENDS)
+                 "starts moving " it " to random positions in an area and returns immediately" NEXT_ENDS)
 
 static const struct api_entry entries[] = {
     VERBS("enemy", "it"),
-    VERBS("enemies", "each"),
+    VERBS("enemies", "each enemy"),
     { "enemy:parts", parts_of, PARAMS(parts_params), 2, API_METHOD, "list",
-      HELP("returns a list of its parts in slot order, without the parts of parts; needs board = { bodies = true }") },
+      HELP("returns a list of its parts in slot order, not including the parts of those; needs `board = { bodies = "
+           "true }`") },
     { "enemy.def part", NULL, PARAMS(part_params), 0, API_LUA | API_SYS, NULL,
-      HELP("one enemy attached to the body: it spawns with it, moves with it and dies with it") },
+      HELP("one enemy attached to the body; it spawns, moves and dies with the body") },
 };
 const struct api_module api_body = { entries, sizeof entries / sizeof *entries };

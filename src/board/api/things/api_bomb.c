@@ -22,14 +22,14 @@ enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
 
 static const struct api_param def[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
-          "name of the bomb, for bomb and bomb_focus in player.def; must be new"),
+          "name of the bomb, for `bomb` and `bomb_focus` in player.def; must be new"),
     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
-          "frames it lasts; then run is stopped, with all that it started and spawned"),
+          "frames it lasts; then `run` stops, and everything it started or spawned is removed"),
     PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
     PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
-          "frames nothing can hit the ship; those of over if left out"),
+          "frames in which nothing can hit the ship; defaults to `over`"),
     PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "register of the ship that pays for it"),
-    PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount it takes from stock; 0 needs no register"),
+    PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount it takes from `stock`; 0 needs no register"),
 };
 
 /* Pushes the list; false: there is none, and nothing is pushed. */
@@ -184,6 +184,6 @@ static const struct api_entry entries[] = {
     { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a bomb: a task that a ship starts and pays for from a register") },
     API_VERB("player:bomb", player_bomb, self, 1, "boolean",
-             "starts the bomb of its ship; false if it has none, cannot pay for it, or one is still going on"),
+             "starts the bomb of its ship; returns false if it has none, can't pay for it or is still bombing"),
 };
 const struct api_module api_bomb = { entries, sizeof entries / sizeof *entries };

@@ -43,7 +43,7 @@ const char *const api_hit_forms[] = {
     [HIT_PLAYERS] = "{ circle = r } or { sprite = name }",
     [HIT_ENEMIES] =
         "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_MANY " or \"none\"",
-    [HIT_LASERS] = "{ share = s }, of its width, 0 to 1, or \"none\"",
+    [HIT_LASERS] = "{ share = s }, s from 0 to 1, or \"none\"",
     [HIT_BULLETS] = "{ circle = r }, { box = { w, h } }, { capsule = { length, radius } }, " HIT_MANY " or \"none\"",
 };
 
@@ -114,9 +114,9 @@ static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, 
     check_reach(L, entry, (int64_t)s->row[0].a + half);
     if (whose == HIT_BULLETS) {
         if (lua_rawgeti(L, -1, 3) != LUA_TNIL)
-            api_error(
-                L, entry,
-                "hit.capsule: expected { length, radius }, got a third value (a bullet's capsule lies along its dir)");
+            api_error(L, entry,
+                      "hit.capsule: expected { length, radius }, got a third value (a bullet's capsule lies along its "
+                      "`dir`)");
         s->row[0].b = half;
         return;
     }
@@ -158,10 +158,11 @@ static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, st
                   name);
     if (whose == HIT_PLAYERS && hit.shape != SHAPE_CIRCLE)
         api_error(L, entry,
-                  "hit.sprite: expected one circle at the player's position, got another hit shape from \"%s\"", name);
+                  "hit.sprite: expected one circle at the player's position, got a different hit shape from \"%s\"",
+                  name);
     if (whose == HIT_BULLETS && hit.shape == SHAPE_CAPSULE && hit.row[0].y != 0)
         api_error(L, entry,
-                  "hit.sprite: the capsule of \"%s\" is vertical, but a bullet's capsule lies along its dir (draw "
+                  "hit.sprite: the capsule of \"%s\" is vertical, but a bullet's capsule lies along its `dir` (draw "
                   "it pointing right)",
                   name);
     s->shape = (uint8_t)hit.shape;
@@ -217,8 +218,8 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
         int32_t row = slots_append(kinds);
         if (row == NO_SLOT)
             api_error(L, entry,
-                      "no kind is free: the pool's capacity in rom.lua is 0, or all %d are declared (a cloud, and each "
-                      "circle after the first, counts as one)",
+                      "no free kind: the pool's capacity in rom.lua is 0, or all %d kinds are declared (a cloud, and "
+                      "each circle after the first, counts as one)",
                       MAX_KINDS);
         k->shape[row] = s->shape;
         k->a[row] = s->row[i].a;
@@ -245,54 +246,54 @@ enum { MOST_ORDER = 100 };
 static const char NO_HP[] = "bullet hp is disabled; add `hp = true` to `board` in rom.lua";
 
 static const struct api_param bullet_def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("graze", A_BOOL, OPT, 0, 0, NULL, "true", "players can graze it"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
-          "rotate the sprite to the direction of flight; the sprite needs rotations in rom.lua"),
+          "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "test the whole path of each frame for hits; false tests only where the frame ends"),
+          "check its full path in each frame for hits; false checks only where it is at the end of the frame"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
-          "degrees the sprite rotates per frame, clockwise; the sprite needs rotations in rom.lua"),
+          "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
-    PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL,
-          "sprite shown in its place during a delay; nil shows its own sprite"),
+    PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite shown instead during its delay; nil shows its own sprite"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "spark left when it is cleared and the clear names no spark; nil leaves none"),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "clears remove it; false makes it immune unless they say all"),
+          "spark it leaves when cleared, if the clear doesn't name one; nil leaves none"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true",
+          "whether clears remove it; if false, only clears with `all = true` do"),
     PARAM("hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL,
-          "damage it takes from shots before it is destroyed; without hp, shots pass through"),
-    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs hp"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left when its hp run out; needs hp"),
+          "damage it takes from shots before it is destroyed; without `hp`, shots pass through it"),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs `hp`"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark it leaves when its hp runs out; needs `hp`"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs hp"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when its hp run out, { NAME = count }; needs hp"),
-    PARAM("harmless", A_BOOL, OPT, 0, 0, NULL, "false", "neither hits nor grazes players"),
+          "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs `hp`"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when its hp runs out, { NAME = count }; needs `hp`"),
+    PARAM("harmless", A_BOOL, OPT, 0, 0, NULL, "false", "if true, it can't hit players or be grazed"),
 };
 
 static const struct api_param shot_def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "hp it takes from each enemy or bullet it hits"),
+    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "damage to each enemy or bullet it hits"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
-          "rotate the sprite to the direction of flight; the sprite needs rotations in rom.lua"),
+          "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "test the whole path of each frame for hits; false tests only where the frame ends"),
+          "check its full path in each frame for hits; false checks only where it is at the end of the frame"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
-          "degrees the sprite rotates per frame, clockwise; the sprite needs rotations in rom.lua"),
+          "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
     PARAM("cancels", A_BOOL, OPT, 0, 0, NULL, "false",
-          "removes one clearable bullet that it touches; a bullet with hp takes its damage instead"),
+          "removes one clearable bullet that it touches; a bullet with `hp` takes its damage instead"),
     PARAM("pierce", A_COUNT, OPT, 0, 1000000, NULL, "0",
-          "hits it survives; the next one uses it up, forever never does"),
+          "number of hits it survives before the next one removes it; with forever, no hit removes it"),
     PARAM("every", A_COUNT, OPT, 1, 1000000, "frames", NULL,
-          "frames before a piercing shot hits the same target again, 6 if left out; needs pierce"),
+          "frames before it can hit the same target again; defaults to 6; needs `pierce`"),
 };
 
 /* The ROW_CLOUD of the kind that is declared next. */
@@ -344,7 +345,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
 
     for (int p = D_SCORE; p <= D_DROPS; p++)
         if (v[p].given && !v[D_HP].given)
-            api_error(L, "bullet.def", "%s: requires hp", bullet_def[p].name);
+            api_error(L, "bullet.def", "%s: requires `hp`", bullet_def[p].name);
     if (!v[D_HP].given)
         return;
     if (!k->hp)
@@ -389,7 +390,7 @@ static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const str
     if (v[D_PIERCE].i && !k->pierce)
         api_error(L, "shot.def", "pierce: " API_OFF, "piercing is disabled; add `pierce = true` to `board`");
     if (v[D_EVERY].given && !v[D_PIERCE].i)
-        api_error(L, "shot.def", "every: requires pierce");
+        api_error(L, "shot.def", "every: requires `pierce`");
     if (!k->pierce)
         return;
     k->pierce[i] = api_or_forever(&v[D_PIERCE]);
@@ -418,31 +419,31 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 #define FLIGHT(kind_type, def_dir)                                                                                     \
     PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL, "declared kind to fire"),                                          \
         PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                             \
-              "pixels per frame; negative flies backwards"),                                                           \
+              "speed of flight; if negative, it flies backwards"),                                                     \
         PLACE,                                                                                                         \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
-              "direction of flight, clockwise from the right; with aim, an offset from the target and 0 if left "      \
-              "out"),                                                                                                  \
+              "direction of flight, clockwise from the right; with `aim`, an offset from the target's direction, "     \
+              "which defaults to 0"),                                                                                  \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
-              "number added to the palette bank of its sprite; its kind's if left out"),                               \
+              "number added to the palette bank of its sprite; overrides its kind's"),                                 \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
 #define AROUND                                                                                                         \
     PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                               \
-          "thing that the orbit steps of its motion circle; needs board = { around = true }")
+          "thing that the orbit steps of its motion revolve around; needs `board = { around = true }`")
 
 static const struct api_param bullet_fire[] = {
     FLIGHT(A_BULLET_KIND, "90"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0",
-          "frames it waits in place, shown as its cloud and harmless, before it flies"),
+          "frames it waits in place before it flies, harmless and drawn as its cloud"),
     AROUND
 };
 static const struct api_param shot_fire[] = {
     FLIGHT(A_SHOT_KIND, "270"),
     PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,
-          "player who owns the shot and gets its score; the owner of from if left out"),
+          "player who owns the shot and gets its score; defaults to the owner of `from`"),
     AROUND
 };
 
@@ -520,10 +521,10 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 /* ---- groups ---- */
 
 const struct api_param api_tag_params[TAG_PARAMS] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
-                                                            "tag of the group; all of them if left out") };
+                                                            "tag of the group; omit it to include all") };
 const struct api_param api_each_params[EACH_PARAMS] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to visit; nil visits all"),
-    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "called with each one as its argument; it cannot wait")
+    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "called with each of them; it cannot wait")
 };
 
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
@@ -589,41 +590,42 @@ static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_param bullet_sweep[] = {
     PLACE,
-    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL, "thing the circle moves with; the sweep ends when it dies"),
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing the circle moves with; the sweep ends when that thing dies"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
     PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
     PARAM("over", A_INT, REQ, 1, 65535, "frames", NULL, "duration of the sweep"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only bullets with this tag"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark each bullet leaves; its kind's if left out"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left by each bullet; overrides its kind's"),
     PARAM("hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0", "damage dealt once to each enemy the circle reaches"),
-    PARAM("by", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that hurt kills"),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "remove bullets with clearable = false too"),
+    PARAM("by", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that `hurt` kills"),
+    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove bullets with `clearable = false`"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item each bullet turns into"),
-    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "remove lasers that the circle touches too"),
+    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "also remove lasers that the circle touches"),
 };
 
 /* ---- properties ---- */
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
-            "horizontal position in the field; a write teleports it and hits nothing in between"),                     \
+            "horizontal position in the field; a write teleports it, with no hits in between"),                        \
       PROP_WRITE },                                                                                                    \
         { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "vertical position in the field; a write teleports it and hits nothing in between"),                   \
+                "vertical position in the field; a write teleports it, with no hits in between"),                      \
           PROP_WRITE },                                                                                                \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
           PROP_WRITE },                                                                                                \
         { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
-                "speed of flight; negative flies backwards"),                                                          \
+                "speed of flight; if negative, it flies backwards"),                                                   \
           PROP_WRITE },                                                                                                \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "horizontal velocity; a write changes dir and speed"),                                                 \
+                "horizontal velocity; a write changes `dir` and `speed`"),                                             \
           PROP_WRITE },                                                                                                \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "vertical velocity; a write changes dir and speed"),                                                   \
+                "vertical velocity; a write changes `dir` and `speed`"),                                               \
           PROP_WRITE },                                                                                                \
         { PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL,                                                              \
-                "name of its kind; a write also sets the bank of the new kind"),                                       \
+                "name of its kind; a write also sets its bank to the new kind's"),                                     \
           PROP_WRITE },                                                                                                \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"),              \
           PROP_WRITE },                                                                                                \
@@ -631,27 +633,27 @@ static const struct api_param bullet_sweep[] = {
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program it runs, or nil; a write starts the program from its first step"),                     \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps circle, or nil"),           \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps revolve around, or nil"),   \
           PROP_WRITE },                                                                                                \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
-                "frames since it was fired, not counting its delay and frozen frames"),                                \
+                "frames since it was fired, not counting its delay or frozen frames"),                                 \
           PROP_READ },                                                                                                 \
     {                                                                                                                  \
         PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
-              "frames it stays frozen, or forever; 0 lets it continue"),                                               \
+              "frames it stays frozen, or forever; 0 unfreezes it"),                                                   \
             PROP_WRITE                                                                                                 \
     }
 
 #define HP_PROP                                                                                                        \
     {                                                                                                                  \
         PARAM("hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL,                                                            \
-              "damage it can still take, or forever; at 0 shots pass through"),                                        \
+              "damage it can still take, or forever; at 0, shots pass through it"),                                    \
             PROP_WRITE                                                                                                 \
     }
 
 static const struct api_prop bullet_props[] = {
     FLIGHT_PROPS(A_BULLET_KIND),
-    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames until it flies; 0 once it flies"), PROP_READ },
+    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames left until it flies; 0 once it does"), PROP_READ },
     HP_PROP,
 };
 static const struct api_prop shot_props[] = {
@@ -847,7 +849,7 @@ static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const str
 #define COUNT_PROP(what)                                                                                               \
     {                                                                                                                  \
         PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
-              "number of live " what " with the tag; the only property of a group that can be read"),                  \
+              "number of live " what " with the tag; a group's only readable property"),                               \
             PROP_READ                                                                                                  \
     }
 static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets"), HP_PROP };
@@ -866,14 +868,16 @@ static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != FLIES_LAST)
-        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read from a group (only count can)", group_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read from a group (only `count` can)",
+                 group_props[p].value.name);
     count_tagged(L, &b->bullets, tag);
 }
 
 static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != FLIES_LAST)
-        vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read from a group (only count can)", shots_props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read from a group (only `count` can)",
+                 shots_props[p].value.name);
     count_tagged(L, &b->shots, tag);
 }
 
@@ -1049,40 +1053,44 @@ enum {
 };
 
 static const struct api_param step_keys[M_KEYS] = {
-    PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly on unchanged before the next step"),
+    PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly unchanged before the next step"),
     PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "turns into a bullet of this kind"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, "number added to the palette bank of its sprite from now on"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "flies in this direction from now on, clockwise from the right"),
-    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "flies at the nearest target; with over, in every frame"),
-    PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, "degrees to turn, clockwise; with over, per frame"),
-    PARAM("home", A_NUM, OPT, 0, 180, "degrees a frame", NULL,
-          "most degrees it turns towards the nearest target per frame; needs over"),
+    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "aims at the nearest target; with `over`, aims again in every frame"),
+    PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, "degrees to turn, clockwise; with `over`, degrees per frame"),
+    PARAM("home", A_NUM, OPT, 0, 180, "degrees per frame", NULL,
+          "maximum turn per frame towards the nearest target; needs `over`"),
     PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
-          "new speed; with over, reached in equal steps; of go_to, the speed it travels at"),
-    PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame a frame", NULL, "change of speed; with over, per frame"),
+          "new speed; with `over`, it is reached in equal steps; with `go_to`, it is the speed of travel"),
+    PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
+          "change in speed; with `over`, the change per frame"),
     PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawns"),
-    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL, "duration of the step; without it, the step happens at once"),
-    PARAM("loop", A_COUNT, OPT, 0, 65534, "rounds", NULL, "times to run the steps listed inside this one"),
-    PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "{ x, y } in the field to fly to; needs over or speed"),
+    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL,
+          "duration of the step; without `over`, the step takes effect immediately"),
+    PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "times to run the steps listed inside this one"),
+    PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "point { x, y } in the field to fly to; needs `over` or `speed`"),
     PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
-          "speed away from at or from where the step starts; needs over"),
+          "speed away from a centre, which is `at` or, without `at`, where the step starts; needs `over`"),
     PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL,
-          "distance it swings to each side of its path; needs over and every"),
-    PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of a circle around at or around its thing; needs over"),
-    PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of go_to"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of polar or orbit, clockwise"),
-    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "{ x, y } in the field: the centre of polar or orbit"),
-    PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of wave"),
-    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "part of the period at which wave starts, in degrees"),
-    PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that orbit reaches at the end of over"),
+          "distance it swings to each side of its path; needs `over` and `every`"),
+    PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
+          "radius of a circle around the point in `at` or, without `at`, the thing in `around`; needs `over`"),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of `go_to`"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of `polar` or `orbit`, clockwise"),
+    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "centre of `polar` or `orbit`, a point { x, y } in the field"),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of `wave`"),
+    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "phase at which `wave` starts; 360 degrees are one period"),
+    PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that `orbit` reaches at the end of `over`"),
     PARAM("bounce", A_COUNT, OPT, 1, 65534, "times", NULL,
           "times to reflect off the edges of the field; steps inside this one run after each bounce"),
     PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
-          "edges that bounce uses: words of left, right, top, bottom; all four if left out"),
+          "edges to bounce off: any of left, right, top and bottom, separated by spaces; all four if omitted"),
     PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "fires bullets or shots from where it is"),
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, starting where it is"),
-    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "swap left and right of path"),
-    PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL, "flies on until a position, a target or a signal is reached"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror `path` left to right"),
+    PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "flies unchanged until it reaches a position, nears a target or gets a signal"),
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -1095,7 +1103,7 @@ struct reader {
     bool fine;
     uint32_t brief; /* after which row the last step stands that lasts, but may be over at once */
     const char
-        *brief_is; /* which, and when: "orbit takes no time once its thing has despawned"; NULL: there was none */
+        *brief_is; /* which, and when: "`orbit` takes no time once its thing has despawned"; NULL: there was none */
 };
 
 static const char DEF[] = "motion.def";
@@ -1224,13 +1232,13 @@ enum { LEADS = sizeof leads / sizeof *leads };
 static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step)
 {
     if (v[M_OVER].given == v[M_SPEED].given)
-        step_error(L, step, "go_to requires either over (frames) or speed");
+        step_error(L, step, "`go_to` requires either `over` (frames) or `speed`");
     if (v[M_SPEED].given && v[M_EASE].given)
-        step_error(L, step, "go_to: ease requires over (with speed the motion is linear)");
+        step_error(L, step, "go_to: `ease` requires `over` (with `speed`, the motion is linear)");
     if (v[M_SPEED].given && v[M_SPEED].at && v[M_SPEED].f <= 0)
         step_error(L, step, "go_to: speed: expected a number above 0");
     if (v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "go_to with over = forever never arrives");
+        step_error(L, step, "`go_to` with `over = forever` never arrives");
 }
 
 /* The key that leads, alone but for its settings; and its settings with it alone. */
@@ -1241,36 +1249,36 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
     for (int i = 0; i < LEADS; i++)
         if (v[leads[i].key].given) {
             if (found >= 0)
-                api_error(L, DEF, "step %d: %s and %s cannot be combined", step, step_keys[leads[found].key].name,
+                api_error(L, DEF, "step %d: `%s` and `%s` cannot be combined", step, step_keys[leads[found].key].name,
                           step_keys[leads[i].key].name);
             found = i;
         }
     const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
     if (v[M_WALLS].given)
-        step_error(L, step, "walls requires bounce");
+        step_error(L, step, "`walls` requires `bounce`");
     if (v[M_MIRROR].given)
-        step_error(L, step, "mirror requires path");
+        step_error(L, step, "`mirror` requires `path`");
     for (int k = 0; k < M_KEYS; k++) {
         if (found < 0 && v[k].given && own >> k & 1)
-            api_error(L, DEF, "step %d: %s requires go_to, polar, wave or orbit", step, step_keys[k].name);
+            api_error(L, DEF, "step %d: `%s` requires `go_to`, `polar`, `wave` or `orbit`", step, step_keys[k].name);
         if (found < 0 || k == leads[found].key)
             continue;
         const char *word = step_keys[leads[found].key].name;
         if (v[k].given && k != M_KIND && k != M_BANK && !(leads[found].may >> k & 1))
-            api_error(L, DEF, "step %d: %s cannot be combined with %s", step, step_keys[k].name, word);
+            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name, word);
         if (!v[k].given && leads[found].must >> k & 1)
-            api_error(L, DEF, "step %d: %s requires %s", step, word, step_keys[k].name);
+            api_error(L, DEF, "step %d: `%s` requires `%s`", step, word, step_keys[k].name);
     }
     if (found >= 0 && fine)
-        api_error(L, DEF, "step %d: %s cannot be used in a fine motion (it is already exact)", step,
+        api_error(L, DEF, "step %d: `%s` cannot be used in a fine motion (it is already exact)", step,
                   step_keys[leads[found].key].name);
     if (v[M_GO_TO].given)
         go_to_alone(L, v, step);
     if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "radius_to with over = forever never arrives");
+        step_error(L, step, "`radius_to` with `over = forever` never arrives");
     if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.around && !vm_board(L)->shots.around)
         step_error(L, step,
-                   "orbit requires at = { x, y }; to orbit a thing, add `around = true` to `board` in rom.lua");
+                   "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
 }
 
 /* A number of a place: itself, or a value's name. */
@@ -1346,15 +1354,15 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     if (!s->does)
         step_error(L, step, "does nothing");
     if (s->does & DOES_WAIT && (s->does != DOES_WAIT || v[M_OVER].given))
-        step_error(L, step, "wait cannot be combined with anything");
+        step_error(L, step, "`wait` cannot be combined with anything else");
     if (s->does & DOES_DIR && v[M_OVER].given)
-        step_error(L, step, "dir takes effect at once; with over, use turn, aim or home");
+        step_error(L, step, "`dir` takes effect immediately; with `over`, use `turn`, `aim` or `home`");
     if (s->does & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "speed with over = forever never arrives");
+        step_error(L, step, "`speed` with `over = forever` never arrives");
     if (s->does & DOES_DIE && v[M_OVER].given)
-        step_error(L, step, "die takes effect at once; put a wait before it");
+        step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
     if (s->does & DOES_HOME && !v[M_OVER].given)
-        step_error(L, step, "home requires over (frames)");
+        step_error(L, step, "`home` requires `over` (frames)");
     s->over = frames(&v[s->does & DOES_WAIT ? M_WAIT : M_OVER]);
     s->kind = (uint16_t)v[M_KIND].i;
     s->bank = (uint8_t)v[M_BANK].i;
@@ -1383,9 +1391,9 @@ static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, b
     uint64_t rounds = timed ? 1 : (uint64_t)count;
 
     if (!timed && count == LUA_MAXINTEGER)
-        untimed(L, r, open, "infinite loop: no step in loop = forever takes time", step);
+        untimed(L, r, open, "infinite loop: with `loop = forever`, at least one step must take time", step);
     if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
-        untimed(L, r, open, "no step in this loop takes time, and it runs too many steps in one frame", step);
+        untimed(L, r, open, "this loop runs too many steps in one frame; at least one of them must take time", step);
     return inside * rounds;
 }
 
@@ -1401,7 +1409,7 @@ static bool is_brief(struct reader *r, const char *is)
 static bool takes_time(struct reader *r, const struct motion_step *s)
 {
     if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
-        return is_brief(r, "orbit takes no time once its thing has despawned");
+        return is_brief(r, "`orbit` takes no time once its thing has despawned");
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
@@ -1410,7 +1418,8 @@ static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
 {
     for (int k = 0; k < M_KEYS; k++)
         if (v[k].given && k != word && !(may >> k & 1))
-            api_error(L, DEF, "step %d: %s cannot be combined with %s", step, step_keys[k].name, step_keys[word].name);
+            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
+                      step_keys[word].name);
 }
 
 /* Adds the legs of a route, kind and bank with the first. */
@@ -1422,7 +1431,7 @@ static void read_path(lua_State *L, struct reader *r, const struct api_value v[M
 
     word_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
     if (r->fine)
-        step_error(L, step, "path cannot be used in a fine motion (it is already exact)");
+        step_error(L, step, "`path` cannot be used in a fine motion (it is already exact)");
     leg.does = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
     while (api_step_leg(L, step, &at, &leg)) {
         *add_step(L, r) = leg;
@@ -1454,7 +1463,7 @@ static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M
     if (v[M_WAIT_FOR].given) {
         word_alone(L, v, step, M_WAIT_FOR, 0);
         api_step_await(L, step, v[M_WAIT_FOR].at, s);
-        return s->how == HOW_SIGNAL || is_brief(r, "wait_for takes no time if its condition already holds");
+        return s->how == HOW_SIGNAL || is_brief(r, "`wait_for` takes no time if its condition already holds");
     }
     fill_step(L, s, v, named, step, r->fine);
     return takes_time(r, s);
@@ -1492,9 +1501,9 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
 static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
 {
     if (r->fine)
-        step_error(L, step, "bounce cannot be used in a fine motion (it is already exact)");
+        step_error(L, step, "`bounce` cannot be used in a fine motion (it is already exact)");
     if (r->bounces++)
-        step_error(L, step, "bounce cannot be nested in bounce");
+        step_error(L, step, "`bounce` cannot be nested in `bounce`");
     r->steps[r->n - 1].does |= DOES_BOUNCE;
     struct motion_step *s = add_step(L, r);
     s->does = DOES_BOUNCE;
@@ -1515,7 +1524,8 @@ static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, con
         step_error(L, step, "loops nested more than 4 deep");
     for (int k = 0; k < M_KEYS; k++)
         if (v[k].given && k != word && !(bounce && (k == M_WALLS || k == M_OVER)))
-            api_error(L, DEF, "step %d: %s cannot be combined with %s", step, step_keys[k].name, step_keys[word].name);
+            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
+                      step_keys[word].name);
     struct motion_step *s = add_step(L, r);
     s->does = DOES_LOOP;
     s->depth = (uint8_t)depth;
@@ -1550,7 +1560,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         uint64_t named = read_keys(L, top + 1, i, v);
         if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
-                step_error(L, i, "nested steps require loop = n or bounce = n");
+                step_error(L, i, "nested steps require `loop = n` or `bounce = n`");
             *timed |= read_step(L, r, v, named, i);
         } else
             work += read_loop(L, r, top + 1, depth, v, i, timed);
@@ -1628,7 +1638,7 @@ const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
 
 static const struct api_param motion_params[] = { PARAM(
     "steps", A_TABLE, REQ, 0, 0, NULL, NULL,
-    "list of steps, run in order; name = STRING and fine = true may be set in the same table") };
+    "list of steps, run in order; `name = STRING` and `fine = true` can be set in the same table") };
 
 /* Patterns take the parameters of these two, or of lasers. */
 #define BULLET_FIRE                                                                                                    \
@@ -1647,13 +1657,13 @@ const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
     API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "removes it and leaves a spark or an item")
 #define CLEAR_GROUP(thing)                                                                                             \
     API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
-             "removes those in a circle, a box or a line, or all of the group, and returns how many")
+             "removes all of the group, or only those in a circle, a box or a line; returns how many")
 /* The verbs of one and of a group; `it` names who does it. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
     API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
         API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \
         API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL,                                                      \
-                 "moves " it " by a distance at once, with no hits in between"),                                       \
+                 "teleports " it " by a distance, with no hits in between"),                                           \
         CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {
@@ -1662,30 +1672,32 @@ static const struct api_entry entries[] = {
     BULLET_FIRE,
     API_GROUPS("bullet", bullet_group, bullet_each),
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
-      HELP("removes the bullets in a circle, a box or a line, or all of them, and returns how many") },
+      HELP("removes all bullets, or those in a circle, a box or a line; returns how many") },
     { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
-      HELP("makes the bullets of two tags collide; needs board = { meet = true }") },
+      HELP("makes the bullets of two tags collide; needs `board = { meet = true }`") },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
-      HELP("removes the bullets in a circle that grows frame by frame; the task ends with its owner") },
+      HELP("removes the bullets in a circle that grows every frame; the task ends with its owner") },
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
-    FLYING_VERBS("group", "each", "player", CLEAR_GROUP),
+    FLYING_VERBS("group", "each bullet", "player", CLEAR_GROUP),
     API_VERB("group:signal", verb_signal, self_group, 1, NULL,
-             "continues every bullet whose motion waits for this tag (wait_for); without a tag, for any"),
+             "resumes every bullet whose motion is waiting for the group's tag (`wait_for`), or for any tag if the "
+             "group has none"),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
-      HELP("makes a motion program: a list of steps that any number of bullets run") },
+      HELP("creates a motion program: a list of steps that any number of bullets can run") },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL,
-      HELP("one step; a number can be replaced by the name of a value (value.def)") },
+      HELP("one step; the name of a value (value.def) can replace any number") },
     { "motion.def emit", NULL, PARAMS(api_emit_params), 0, API_LUA | API_SYS, NULL,
-      HELP("what emit fires, from where the bullet is") },
+      HELP("what to fire from the position of the bullet") },
     { "motion.def wait_for", NULL, PARAMS(api_await_params), 0, API_LUA | API_SYS, NULL,
-      HELP("what wait_for waits for: one of x, y, near and tag") },
+      HELP("condition to wait for: exactly one of `x`, `y`, `near` and `tag`") },
     { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of player shot: its sprite, its hitbox and its damage") },
     SHOT_FIRE,
     API_GROUPS("shot", shot_group, shot_each),
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
-    FLYING_VERBS("shots", "each", "enemy", CLEAR_GROUP),
+    FLYING_VERBS("shots", "each shot", "enemy", CLEAR_GROUP),
     API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
-             "continues every shot whose motion waits for this tag (wait_for); without a tag, for any"),
+             "resumes every shot whose motion is waiting for the group's tag (`wait_for`), or for any tag if the group "
+             "has none"),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

@@ -31,18 +31,18 @@ static const struct api_param params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "document to run: NAME of bulletml/NAME.xml"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its bullets"),
     PLACE,
-    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds of its bullets with a label, { LABEL = kind }"),
+    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds for bullets with a label, { LABEL = kind }"),
     PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", "value of $rank in the document"),
     PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0",
-          "start of $rand: the same seed draws the same numbers; 0 draws one from the game"),
-    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", "pixels per frame of a speed of 1 in the document"),
-    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", "degrees the whole document is turned, clockwise"),
+          "seed of $rand: the same seed gives the same numbers; 0 draws a seed from the game's random numbers"),
+    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", "pixels per frame for a speed of 1 in the document"),
+    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", "degrees to rotate the document, clockwise"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the document left to right"),
-    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL, "list of up to 9 numbers, $1 to $9 of the actions that run first"),
-    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", "start it again when it has ended"),
-    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", "let it move the enemy given as from"),
+    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL, "list of up to 9 numbers: $1 to $9 for the actions that run first"),
+    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", "restart it when it ends"),
+    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", "let it move the enemy given as `from`"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-          "number added to the palette bank of its bullets; their kind's if left out"),
+          "number added to the palette bank of its bullets; overrides their kind's"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put its bullets in"),
     PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
@@ -175,7 +175,7 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     if (v[P_PARAMS].given)
         s.params = read_params(L, b, v[P_PARAMS].at, param);
     if (v[P_STEER].i && !(from->given && handle_kind(from->i) == H_ENEMY))
-        api_error(L, ENTRY, "steer: requires from (an enemy)");
+        api_error(L, ENTRY, "steer: requires `from` (an enemy)");
     s.kinds = kinds;
     s.param = param;
     s.bank = v[P_BANK].given ? (uint8_t)v[P_BANK].i : 0;
@@ -223,9 +223,10 @@ enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position it fires from; with from, that of the thing"),
+            "horizontal position it fires from; with `from`, that thing's position"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position it fires from; with from, that of the thing"),
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position it fires from; with `from`, that thing's position"),
       PROP_WRITE },
     { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE },
     { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ },
@@ -267,9 +268,10 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bullet.ml", start, PARAMS(params), 0, API_CHANGES, "bulletml",
-      HELP("runs a BulletML document until it ends, or its owner does; needs board = { bulletml = n }") },
+      HELP("runs a BulletML document until it or its owner ends; needs `board = { bulletml = n }`") },
     PARAM("bullet.documents", documents, NULL, 0, 0, 0, "list",
-          "returns a list of the BulletML documents of the game, { name = NAME, labels = { LABEL, .. } }, by name"),
-    API_VERB("bulletml:stop", stop, self, 1, NULL, "stops the document; its bullets fly on and finish their actions"),
+          "returns a list of the game's BulletML documents, { name = NAME, labels = { LABEL, .. } }, sorted by name"),
+    API_VERB("bulletml:stop", stop, self, 1, NULL,
+             "stops the document; its bullets keep flying and finish their actions"),
 };
 const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

@@ -29,8 +29,8 @@ enum {
 };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
@@ -41,20 +41,21 @@ static const struct api_param def[] = {
     PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it dies, { NAME = count }"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task started when it spawns; it ends with the enemy"),
     PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_hit(e, p, damage): called when a shot or a laser hits it and it survives; p may be nil"),
+          "on_hit(e, p, damage): called when a shot or a laser hits it without killing it; p may be nil"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "test its whole path of each frame for players; false tests only where the frame ends"),
+          "check its full path in each frame for players; false checks only where it is at the end of the frame"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "removes bullets that touch it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 7 sprites that it can show by name, { NAME = sprite }; hurt replaces its sprite while it blinks"),
-    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; 0 never blinks"),
+          "up to 7 sprites that it can show by name, { NAME = sprite }; the picture `hurt` replaces its sprite while "
+          "it blinks"),
+    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
-          "damage multiplier: 0 takes none; 1 if left out; needs board = { bodies = true }"),
+          "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
     PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "list of 1 to 64 enemies that are attached to it; needs board = { bodies = true }"),
+          "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
     PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along its outline"),
 };
 
@@ -133,11 +134,11 @@ static const struct api_param spawn[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PLACE,
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
-          "route to fly; the enemy is removed at its end; use instead of x and y, or from"),
+          "route to fly, at whose end the enemy is removed; use it instead of `x` and `y`, or `from`"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-          "number added to the palette bank of its sprite; its kind's if left out"),
+          "number added to the palette bank of its sprite; overrides its kind's"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task that ends with the enemy; overrides its kind's"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
@@ -146,11 +147,12 @@ static const struct api_param spawn[] = {
     PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
           "items dropped when it dies, { NAME = count }; overrides its kind's"),
     PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL,
-          "enemy it becomes a part of, at dx and dy; use instead of a position; needs board = { bodies = true }"),
+          "enemy it becomes a part of, at `dx` and `dy`; use it instead of a position; needs `board = { bodies = true "
+          "}`"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
-          "fraction of the damage it takes that its body takes too; 0 if left out; needs follow"),
+          "fraction of the damage it takes that is also dealt to its body; defaults to 0; needs `follow`"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
-          "damage multiplier; overrides its kind's; needs board = { bodies = true }"),
+          "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
 };
 
 /* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
@@ -253,16 +255,16 @@ static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v
         api_body_check(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
     if (v[S_FOLLOW].given) {
         if (place || v[S_PATH].given)
-            api_error(L, "enemy.spawn", "follow cannot be combined with a place or path");
+            api_error(L, "enemy.spawn", "`follow` cannot be combined with a position or a path");
         *x = *y = 0;
         return board_alive(b, v[S_FOLLOW].i);
     }
     if (v[S_SHARE].given)
-        api_error(L, "enemy.spawn", "share: requires follow");
+        api_error(L, "enemy.spawn", "share: requires `follow`");
     if (!v[S_PATH].given)
         return api_place(L, b, "enemy.spawn", at, x, y);
     if (place)
-        api_error(L, "enemy.spawn", "expected a place or path, got both");
+        api_error(L, "enemy.spawn", "expected a position or a path, got both");
     path_start(L, v, x, y);
     return true;
 }
@@ -393,30 +395,30 @@ static const struct api_prop props[PROPS + 1] = {
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
     { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
     { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames it takes no damage, or forever; shots still hit it"),
+            "frames in which it takes no damage, or forever; shots still hit it"),
       PROP_WRITE },
     { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
     { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ },
-    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames it stays frozen, or forever; 0 lets it continue"),
+    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
       PROP_WRITE },
-    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL, "picture of its kind that it shows; nil shows its sprite"),
+    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL, "name of the picture of its kind to show; nil shows its sprite"),
       PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "drawn mirrored left to right"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it still moves, hits and is hit"), PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"),
+      PROP_WRITE },
     { PARAM("rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL,
-            "damage multiplier: 0 takes none; needs board = { bodies = true }"),
+            "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
       PROP_WRITE },
     { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "of a part: distance to the right of its body; a write ends its move"),
+            "distance of a part to the right of its body; a write ends its move"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "of a part: distance below its body; a write ends its move"),
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a part below its body; a write ends its move"),
       PROP_WRITE },
-    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "of a part: fraction of the damage it takes that its body takes too"),
+    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "fraction of the damage a part takes that is also dealt to its body"),
       PROP_WRITE },
-    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body that it is a part of, or nil"), PROP_READ },
+    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ },
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live enemies with the tag; the only property of a group that can be read"),
+            "number of live enemies with the tag; a group's only readable property"),
       PROP_READ },
 };
 
@@ -510,7 +512,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only count can)", props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only `count` can)", props[p].value.name);
     push_count(L, b, tag);
 }
 
@@ -547,24 +549,25 @@ enum {
 #define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
 static const struct api_param move[] = {
     SELF,
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal target; give x and y, or dx and dy"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical target"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "horizontal position to move to; give `x` and `y`, or `dx` and `dy`"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position to move to"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of the move"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
-          "how its speed changes on the way: in starts slowly, out ends slowly, both does both"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance to the right; for a part, its new dx"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance down; for a part, its new dy"),
+          "how its speed changes on the way: `in` starts slowly, `out` ends slowly, `both` does both"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance to the right; for a part, its new `dx`"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance down; for a part, its new `dy`"),
 };
 static const struct api_param shift_by[] = {
     SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left"),
     PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
 };
 static const struct api_param hurt[] = {
-    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before its rate"),
-    PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score of a kill; the nearest player if left out")
+    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before its `rate` is applied"),
+    PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
 };
 static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
-                                                        "player who gets its score; the nearest player if left out") };
+                                                        "player who gets its score; defaults to the nearest player") };
 static const struct api_param self[] = { SELF };
 
 static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -643,7 +646,7 @@ static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
     const bool x = v[MOVE_X].given, y = v[MOVE_Y].given, dx = v[MOVE_DX].given, dy = v[MOVE_DY].given;
 
     if (x != y || dx != dy || x == dx)
-        return api_error(L, api_bound(L)->entry->name, "expected either x and y or dx and dy");
+        return api_error(L, api_bound(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
     return api_enemy_act(L, b, move_one, v);
 }
 
@@ -683,9 +686,9 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 /* The verbs of one and of a group; `it` names who does it. */
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
-             "starts moving " it " to a position or by a distance, and returns at once"),                              \
+             "starts moving " it " to a position or by a distance, and returns immediately"),                          \
         API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
-                 "moves " it " by a distance at once, with the rest of its move"),                                     \
+                 "teleports " it " by a distance, along with the rest of its move"),                                   \
         API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL, "damages " it " unless it is safe"),                    \
         API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
                  "kills " it ", with its score, sparks, drops and on_death" order),                                    \
@@ -699,8 +702,8 @@ static const struct api_entry entries[] = {
       HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
     API_GROUPS("enemy", enemy_group, enemy_each),
     { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
-      HELP("returns the number of live enemies, with a tag or in all") },
+      HELP("returns the number of live enemies, or of those with a tag") },
     ENEMY_VERBS("enemy", "it", ""),
-    ENEMY_VERBS("enemies", "each", ", in slot order"),
+    ENEMY_VERBS("enemies", "each enemy", ", in slot order"),
 };
 const struct api_module api_enemy = { entries, sizeof entries / sizeof *entries };

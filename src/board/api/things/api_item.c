@@ -98,20 +98,22 @@ void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
 enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_TAKE };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
           "radius of the circle that the hitbox of a ship must touch to take it"),
     PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "what the player who takes it gets, { score = n, lives = n, REGISTER = n }"),
+          "what it gives the player who takes it, { score = n, lives = n, REGISTER = n }"),
     PARAM("full", A_STR, OPT, 1, 31, NULL, NULL,
-          "register of the ship or the run; while it is at its max, the item gives only its score"),
-    PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04", "added to its speed downwards each frame"),
-    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "highest speed it falls at"),
-    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true", "flies to ships that attract it; false flies only when pulled"),
+          "register of the ship or the run; while the register is at its max, the item gives only its score"),
+    PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04", "downward speed added in each frame"),
+    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "highest falling speed"),
+    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true",
+          "whether it flies to ships that attract it; if false, it flies only when pulled"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
-    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL, "on_take(p, item): called after the player got what it gives"),
+    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_take(p, item): called after the player has received what it gives"),
 };
 
 static const char DEF[] = "item.def";
@@ -250,9 +252,9 @@ static const struct api_param drop[] = {
     PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "declared kind to drop"),
     PLACE,
     PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "direction of the middle of them, clockwise from the right"),
-    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", "angle they are spread over evenly, centred on dir"),
-    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", "speed they start at"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "middle of the directions they fly in, clockwise from the right"),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60", "angle over which they are evenly spread, centred on `dir`"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", "initial speed"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
 };
 
@@ -302,14 +304,13 @@ static const struct api_prop props[PROPS + 1] = {
     { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "vertical velocity; positive falls"),
       PROP_WRITE },
     { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
-    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames it stays frozen, or forever; 0 lets it continue"),
+    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
       PROP_WRITE },
     { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
     { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"),
       PROP_READ },
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live items with the tag; the only property of a group that can be read"),
+            "number of live items with the tag; a group's only readable property"),
       PROP_READ },
 };
 
@@ -354,7 +355,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only count can)", props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only `count` can)", props[p].value.name);
     vm_charge(L, b->items.s.live);
     EACH_LIVE (i, &b->items.s)
         n += api_has_tag(b->items.tag, i, tag);
@@ -378,7 +379,7 @@ enum { ARG_SELF, PULL_PLAYER };
 
 #define SELF PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
 static const struct api_param pull[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
-                                                     "player to fly to; the nearest one if left out") };
+                                                     "player to fly to; defaults to the nearest one") };
 static const struct api_param self[] = { SELF };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
@@ -431,14 +432,14 @@ static int item_remove(lua_State *L, struct board *b, struct api_value *v)
 #ifndef WITHOUT_HELP
 static const struct api_param gives[] = {
     PARAM("score", A_ANY, OPT, 0, 0, "number or { low, high }", "0",
-          "points; { low, high } gives low at the bottom of the field and high from the collect line up"),
+          "points; { low, high } gives `low` at the bottom of the field and `high` at or above the collect line"),
     PARAM("lives", A_INT, OPT, 0, MOST_LIVES, NULL, "0", "extra lives"),
 };
 #endif
 
 static const struct api_entry entries[] = {
     { "item.def", item_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of item: its sprite, how it falls and what it gives; needs board = { items = n }") },
+      HELP("declares a kind of item: its sprite, how it falls and what it gives; needs `board = { items = n }`") },
     { "item.drop", item_drop_run, PARAMS(drop), 0, API_CHANGES, NULL,
       HELP("drops items from a position or a thing, spread evenly") },
     API_GROUPS("item", item_group, item_each),
@@ -447,9 +448,9 @@ static const struct api_entry entries[] = {
     { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it without giving anything") },
     { "items:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("makes each fly to a player until it is taken; it falls again if that player dies") },
+      HELP("makes each item fly to a player until it is taken; it falls again if that player dies") },
     { "items:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes each without giving anything") },
+      HELP("removes each item without giving anything") },
 #ifndef WITHOUT_HELP
     { "item.def gives", NULL, PARAMS(gives), 0, API_LUA | API_SYS, NULL,
       HELP("what the item gives; any other name is a register of the ship or the run, to which its number is added") },

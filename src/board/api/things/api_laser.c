@@ -28,10 +28,10 @@ enum {
 };
 
 static const struct api_param laser_def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as kind = NAME; must be new"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
           "sprite repeated along it and stretched to its width, drawn pointing right"),
-    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "width once it has grown"),
+    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"),
     PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of its width that hits; \"none\" never hits"),
     PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
@@ -40,12 +40,13 @@ static const struct api_param laser_def[] = {
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
           "frames until a player can graze it again; 0 makes it impossible to graze"),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "clears remove it; false makes it immune unless they say all"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true",
+          "whether clears remove it; if false, only clears with `all = true` do"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "spark left along it when it is cleared and the clear names no spark; nil leaves none"),
+          "spark left along it when cleared, if the clear doesn't name one; nil leaves none"),
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
-          "hp it takes from each enemy it touches; makes it a laser of players, harmless to them"),
-    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames between two hits; needs damage"),
+          "damage to each enemy it touches; makes it a player laser, which is harmless to players"),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
 };
 
 /* The share of its width that hits, or -1: nothing does. */
@@ -81,7 +82,7 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
     const fx share = read_hit(L, v[D_HIT].at);
 
     if (v[D_EVERY].given && !v[D_DAMAGE].given)
-        api_error(L, "laser.def", "every: requires damage");
+        api_error(L, "laser.def", "every: requires `damage`");
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         api_error(L, "laser.def", "too many kinds (at most %d)", MAX_LASER_KINDS);
@@ -107,15 +108,17 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 #define LASER_PARAMS                                                                                                   \
     PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
-              "direction, clockwise from the right; with aim, an offset from the target and 0 if left out"),           \
+              "direction, clockwise from the right; with `aim`, an offset from the target's direction, which "         \
+              "defaults to 0"),                                                                                        \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "point at the nearest target: an enemy if its kind has damage, otherwise a player"),                     \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
-              "number added to the palette banks of its sprites; its kind's if left out"),                             \
+              "number added to the palette banks of its sprites; overrides its kind's"),                               \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
-        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL, "width once it has grown; its kind's if left out"),    \
+        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL,                                                        \
+              "full width, once it has grown; overrides its kind's"),                                                  \
         PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
-              "player who owns it and gets its score; the owner of from or follow if left out")
+              "player who owns it and gets its score; defaults to the owner of `from` or `follow`")
 enum {
     F_KIND,
     F_PLACE,
@@ -143,30 +146,33 @@ enum {
 };
 
 #define FLIGHT_PARAMS                                                                                                  \
-    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "pixels per frame; negative flies backwards"),  \
+    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                                 \
+          "speed of flight; if negative, it flies backwards"),                                                         \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
         PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames it waits in place before it flies"),                 \
         PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
-              "thing that the orbit steps of its motion circle; needs board = { around = true }")
+              "thing that the orbit steps of its motion revolve around; needs `board = { around = true }`")
 
 static const struct api_param bolt_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
                                                 PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,
-                                                      "length once all of it has come out") };
+                                                      "full length, once it has emerged") };
 static const struct api_param curve_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
                                                  PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32",
-                                                       "frames of flight that its body is long") };
+                                                       "length of its body, in frames of flight") };
 static const struct api_param beam_params[] = {
     LASER_PARAMS,
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing to start from, dx and dy away; the beam ends with it; use instead of x and y, or from"),
-    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
-          "turn with the bullet, shot or laser that it follows; needs follow"),
+          "thing to start from, at a distance of `dx` and `dy`; the beam ends with that thing; use it instead of `x` "
+          "and `y`, or `from`"),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the bullet, shot or laser it follows; needs `follow`"),
     PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from its start to its end"),
-    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames it stays at its full width, or forever"),
-    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40", "frames it shows first as a dotted line that never hits"),
-    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8", "frames it takes to reach its width; it hits from their start"),
-    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12", "frames it takes to disappear; it no longer hits"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees it turns per frame once warn is over, clockwise"),
+    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames it stays at its full width"),
+    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40",
+          "frames at the start in which it is a dotted line that never hits"),
+    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8",
+          "frames it takes to reach its width; it hits from the first of them"),
+    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12", "frames it takes to fade out; it no longer hits during them"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees it turns per frame once `warn` is over, clockwise"),
 };
 
 static uint8_t player_of(const struct board *b, const struct api_value *v)
@@ -256,7 +262,7 @@ static bool beam_place(lua_State *L, struct board *b, const struct api_value *v,
     memcpy(place, v + F_PLACE, sizeof place);
     if (v[F_FOLLOW].given) {
         if (place[PLACE_X].given || place[PLACE_Y].given || place[PLACE_FROM].given)
-            api_error(L, "laser.beam", "follow cannot be combined with x, y or from");
+            api_error(L, "laser.beam", "`follow` cannot be combined with `x`, `y` or `from`");
         place[PLACE_FROM] = v[F_FOLLOW];
     }
     return api_place(L, b, "laser.beam", place, x, y);
@@ -268,7 +274,7 @@ static int beam(lua_State *L, struct board *b, struct api_value *v)
     fx x, y;
 
     if (v[F_TURNS].i && !follows)
-        api_error(L, "laser.beam", "turns: requires follow");
+        api_error(L, "laser.beam", "turns: requires `follow`");
     if (!beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
         return push_laser(L, b, NO_SLOT);
     struct bullet_shape s = head_of(L, b, "laser.beam", v, x, y);
@@ -320,19 +326,22 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first 
 
 #define LASER_PROPS                                                                                                    \
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
-            "horizontal position of its head: the start of a beam, the front of others; a write moves all of it"),     \
+            "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "    \
+            "the entire laser"),                                                                                       \
       PROP_WRITE },                                                                                                    \
-        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position of its head; a write moves all of it"),  \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "vertical position of its head; a write moves the entire laser"),                                      \
           PROP_WRITE },                                                                                                \
-        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction that a beam points or the others fly, 0 to 360"),      \
+        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
+                "direction in which a beam points or a bolt or curve flies, 0 to 360"),                                \
           PROP_WRITE },                                                                                                \
         { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of flight; a beam has none"),      \
           PROP_WRITE },                                                                                                \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "horizontal velocity; a write changes dir and speed"),                                                 \
+                "horizontal velocity; a write changes `dir` and `speed`"),                                             \
           PROP_WRITE },                                                                                                \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "vertical velocity; a write changes dir and speed"),                                                   \
+                "vertical velocity; a write changes `dir` and `speed`"),                                               \
           PROP_WRITE },                                                                                                \
         { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },                         \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites"),            \
@@ -341,23 +350,23 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first 
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps circle, or nil"),           \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps revolve around, or nil"),   \
           PROP_WRITE },                                                                                                \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
           PROP_READ },                                                                                                 \
         { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
-                "frames it stays frozen, or forever; 0 lets it continue"),                                             \
+                "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
           PROP_WRITE },                                                                                                \
-        { PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,                                                     \
-                "length of a beam or bolt; that of a curve can only be read"),                                         \
+        { PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "length; read-only for a curve"), PROP_WRITE },     \
+        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"), PROP_WRITE },      \
+        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
+                "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
           PROP_WRITE },                                                                                                \
-        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "width once it has grown"), PROP_WRITE },            \
-        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees a beam turns per frame once warn is over, clockwise"),  \
-          PROP_WRITE },                                                                                                \
-        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of the thing that a beam follows"), \
+        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
+                "distance of a beam to the right of the thing it follows"),                                            \
           PROP_WRITE },                                                                                                \
     {                                                                                                                  \
-        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below the thing that a beam follows"), PROP_WRITE  \
+        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a beam below the thing it follows"), PROP_WRITE \
     }
 
 static const struct api_prop laser_props[] = {
@@ -373,7 +382,7 @@ static const struct api_prop laser_props[] = {
 static const struct api_prop lasers_props[] = {
     LASER_PROPS,
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live lasers with the tag; the only property of a group that can be read"),
+            "number of live lasers with the tag; a group's only readable property"),
       PROP_READ },
 };
 
@@ -447,7 +456,7 @@ static void set_length(lua_State *L, struct board *b, uint32_t i, fx length)
     struct lasers *l = &b->lasers;
 
     if (l->form[i] == LASER_CURVE)
-        vm_fault(L, FAULT_SCRIPT, "laser: length: cannot be set on a curve (points sets its length)");
+        vm_fault(L, FAULT_SCRIPT, "laser: length: cannot be set on a curve (`points` sets its length)");
     l->length[i] = length;
     l->grown[i] = fx_min(l->grown[i], length);
 }
@@ -499,7 +508,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != L_STATE)
-        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read from a group (only count can)",
+        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read from a group (only `count` can)",
                  lasers_props[p].value.name);
     EACH_LIVE (i, &b->lasers.s)
         n += api_has_tag(b->laser_heads.tag, i, tag);
@@ -645,19 +654,18 @@ const struct api_entry api_fire_beam = BEAM, api_fire_bolt = BOLT, api_fire_curv
 
 static const struct api_entry entries[] = {
     { "laser.def", define, PARAMS(laser_def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of laser: its sprites, its width and its rules; needs board = { lasers = n }") },
+      HELP("declares a kind of laser: its sprites, its width and its rules; needs `board = { lasers = n }`") },
     BEAM,
     BOLT,
     CURVE,
     API_GROUPS("laser", group, each),
     { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
-      HELP(
-          "removes the lasers of enemies that touch a circle, a box or a line, or all of them, and returns how many") },
+      HELP("removes all enemy lasers, or those that touch a circle, a box or a line; returns how many") },
     { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points it at the nearest player, or a player's at the nearest enemy") },
+      HELP("points it at the nearest player, or a player's laser at the nearest enemy") },
     { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
     { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("moves all of it by a distance at once, with no hits in between") },
+      HELP("teleports the entire laser by a distance, with no hits in between") },
     { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades it out; it no longer hits") },
     { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
@@ -665,18 +673,20 @@ static const struct api_entry entries[] = {
     { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it and leaves nothing") },
     { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points each at the nearest player, or a player's at the nearest enemy") },
-    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns each by an angle") },
+      HELP("points each laser at the nearest player, or a player's laser at the nearest enemy") },
+    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("turns each laser by an angle") },
     { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("moves all of each by a distance at once, with no hits in between") },
+      HELP("teleports each laser by a distance, with no hits in between") },
     { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("fades each out; it no longer hits") },
+      HELP("fades each laser out; it no longer hits") },
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
-      HELP("removes those that touch a circle, a box or a line, or all of the group, and returns how many") },
+      HELP("removes all lasers of the group, or those that touch a circle, a box or a line; returns how many") },
     API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
-             "continues every laser whose motion waits for this tag (wait_for); without a tag, for any"),
+             "resumes every laser whose motion is waiting for the group's tag (`wait_for`), or for any tag if the "
+             "group has none"),
     { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes each and leaves nothing") },
+      HELP("removes each laser and leaves nothing") },
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

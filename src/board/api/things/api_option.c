@@ -10,11 +10,11 @@
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in options in player.def; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in `options` of player.def; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", "layer of sprites to draw it in"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(o): task of each one; it ends with the option"),
+    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", "sprite layer to draw it in"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(o): task of each option; it ends with the option"),
 };
 
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
@@ -44,18 +44,19 @@ enum { O_KIND, O_BY, O_LEVELS, O_OVER, O_STYLE, O_APART, O_RADIUS, O_CLOSE, O_SP
 static const struct api_param ship_params[O_PARAMS] = {
     PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind that flies with the ship"),
     PARAM("by", A_STR, OPT, 1, 31, NULL, NULL,
-          "register of the ship that chooses the level; the last level if left out"),
+          "register of the ship that selects the level; without it, the last level applies"),
     PARAM("levels", A_TABLE, REQ, 0, 0, NULL, NULL,
-          "list of 1 to 16 levels, each with a higher at than the one before"),
-    PARAM("over", A_INT, OPT, 0, 65535, "frames", "8", "frames they take to reach other places; not of trail"),
+          "list of 1 to 16 levels, each with a higher `at` than the one before"),
+    PARAM("over", A_INT, OPT, 0, 65535, "frames", "8", "frames they take to reach new positions; not for style trail"),
     PARAM("style", A_STR, OPT, 0, 0, NULL, "fixed",
-          "fixed at places around the ship, trail on its path, orbit on a circle"),
+          "how they fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
     PARAM("apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8",
-          "frames of flight from one to the next; only for trail"),
-    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius of the circle; only for orbit, where it is required"),
+          "frames of flight between one option and the next; only for style trail"),
+    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
+          "radius of the circle; only for style orbit, where it is required"),
     PARAM("close", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
-          "radius while focused; the same as radius if left out; only for orbit"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only for orbit"),
+          "radius while focused; defaults to `radius`; only for style orbit"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only for style orbit"),
 };
 
 enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
@@ -63,11 +64,11 @@ enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
 static const struct api_param level_params[L_PARAMS] = {
     PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "value of the register from which the level applies"),
     PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL,
-          "number of options; only for trail and orbit, where it is required"),
+          "number of options; only for styles trail and orbit, where it is required"),
     PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "places around the ship, { { dx, dy }, .. } in px; only for fixed, where it is required"),
+          "positions around the ship, { { dx, dy }, .. } in px; only for style fixed, where it is required"),
     PARAM("close", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "places while focused, as many as in wide; the same as wide if left out; only for fixed"),
+          "positions while focused, as many as in `wide`; defaults to `wide`; only for style fixed"),
 };
 
 static fx place_axis(lua_State *L, const char *where, int axis)
@@ -107,10 +108,10 @@ static void read_fixed(lua_State *L, const char *where, const struct api_value *
     if (!v[L_WIDE].given)
         api_error(L, PLAYER, "%s: wide: expected a list { { dx, dy }, .. }, got nil", where);
     if (v[L_N].given)
-        api_error(
-            L, PLAYER,
-            "%s: n applies to styles trail and orbit; a level of style fixed has one option for each place in wide",
-            where);
+        api_error(L, PLAYER,
+                  "%s: `n` applies to styles trail and orbit; a level of style fixed has one option for each position "
+                  "in `wide`",
+                  where);
     snprintf(full, sizeof full, "%s.wide", where);
     level->n = read_places(L, full, v[L_WIDE].at, level->wide);
     memcpy(level->close, level->wide, sizeof level->close);
@@ -119,21 +120,22 @@ static void read_fixed(lua_State *L, const char *where, const struct api_value *
     snprintf(full, sizeof full, "%s.close", where);
     const uint32_t n = read_places(L, full, v[L_CLOSE].at, level->close);
     if (n != level->n)
-        api_error(L, PLAYER, "%s: expected as many places as wide (%d), got %d", full, (int)level->n, (int)n);
+        api_error(L, PLAYER, "%s: expected as many positions as in `wide` (%d), got %d", full, (int)level->n, (int)n);
 }
 
 static void read_counted(lua_State *L, const char *where, const struct api_value *v, const struct option_plan *plan,
                          struct option_level *level)
 {
     if (v[L_WIDE].given || v[L_CLOSE].given)
-        api_error(L, PLAYER, "%s: %s applies to style fixed; use n with style %s", where,
+        api_error(L, PLAYER, "%s: `%s` applies to style fixed; use `n` with style %s", where,
                   v[L_WIDE].given ? "wide" : "close", styles[plan->style]);
     if (!v[L_N].given)
         api_error(L, PLAYER, "%s: n: expected a whole number from 0 to %d options, got nil", where, OPTION_PLACES);
     level->n = (uint32_t)v[L_N].i;
     if (plan->style == OPTION_TRAIL && level->n * plan->apart >= OPTION_WAY)
-        api_error(L, PLAYER, "%s: n times apart: expected at most %d frames (the length of the recorded trail), got %d",
-                  where, OPTION_WAY - 1, (int)(level->n * plan->apart));
+        api_error(L, PLAYER,
+                  "%s: `n` times `apart`: expected at most %d frames (the length of the recorded trail), got %d", where,
+                  OPTION_WAY - 1, (int)(level->n * plan->apart));
 }
 
 static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
@@ -252,13 +254,13 @@ enum { P_X, P_Y, P_BY, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field"), PROP_READ },
     { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field"), PROP_READ },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player it flies with"), PROP_READ },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "its number among the options of the player, from 1"), PROP_READ },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "its player flies at focus speed"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it appeared"), PROP_READ },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player it belongs to"), PROP_READ },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number among the player's options, from 1"), PROP_READ },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while its player flies at focus speed"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned"), PROP_READ },
     { PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it still flies and fires"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies and fires"), PROP_WRITE },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -307,10 +309,10 @@ const struct api_thing api_option_thing = { "option", props, PROPS, get, set };
 
 static const struct api_entry entries[] = {
     { "option.def", option_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of option, which flies with a ship and fires; needs board = { options = n }") },
+      HELP("declares a kind of option, which flies with a ship and fires; needs `board = { options = n }`") },
     { "player.def options", NULL, PARAMS(ship_params), 0, API_LUA | API_SYS, NULL,
       HELP("the options of the ship: their kind, their levels and how they fly") },
     { "player.def level", NULL, PARAMS(level_params), 0, API_LUA | API_SYS, NULL,
-      HELP("one level of options; the last one whose at the register has reached applies") },
+      HELP("one level of options; the last level whose `at` the register has reached applies") },
 };
 const struct api_module api_option = { entries, sizeof entries / sizeof *entries };

@@ -31,32 +31,35 @@ enum {
 };
 
 static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the ship, used in players of boot.run; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite that shows it"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the ship, used in `players` of boot.run; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
-    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle that grazes bullets"),
+    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle in which bullets graze it"),
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight"),
     PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held"),
-    PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", "lives of a new game, the first one included"),
-    PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120", "frames nothing can hit it at the start and after a death"),
+    PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", "lives at the start of a game, including the first"),
+    PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120",
+          "frames at the start and after a death in which nothing can hit it"),
     PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 16 whole numbers of the ship, { NAME = start } or { NAME = { .. } }, read and written as p.NAME"),
+          "up to 16 whole numbers that belong to the ship, { NAME = start } or { NAME = { .. } }, read and written as "
+          "p.NAME"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "run(p): task from the moment it joins the game until the player is out"),
+          "run(p): task that runs from when the ship joins the game until the player is out"),
     PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it"),
-    PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL, "y above which all items fly to it; nil for none"),
+    PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "vertical position above which the ship attracts all items; nil for no such line"),
     PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL,
-          "register of the ship or the run; while it is at its max, all items fly to it"),
-    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed of the items that fly to it"),
+          "register of the ship or the run; while the register is at its max, all items fly to the ship"),
+    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed at which items fly to it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 15 sprites, { NAME = sprite }; left and right are used when it flies that way"),
-    PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb that the bomb button starts, a name of bomb.def"),
-    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, "bomb used while focused; the same as bomb if left out"),
+          "up to 15 sprites, { NAME = sprite }; `left` and `right` are shown while it flies that way"),
+    PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb (bomb.def) that the bomb button starts"),
+    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, "bomb used while focused; defaults to `bomb`"),
     PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
-          "frames after a hit in which a bomb saves it; at 0 it dies at once"),
+          "frames after a hit in which a bomb saves it; at 0 it dies immediately"),
     PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "what flies with it and fires (option.def); needs board = { options = n }"),
-    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock that opens it to players, a name of unlock.def"),
+          "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
+    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock (unlock.def) that makes it available to players"),
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -204,7 +207,7 @@ static const struct api_param xy[] = {
     PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position to measure from")
 };
 static const struct api_param f_only[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                 "f(player): called with each one; it cannot wait") };
+                                                 "f(player): called with each player; it cannot wait") };
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -251,27 +254,29 @@ enum {
 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position in the field; a write teleports it and hits nothing in between"),
+            "horizontal position in the field; a write teleports it, with no hits in between"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position in the field; a write teleports it and hits nothing in between"),
+            "vertical position in the field; a write teleports it, with no hits in between"),
       PROP_WRITE },
     { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
-            "lives left after the one in play; -1 in on.death once the last is lost"),
+            "lives left after the one in play; -1 in on.death when the last life is lost"),
       PROP_WRITE },
-    { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames nothing can hit it"), PROP_WRITE },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "it flies at its focus speed"), PROP_READ },
+    { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames in which nothing can hit it"), PROP_WRITE },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while it flies at its focus speed"), PROP_READ },
     { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "bullets and lasers grazed in this game"), PROP_LASTS },
     { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_LASTS },
     { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_LASTS },
     { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_LASTS },
     { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
-            "picture of its kind that it shows; nil shows its sprite, or left or right as it flies"),
+            "name of the picture of its kind to show; nil shows its sprite, or the picture `left` or `right` while it "
+            "flies that way"),
       PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "drawn mirrored left to right"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "not drawn; it still flies, fires and is hit"), PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies, fires and is hit"),
+      PROP_WRITE },
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "\"fly\", or \"hit\" while a bomb can save it: it stands still and does not fire (deathbomb)"),
+            "\"fly\", or \"hit\" while it can't move or fire but a bomb can still save it (deathbomb)"),
       PROP_READ },
 };
 
@@ -362,7 +367,7 @@ enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
 static const struct api_param take[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
                                          PARAM("n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL,
-                                               "greatest age of the press; 0 takes only one of this frame"),
+                                               "maximum age of the press; 0 takes only a press in this frame"),
                                          PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player whose buttons to read") };
 
 static int read_pad(lua_State *L, const struct board *b, const uint16_t *pads, const struct api_value *v)
@@ -415,7 +420,7 @@ enum { ROWS_TABLE, ROWS_SHIP };
 static const struct api_param rows_of[] = {
     PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
           "name of the score table; boot.run uses the names of the difficulties"),
-    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose own table to read; the best of all if left out")
+    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose table to read; if omitted, the best rows of all ships")
 };
 
 enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
@@ -423,11 +428,11 @@ enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEA
 static const struct api_param enter[] = {
     PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
           "name of the score table; boot.run uses the names of the difficulties"),
-    PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, "name of the player, as it is shown"),
+    PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, "name to show for the player"),
     PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, "points to enter"),
-    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose own table it goes into"),
+    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship, if the score is for that ship's table"),
     PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, "number of the stage reached"),
-    PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "all stages were cleared; use instead of stage"),
+    PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "true if all stages were cleared; use it instead of `stage`"),
     PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "number of continues used")
 };
 
@@ -502,30 +507,31 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_entry entries[] = {
     { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a ship: its sprite, its hitbox, its speed and its rules") },
-    { "player.get", player_get, PARAMS(index_only), 1, 0, "player", HELP("returns player 1 or 2, in the game or not") },
+    { "player.get", player_get, PARAMS(index_only), 1, 0, "player",
+      HELP("returns player 1 or 2, whether in the game or not") },
     { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player",
-      HELP("returns the living player nearest to a point; a dead handle if there is none") },
+      HELP("returns the living player nearest to a point, or a dead handle if there is none") },
     { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
       HELP("calls a function with each player in the game") },
     { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", HELP("returns true while a button is held") },
     { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean",
       HELP("returns true in the frame in which a button goes down") },
     { "pad.take", pad_take, PARAMS(take), 3, API_CHANGES, "boolean",
-      HELP("takes a press that nobody took, the oldest one first; false if there is none") },
+      HELP("takes a button's oldest press that hasn't been taken yet; returns false if there is none") },
     { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean",
-      HELP("returns true in the frame in which a button comes up") },
+      HELP("returns true in the frame in which a button is released") },
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
-      HELP("returns true when a button goes down and, once held for 20 frames, every 5 frames") },
+      HELP("returns true when a button goes down, then every 5 frames once it has been held for 20 frames") },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
-      HELP("adds points to a player's score, from 0 to 999,999,999,999 in all; they may bring lives (extends in "
-           "rom.lua)") },
+      HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; this can grant lives "
+           "(`extends` in rom.lua)") },
     { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
       HELP("returns up to ten rows of a saved table, best first: { name, score, ship, stage, clear, continues }") },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
       HELP("enters a score into a saved table of ten rows; returns its row, or nil if it is too low") },
     { "player.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
-      HELP("each register of the ship; a plain number is its start") },
+      HELP("each register of the ship; a plain number is its `start`") },
     { "game.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
-      HELP("each register of the run; a plain number is its start") },
+      HELP("each register of the run; a plain number is its `start`") },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

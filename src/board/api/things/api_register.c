@@ -20,18 +20,20 @@ enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, S_AT, S_LABEL, S
 
 const struct api_param api_register_settings[REGISTER_SETTINGS] = {
     PARAM("start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
-          "value in a new game; 0 if left out, or min if that is higher"),
-    PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "lowest value; 0 if left out"),
-    PARAM("max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "highest value; without limit if left out"),
+          "value in a new game; defaults to 0, or to `min` if that is higher"),
+    PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "lowest value; defaults to 0"),
+    PARAM("max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "highest value; no limit if omitted"),
     PARAM("drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
-          "amount lost at each interval, down to min; negative gains, up to max; forever goes to start at once"),
-    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "interval of the drain; 1 if left out"),
+          "amount lost at each interval, down to `min`; a negative amount is gained, up to `max`; forever resets it to "
+          "`start` in one step"),
+    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "interval of the drain; defaults to 1"),
     PARAM("hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
-          "frames without drain after a script or an item changed it the other way; needs drain"),
+          "frames for which the drain pauses after a script or an item changes the register in the opposite direction; "
+          "needs `drain`"),
     PARAM("show", A_STR, OPT, 0, 0, NULL, NULL,
-          "how the HUD shows it: none, number, icons, bar or times; a bar needs max"),
-    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, "where the HUD shows it: low is the lower edge of the field"),
-    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before it; its name if left out"),
+          "how the HUD shows it: none, number, icons, bar or times; a bar needs `max`"),
+    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, "where the HUD shows it: top, or low (at the lower edge of the field)"),
+    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before it; defaults to its name"),
     PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "value from which the HUD shows it bright"),
 };
 
@@ -86,9 +88,9 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
     if (rule->start < rule->least)
         api_error(L, entry, "%s: start %d is less than min %d", name, (int)rule->start, (int)rule->least);
     if (rule->most == REGISTER_MOST && r->show && !strcmp(r->show, "bar"))
-        api_error(L, entry, "%s: show = \"bar\" requires max", name);
+        api_error(L, entry, "%s: `show = \"bar\"` requires `max`", name);
     if (!rule->drain && rule->hold)
-        api_error(L, entry, "%s: hold requires drain (drain = n or forever)", name);
+        api_error(L, entry, "%s: `hold` requires `drain` (a number or forever)", name);
 }
 
 /* Reads { start = 3, max = 6, show = "icons" } at `at`. */
@@ -222,7 +224,7 @@ int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
     const char *names[PLAYER_REGISTERS];
     struct reg regs[PLAYER_REGISTERS];
     const int top = lua_gettop(L),
-              n = api_sorted_names(L, entry, "registers", "names with whole numbers", at, names, PLAYER_REGISTERS);
+              n = api_sorted_names(L, entry, "registers", "{ NAME = n, .. }", at, names, PLAYER_REGISTERS);
 
     for (int i = 0; i < n; i++) {
         lua_getfield(L, at, names[i]);
