@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/measured/patterns.md: what Glass Tide fires, stage by stage, in words and pictures. The order is that of
-the whole games in tests/demos/glasstide; the words are a phase's `text`, or the comment above its function; the
-pictures, in docs/images/patterns, are the frames in which most is about, on normal and on abyss."""
+"""Writes docs/measured/patterns.md: the patterns of Glass Tide, stage by stage, with text and pictures. The order is
+that of the complete games in tests/demos/glasstide. The text is a phase's `text`, or the comment above its function.
+The pictures, in docs/images/patterns, show the frames with the most objects, on normal and abyss."""
 import glob
 import os
 import re
@@ -23,7 +23,7 @@ SHOWN = ["normal", "abyss"]
 SCALE = 2
 
 
-# ---- words ----
+# ---- text ----
 
 def sources():
     return {path: open(path, encoding="utf-8").read() for path in sorted(glob.glob(GAME + "/**/*.lua", recursive=True))}
@@ -56,7 +56,7 @@ def of_function(files, path, name):
 
 
 def table_at(text, at):
-    """The table of Lua that begins at `at`, with its braces; words in quotes are stepped over."""
+    """The Lua table that begins at `at`, with its braces; quoted strings are skipped."""
     depth, i, quote = 0, at, ""
     while i < len(text):
         c = text[i]
@@ -76,7 +76,7 @@ def table_at(text, at):
 
 
 def numbered(text):
-    """Comments of a boss's file that begin with the number of a phase: `-- 3. It turns its lamps on you`."""
+    """Comments in a boss's file that begin with a phase number: `-- 3. Rings bounce off the walls`."""
     found = {}
     for one in re.finditer(r"^-- (\d+)\. .*(?:\n--.*)*", text, re.M):
         found.setdefault(int(one[1]), sentence([line for line in one[0].split("\n")]))
@@ -84,18 +84,18 @@ def numbered(text):
 
 
 def phases(files):
-    """BOSS/PHASE: (the boss's title, spell or "", words)."""
+    """BOSS/PHASE: (the boss's title, spell or "", text)."""
     found = {}
     for path, text in files.items():
         for boss in re.finditer(r'boss\.(?:def|cast)\("(\w+)"\s*,\s*', text):
             body = table_at(text, text.index("{", boss.start()))
             title = re.search(r'title *= *"([^"]*)"', body)
             beside = {}
-            for other in files: # a long boss is in several
+            for other in files: # a long boss has several files
                 if other != path and os.path.dirname(other) == os.path.dirname(path):
                     beside.update(numbered(files[other]))
             first = not re.search(r"boss\.(?:def|cast)\(", text[:boss.start()])
-            beside = {**beside, **numbered(text)} if first else {} # the numbers are those of the file's first boss
+            beside = {**beside, **numbered(text)} if first else {} # numbers belong to the first boss in the file
             for n, one in enumerate(re.finditer(r'\{ *id *= *"(\w+)"', body), 1):
                 phase = table_at(body, one.start())
                 spell, said = re.search(r'spell *= *"([^"]*)"', phase), re.search(r'\btext *= *"([^"]*)"', phase)
@@ -111,7 +111,7 @@ def phases(files):
 
 
 def marks(files, stage):
-    """What comes behind each mark of a stage: its comment, or that of the function that is called next."""
+    """The text for each mark of a stage: its comment, or that of the next function called."""
     said = {}
     for path, text in files.items():
         if not re.search(r'stage\.def\("%s"' % stage, text):
@@ -135,7 +135,7 @@ def chunk(kind, data):
 
 
 def small_png(source, target):
-    """A frame, each pixel a square, with no more colours than it has: a line that is the one above is 0s."""
+    """Scales a frame up and writes it with a minimal palette; repeated lines become zeros."""
     w, h, rows = png.read(source)
     colours = {}
     lines = []
@@ -151,7 +151,7 @@ def small_png(source, target):
 
 
 def lively(demo):
-    """[(kind, name, frame)] in the order of the run; a part in which nothing was fired is left out, but for stages."""
+    """[(kind, name, frame)] in the order of the run, without parts that fire nothing; stages always stay."""
     said = subprocess.run([OUT + "/lively", GAME, demo], capture_output=True, text=True, check=True).stdout
     return [(kind, name, int(frame)) for kind, name, frame, most in map(str.split, said.splitlines())
             if int(most) or kind == "stage"]
@@ -172,7 +172,7 @@ def file_name(stage, kind, name, difficulty):
 
 
 def parts(demo):
-    """{(stage, kind, name): frame}: the first of each."""
+    """{(stage, kind, name): frame}, with the first frame of each."""
     found, stage = {}, ""
     for kind, name, frame in lively(demo):
         stage = name if kind == "stage" else stage
@@ -183,7 +183,7 @@ def parts(demo):
 # ---- the page ----
 
 def best_games():
-    """Of each difficulty that is shown the whole game; what it does not meet is not on the page."""
+    """The complete game of each difficulty shown. The page shows only the patterns these games meet."""
     return {d: "%s/clear-%s.demo" % (DEMOS, d) for d in SHOWN if os.path.exists("%s/clear-%s.demo" % (DEMOS, d))}
 
 
@@ -200,9 +200,9 @@ def page(files, games):
     yield """# Patterns of Glass Tide
 
 `make patterns` writes this page. It shows the patterns of *Glass Tide* stage by stage, in the order of play. Each has
-its comment from the script and two pictures, one from a whole game on normal and one on abyss, at the frame with the
-most objects (`tests/demos/glasstide`; an invincible bot plays). The [cookbook](../cookbook.md) shows how to write
-patterns.
+its comment from the script and two pictures, one on normal and one on abyss. They come from the complete games in
+`tests/demos/glasstide`, played by an invincible bot, and show the frame with the most objects. The
+[cookbook](../cookbook.md) shows how to write patterns.
 """
     for stage in stages:
         yield "\n## %s\n" % stage.title()
@@ -217,7 +217,7 @@ patterns.
                     yield "\n### %s\n" % title
                 yield "**%s** (`%s`)%s\n" % (spell or name.split("/")[1].title(), name, ": " + words if words else "")
             elif name in (key[2].split("/")[0] for key in order if key[1] == "phase"):
-                continue # the mark of a boss: its phases follow
+                continue # the mark of a boss; its phases follow
             else:
                 words = said.get("" if kind == "stage" else name, "")
                 head = "First waves" if kind == "stage" else name.title()
@@ -234,7 +234,7 @@ def main():
     os.makedirs(IMAGES)
     files, games = sources(), best_games()
     text = "\n".join(page(files, games))
-    for name in os.listdir(IMAGES): # what no line of the page shows
+    for name in os.listdir(IMAGES): # pictures that the page does not show
         if "images/patterns/%s)" % name not in text:
             os.remove(os.path.join(IMAGES, name))
     with open("docs/measured/patterns.md", "w", encoding="utf-8") as f:

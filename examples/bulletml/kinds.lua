@@ -1,5 +1,5 @@
--- kinds.lua - what bullets look like. Each shape is there in eight colours, petal0 to petal7: pearl, ruby, amber, gold,
--- green, cyan, indigo, magenta. A label that stands in `looks` looks so, in any document; others get a look in turn.
+-- kinds.lua - the bullet kinds. Each shape has eight colours, petal0 to petal7: pearl, ruby, amber, gold, green, cyan,
+-- indigo, magenta. `looks` maps labels to kinds, for all documents; other labels get kinds from `others` in order.
 local round = { pellet = 2, orb = 3.5, star = 4, ring = 5, pearl = 6, big = 8 }
 local long = { rice = 5, petal = 4, shard = 4, drop = 4, kunai = 4, needle = 8 } -- length
 spark.def("hoop", { sprite = "hoop", life = 12 })

@@ -1,19 +1,19 @@
--- main.lua - shows the documents of bulletml/, one after the other. Fire: the next one; bomb: the one before; special:
--- more rank, and from 1 back to 0; focus and special: another seed. The arrows move the ship they aim at.
+-- main.lua - shows the documents in bulletml/. Fire: next document; bomb: previous document; special: raise the rank,
+-- from 1 back to 0; focus and special: next seed. The arrows move the ship, which is the target.
 local kinds_of = require "kinds"
 local documents = bullet.documents()
-local ROW <const>, REST <const> = 38, 60 -- of the text; frames between the end and the next time
+local ROW <const>, REST <const> = 38, 60 -- row of the text; frames before a document restarts
 
 player.def("kite", { sprite = "kite", hit = { circle = 2 }, speed = 3, focus = 1.5, lives = 9 })
 
-local function turned(p) -- what the buttons of this frame ask for: documents on, ranks on, seeds on
+local function turned(p) -- the steps for document, rank and seed in this frame
   local special = pad.pressed("special", p)
   local focus = pad.down("focus", p)
   local on = (pad.repeated("fire", p) and 1 or 0) - (pad.repeated("bomb", p) and 1 or 0)
   return on, special and not focus and 1 or 0, special and focus and 1 or 0
 end
 
-local function title(text) -- "cloud_of_needles" is written as words
+local function title(text) -- "cloud_of_needles" -> "CLOUD OF NEEDLES"
   return (text:gsub("[_/]", " "):upper())
 end
 
@@ -24,7 +24,7 @@ local function show(at, rank, seed)
   text.put { col = 0, row = ROW + 1, text = ("%d OF %d  RANK %.2f  SEED %d          "):format(at, #documents, rank, seed) }
 end
 
-local function start(one, rank, seed) -- a document, in the middle of an empty field
+local function start(one, rank, seed) -- runs a document on an empty field
   bullet.clear { all = true }
   return bullet.ml { name = one.name, kind = "orb5", kinds = kinds_of(one.labels), x = rom.field.w / 2, y = 80,
     rank = rank, seed = seed, speed = board.dip("speed") / 100 }
@@ -53,7 +53,7 @@ stage.def("gallery", function()
   end
 end)
 
--- Each for PAGE frames, from the first to the last: what a contact sheet is rendered from.
+-- All documents, PAGE frames each, for rendering a contact sheet.
 local PAGE <const> = 240
 stage.def("sheet", function()
   for at, one in ipairs(documents) do

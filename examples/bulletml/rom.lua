@@ -1,4 +1,4 @@
--- rom.lua - what the documents are shown with: docs/reference/rom.md and docs/guide/32-bulletml.md.
+-- rom.lua - the manifest of the viewer: docs/reference/rom.md and docs/guide/32-bulletml.md.
 return {
   id = "gallery", title = "Gallery", author = "You", version = 1,
   board = { bullets = 16384, bulletml = 8192, shots = 16, enemies = 16, sparks = 512, sprites = 16, tasks = 64,

@@ -1,4 +1,4 @@
--- main.lua - Lamplight: moths that were drawn as an .ase. What hits them was drawn with them, as a slice.
+-- main.lua - Lamplight: moths from an Aseprite file. A slice in that file is their hitbox.
 bullet.def("orb", { sprite = "orb", hit = { circle = 3.5 } })
 shot.def("dart", { sprite = "dart", hit = { box = { 6, 12 } }, damage = 2, turns = true })
 player.def("ship", { sprite = "ship", hit = { circle = 2 }, run = function(p)

@@ -1,5 +1,5 @@
--- kinds.lua - what a pattern may fire. Hit shapes are smaller than what is drawn; `bank` recolours: 0 pearl, 1 ruby,
--- 2 amber, 3 gold, 4 green, 5 cyan, 6 indigo, 7 magenta.
+-- kinds.lua - the bullets for your patterns. Hitboxes are smaller than the sprites. `bank` sets the colour: 0 pearl,
+-- 1 ruby, 2 amber, 3 gold, 4 green, 5 cyan, 6 indigo, 7 magenta.
 spark.def("hoop", { sprite = "hoop", life = 12 })
 local shapes = {
   pellet = { circle = 2 }, orb = { circle = 3.5 }, star = { circle = 4 }, ring = { circle = 5 }, pearl = { circle = 6 },

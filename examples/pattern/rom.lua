@@ -1,4 +1,4 @@
--- rom.lua - what there is to fire, and who fires it: docs/reference/rom.md.
+-- rom.lua - the manifest: sprites, sounds and capacities. See docs/reference/rom.md.
 return {
   id = "pattern", title = "Patterns", author = "You", version = 1,
   board = { bullets = 8192, shots = 128, enemies = 32, sparks = 512, sprites = 16, motions = 256, tasks = 512,

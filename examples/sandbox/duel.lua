@@ -1,4 +1,4 @@
--- duel.lua - two at once: a cast, with a bar for both, then one each. `curtain examples/sandbox --stage duel`.
+-- duel.lua - two bosses: a cast with one bar, then with one for each. `curtain play examples/sandbox --stage duel`.
 local function rings(e, kind, turn)
   for k = 1, forever do
     pattern.ring { from = e, kind = kind, n = 14, dir = turn * 9 * k, speed = 1.6 }
@@ -13,7 +13,7 @@ local function sway(e, x)
   end
 end
 
--- A bar each: who is down stops, and the other goes on alone.
+-- One bar for each: a boss whose bar is empty stops, and the other fights on alone.
 local function needles(e)
   while true do
     pattern.fan { from = e, kind = "rice", n = 7, spread = 80, dir = 90, speed = 2.2 }

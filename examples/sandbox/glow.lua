@@ -1,4 +1,4 @@
--- glow.lua - a stage to look at blended drawing: lamps and embers add their light, a ghost shows what it hides.
+-- glow.lua - a demo stage for blending: lamps and embers add their light, and a ghost is half transparent.
 bullet.def("ember", { sprite = "ember", hit = { circle = 5 }, blend = "glow" })
 spark.def("mote", { sprite = "ember", life = 50, drag = 0.04, gravity = -0.01, bank = 2, blend = "glow" })
 enemy.def("ghost", { sprite = "queen", hit = "none", touch = false, blend = "ghost" })

@@ -1,4 +1,4 @@
--- heard.lua - a stage with sounds and music: a ring on every beat, a drum from where it is fired.
+-- heard.lua - a demo stage for sound and music: a ring on every beat, and a drum panned to its position.
 stage.def("heard", function()
   local e = enemy.spawn { kind = "jelly", x = 120, y = 60 }
   e.safe = forever

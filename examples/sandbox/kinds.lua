@@ -1,4 +1,4 @@
--- kinds.lua - what the guide's examples take for granted.
+-- kinds.lua - the kinds that the guide's examples use.
 bullet.def("orb",  { sprite = "orb",  hit = { circle = 3.5 } })
 bullet.def("rice", { sprite = "rice", hit = { circle = 2 }, turns = true })
 bullet.def("star", { sprite = "star", hit = { circle = 4 } })
@@ -21,4 +21,4 @@ player.def("ship", { sprite = "ship", hit = { circle = 2 }, registers = { power 
   end
 end })
 
-return { "halo", "words.txt" } -- what only the guide's examples use, named here so that `curtain check` takes it for used
+return { "halo", "words.txt" } -- for the guide's examples; named here so that `curtain check` counts them as used

@@ -1,5 +1,5 @@
--- looks.lua - a stage to look at what a kind of bullets says of its pictures: sizes, spin, frames, order, clouds; and at
--- bullets that shots hit.
+-- looks.lua - a demo stage for the look of bullet kinds: sizes, spin, frames, order, clouds; and for bullets with
+-- hp.
 local names = { "rice_50", "rice", "rice_150", "rice_200", "star_50", "star", "star_150", "star_300" }
 for i, name in ipairs(names) do
   bullet.def("look_" .. name, { sprite = name, hit = "none", graze = false, spin = name:find("rice") and 4 or 0, bank = i % 7 })

@@ -1,4 +1,4 @@
--- main.lua - a stage that does nothing but run try.lua: what that returns, if it is a function, is a task of an enemy.
+-- main.lua - the stage `try` runs try.lua. If that file returns a function, it becomes a task of an enemy.
 require "kinds"
 require "glow"
 require "looks"
@@ -11,7 +11,7 @@ require "duel"
 require "heard"
 local try = require "try"
 
--- What rom.lua has room for and only what is tried uses: spelt here, so that `curtain check` lets it be.
+-- Features that rom.lua enables and only examples use; named here so that `curtain check` doesn't report them.
 local rooms = { "value", "meet", "option", "pierce", "ml" } -- luacheck: ignore
 
 stage.def("try", function()

@@ -1,5 +1,5 @@
--- moves.lua - a stage to look at what leads bullets: familiars on an orbit, rings that bounce, a
--- wave, a way home; and at time that stands still while thorns are put up.
+-- moves.lua - a demo stage for motion programs: familiars on an orbit, rings that bounce, waves,
+-- and a return to the boss; time also stops while thorns appear.
 bullet.def("move_thorn", { sprite = "rice", hit = { capsule = { 5, 1.5 } }, turns = true,
                            order = 1, cloud = "glint", vanish = "glint" })
 
@@ -9,7 +9,7 @@ local echo = motion.def { { bounce = 2, walls = "left right top", { bank = 3 } }
 local snake = motion.def { { wave = 20, every = 60, over = forever } }
 local home = motion.def { { go_to = { 120, 70 }, over = 60, ease = "in" }, { die = true } }
 
--- A familiar throws a petal outward now and then; it lives as long as its bullet does.
+-- A familiar throws petals outwards. The task ends with its bullet.
 local function throw(me, queen)
   while true do
     wait(16)
@@ -17,7 +17,7 @@ local function throw(me, queen)
   end
 end
 
--- Time stands; one thorn after the other is put up, and all of them start when it goes on.
+-- Time stops, and thorns appear one after another. They all start to move when time resumes.
 local function stop_time(p)
   bullet.group().frozen = forever
   for i = 1, 16 do
@@ -30,7 +30,7 @@ local function stop_time(p)
   bullet.group().frozen = 0
 end
 
--- What the queen does.
+-- The queen's task.
 local function dance(queen, p)
   for i = 1, 4 do
     local b = bullet.fire { kind = "big", from = queen, bank = 6, dir = 90 * i, speed = 0,

@@ -1,4 +1,4 @@
--- rays.lua - a stage to look at lasers: beams that turn, bolts that bounce, curves that weave, and a player's own.
+-- rays.lua - a demo stage for lasers: beams that turn, bolts that bounce, curves that weave, and a player's laser.
 local weave = motion.def { { wave = 26, every = 70, over = forever } }
 local bank = motion.def { { bounce = 3, walls = "left right" } }
 

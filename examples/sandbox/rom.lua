@@ -1,10 +1,10 @@
--- rom.lua - the sandbox: a bare game for trying the examples of docs/guide. Put one into try.lua.
+-- rom.lua - the sandbox: a bare game for trying the examples in docs/guide. Put one into try.lua.
 return {
   id = "sandbox", title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
             meet = true, items = 256, lines = 32, wide = true,
             lasers = 64, curve_points = 4096, options = 16, bodies = true, pierce = true,
-            bulletml = 512 }, -- for what the guide shows
+            bulletml = 512 }, -- for the guide's examples
   sounds = { boom = { mml = "t200 @noise E0,250,0,30 o4 v15 c2" }, drum = { file = "sfx/drum.wav" },
               shot = { mml = "t240 @pulse E0,20,0,5 o6 v9 {c<c}32", priority = 1, limit = 1 } },
   music = { tide = { file = "music/tide.mml" } }, -- docs/guide/25-sound.md

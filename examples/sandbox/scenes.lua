@@ -1,7 +1,7 @@
--- scenes.lua - a stage to look at backgrounds: the sea with clouds and their shadows, and towers on a floor of slabs.
+-- scenes.lua - a demo stage for backgrounds: the sea with clouds and their shadows, and towers on a floor of slabs.
 bg.def("sea", function()
   local sea, low, high = bg.layer(1), bg.layer(2), bg.layer(3)
-  sea.map, sea.bank, sea.vy = "sea", 9, 0.5 -- bank 13 + 9: 6, indigo
+  sea.map, sea.bank, sea.vy = "sea", 9, 0.5 -- bank 13 + 9 wraps to 6, indigo
   low.map, low.bank, low.blend, low.x, low.vy = "clouds", 3, "ghost", 40, 0.8
   high.map, high.bank, high.vx, high.vy = "clouds", 3, -0.25, 1.5
   bg.lines(1, { wave = 5, every = 64, speed = 0.5 })

@@ -1,4 +1,4 @@
--- treasure.lua - a stage with items: what enemies drop, what cleared bullets turn into, and how a ship draws them.
+-- treasure.lua - a demo stage for items: drops from enemies, items from cleared bullets, and how a ship attracts them.
 item.def("plum",  { sprite = "power", bank = 1, radius = 10, gives = { score = 10, power = 1 }, full = "power" })
 item.def("pearl", { sprite = "point", bank = 4, radius = 10, gives = { score = { 100, 1000 } } })
 item.def("heart", { sprite = "life", bank = 6, radius = 10, gives = { lives = 1 }, gravity = 0.01, top = 0.8 })

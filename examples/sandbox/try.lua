@@ -1,4 +1,4 @@
--- try.lua - the place for an example. e is an enemy that stays, p the first player; the function is a task of e.
+-- try.lua - the place for your example. `e` is a stationary enemy, `p` the first player; the function is a task of `e`.
 return function(e, p)
   while true do
     pattern.ring { from = e, kind = "orb", bank = 5, n = 24, dir = rng.dir(), speed = 1.8 }

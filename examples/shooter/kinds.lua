@@ -1,12 +1,12 @@
--- kinds.lua - what flies about: sparks, bullets, lanterns and moths.
-local AMBER, GOLD = 2, 3 -- banks of the palette; 0 to 7 are one ramp in eight colours
+-- kinds.lua - the kinds of sparks, bullets and enemies.
+local AMBER, GOLD = 2, 3 -- palette banks; 0 to 7 are the same ramp in eight colours
 
 spark.def("glint", { sprite = "glint", life = 16, drag = 0.06, bank = GOLD })
 spark.def("crumb", { sprite = "crumb", life = 40, drag = 0.04, gravity = 0.04, banks = { 3, 2, 1 } })
 spark.def("hoop",  { sprite = "hoop",  life = 12, bank = GOLD })
 spark.def("shock", { sprite = "shock", life = 16, bank = AMBER })
 
--- A bullet comes out of mist where it has a delay, and pops where it is cleared.
+-- A bullet with a delay starts as mist; a cleared one pops.
 local function kind(name, hit, more)
   local def = { sprite = name, hit = hit, cloud = "mist", vanish = "hoop" }
   for k, v in pairs(more or {}) do def[k] = v end
@@ -38,5 +38,5 @@ enemy.def("drum", { sprite = "drum", hit = { box = { 28, 40 } }, hp = 90, score 
   blink = 6, on_hit = chip, on_death = function(e)
     pop(e)
     sound.play("burst", { from = e })
-    bullet.sweep { x = e.x, y = e.y, radius_to = 90, over = 20 } -- its light takes the bullets near it along
+    bullet.sweep { x = e.x, y = e.y, radius_to = 90, over = 20 } -- its light clears the bullets near it
   end })

@@ -1,4 +1,4 @@
--- main.lua - runs first: requires the others, and begins.
+-- main.lua - runs first: loads the other files and starts the game.
 require "kinds"
 require "ship"
 require "night"

@@ -1,7 +1,7 @@
--- night.lua - what lies behind all, under the title too: the sky with its moon, and the river, seen at an angle.
+-- night.lua - the background of the stage and the title: the sky with the moon, and the river in perspective.
 local LAMP, GLINT = 16 * 13 + 13, 16 * 13 + 14 -- two colours of bank 13: windows, and light on the water
 
--- Sets sky and water up, and goes on for as long as they are shown.
+-- Sets up sky and water, and animates them while they are shown.
 local function night(speed, fog)
   local sky, water, moon = bg.layer(1), bg.plane(), nil
   sky.map, sky.vx = "sky", -0.04
@@ -12,7 +12,7 @@ local function night(speed, fog)
     if not (moon and moon.alive) then
       moon = sprite.put { sprite = "moon", x = 178, y = 62, layer = "back", stay = true }
     end
-    water.x = 384 + 40 * angle.sin(i / 4) -- about the middle of the map, where the water is
+    water.x = 384 + 40 * angle.sin(i / 4) -- around the middle of the map, where the water is
     if i % 20 == 0 then palette.set(LAMP, i % 60 == 0 and 0xf09038 or 0xffb854) end
     if i % 80 == 0 then palette.fade { to = 0x7c86b8, over = 40, first = GLINT, last = GLINT } end
     if i % 80 == 40 then palette.fade { to = 0x464c78, over = 40, first = GLINT, last = GLINT } end
@@ -21,15 +21,15 @@ local function night(speed, fog)
 end
 
 bg.def("river", function() night(1.6, 0x0c1028) end)
-bg.def("feast", function() night(3.2, 0x1c2148) end) -- the boss's spell: faster, in a mist
+bg.def("feast", function() night(3.2, 0x1c2148) end) -- the boss's spell card: faster and misty
 
--- The title and the practice of a phase have no stage to show a background: they get the river. Stages show their own,
--- and nothing here touches it, not even in the middle of a fade.
+-- Shows the river for the title and for practising a phase, which have no stage to show a background. It never
+-- replaces the background of a stage, even during a fade.
 task.go(function()
   while true do
     local none = not game.stage and not boss.now() and not bg.plane().map
     for i = 1, 4 do none = none and not bg.layer(i).map end
-    if none then bg.show("river", { over = 0 }) end -- boot.run has emptied the field
+    if none then bg.show("river", { over = 0 }) end -- boot.run has wiped the field
     wait(1)
   end
 end)

@@ -1,4 +1,4 @@
--- rom.lua - what the game is made of: docs/reference/rom.md.
+-- rom.lua - the manifest: sprites, sounds, maps and capacities. See docs/reference/rom.md.
 return {
   id = "shooter", title = "Lantern Night", author = "You", version = 1,
   board = { bullets = 2048, shots = 256, enemies = 64, sparks = 2048, sprites = 64, motions = 64, tasks = 256,
@@ -14,7 +14,7 @@ return {
     moon     = { file = "art/moon.png",     bank = 15 },
   },
   sprites = {
-    -- bullets and shots: what turns is drawn pointing right
+    -- bullets and shots; sprites with rotations point right
     pellet = { sheet = "bullets", x = 0,   y = 0,  w = 8,  h = 8 },
     orb    = { sheet = "bullets", x = 16,  y = 0,  w = 12, h = 12 },
     rice   = { sheet = "bullets", x = 48,  y = 0,  w = 12, h = 12, rotations = 32 },
@@ -24,7 +24,7 @@ return {
     pearl  = { sheet = "bullets", x = 64,  y = 32, w = 18, h = 18 },
     mist   = { sheet = "bullets", x = 0,   y = 64, w = 24, h = 24, frames = 4 },
     dart   = { sheet = "shots",   x = 0,   y = 0,  w = 16, h = 16, rotations = 32 },
-    -- who flies
+    -- the ship and the enemies
     kite    = { sheet = "kite",     x = 0, y = 0,  w = 28,  h = 36, frames = 4, every = 5, origin = { 14, 19 } },
     lantern = { sheet = "lanterns", x = 0, y = 0,  w = 24,  h = 34, frames = 4, every = 7, origin = { 12, 16 } },
     moth    = { sheet = "lanterns", x = 0, y = 34, w = 40,  h = 32, frames = 4, every = 5 },
@@ -42,7 +42,7 @@ return {
     sky   = { tiles = "art/night.png", bank = 13, file = "maps/sky.csv" },
     river = { tiles = "art/night.png", bank = 13, file = "maps/river.csv" },
   },
-  sounds = { -- most of these names play by themselves: docs/guide/25-sound.md
+  sounds = { -- most of these play automatically, by name: docs/guide/25-sound.md
     shot    = { mml = "t300 @pulse E0,14,0,6 o6 V70 {c<a}32", priority = 0, limit = 1 },
     graze   = { mml = "t300 @fm E0,25,0,10 o7 V60 e32", priority = 1 },
     chip    = { mml = "t300 @fm E0,11,0,6 o6 V80 a64", priority = 0, limit = 1 },

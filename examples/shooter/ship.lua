@@ -1,4 +1,4 @@
--- ship.lua - the kite: what it fires, its bomb, and what it costs to be hit.
+-- ship.lua - the kite: its shots, its bomb, and its death.
 shot.def("dart", { sprite = "dart", hit = { box = { 6, 14 } }, damage = 1, turns = true, bank = 5 })
 shot.def("side", { sprite = "dart", hit = { box = { 6, 12 } }, damage = 1, turns = true, bank = 4 })
 

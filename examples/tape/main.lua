@@ -1,4 +1,4 @@
--- main.lua - patterns that follow a recording: a ring on each beat, a spiral from the marker "turn" to the loop's end.
+-- main.lua - patterns that follow recorded music: a ring on each beat, a spiral from marker "turn" to the loop's end.
 bullet.def("orb", { sprite = "orb", hit = { circle = 3.5 } })
 shot.def("dart", { sprite = "dart", hit = { box = { 6, 12 } }, damage = 2, turns = true })
 player.def("ship", { sprite = "ship", hit = { circle = 2 }, run = function(p)

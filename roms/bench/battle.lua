@@ -1,5 +1,5 @@
--- battle.lua - as many shots as there is room for among n enemies: each that hits is gone, and another takes its place. The
--- boxes are so large that a shot touches about a tenth of the enemies.
+-- battle.lua - a full pool of shots among n enemies. Each shot that hits is replaced by another. The hitboxes are so large
+-- that a shot touches about a tenth of the enemies.
 shot.def("shot", { sprite = "d8", hit = { box = { 16, 16 } } })
 enemy.def("enemy", { sprite = "d24", hit = { box = { 84, 70 } }, hp = 2147483647, touch = false })
 

@@ -1,14 +1,14 @@
--- boss.lua - a boss fight: rings of 20 to 200 bullets every few frames, so many that n are live. Four of five are turned,
--- one of five blended, two of five run a program; with a boss, sparks, lasers, items, layers that scroll, and rows of text.
+-- boss.lua - a boss fight: rings of 20 to 200 bullets every few frames, so that n are live. Four in five are rotated, one in
+-- five is blended, and two in five run a program. It has a boss, sparks, lasers, items, scrolling layers and rows of text.
 --
--- DIP price_part leaves one part of it out, or has all blend through a table (everything).
+-- DIP price_part omits one part of it, or makes everything blend through a table (everything).
 --
--- A ring's bullets live LIFE frames, so as many are fired in a frame as n / LIFE, counted in halves of bullets left over.
+-- A ring's bullets live LIFE frames, so n / LIFE bullets are fired per frame; remainders are carried over in halves.
 local LIFE = 160
 local RINGS = { 20, 60, 200, 40, 120, 30, 90, 160, 50, 80 }
-local SPARKS, BURST = 60, 5 -- 300 at the end of a frame
+local SPARKS, BURST = 60, 5 -- 300 alive at the end of a frame
 
--- Kinds by turns: 8 of 10 turned, 2 blended, 1 of each sort plain.
+-- The kinds in rotation: of 10, 8 are rotated, 2 blended, and 1 of each group plain.
 local function kinds()
   local blend = board.dip("price_part") == "everything" and "glow" or "shine"
   local list = {}
@@ -29,7 +29,7 @@ local function kinds()
   return list
 end
 
--- Two of five rings run one of these; all die with their LIFE.
+-- Two in five rings run one of these programs; all bullets die after LIFE frames.
 local function programs()
   local gone = { { wait = LIFE }, { die = true } }
   return {
@@ -39,7 +39,7 @@ local function programs()
   }
 end
 
--- Speeds are such that most stay on the field for their LIFE.
+-- The speeds keep most bullets on the field for LIFE frames.
 local function fire_rings(boss, n, list, moves)
   local owed, k = 0, 0
   while true do

@@ -1,4 +1,4 @@
--- creep.lua - n bullets all over the field that fly straight on, so slowly that they stay.
+-- creep.lua - n bullets all over the field that fly straight, so slowly that they never leave it.
 bullet.def("dot", { sprite = "kind1", hit = { circle = 3 } })
 
 return function(n)

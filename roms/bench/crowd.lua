@@ -1,5 +1,5 @@
--- crowd.lua - n bullets of 16 kinds in 8 banks. Each crosses a part of the field in 60 frames, turns round, and comes back,
--- for ever: one step of its program each 60 frames, and as many of them in one frame as in any other.
+-- crowd.lua - n bullets of 16 kinds in 8 banks. Each crosses a part of the field in 60 frames, turns around, and comes back,
+-- forever: one step of its program every 60 frames, with the same number of steps in every frame.
 local kinds, leg = 16, 60
 local W, H = rom.field.w, rom.field.h
 
@@ -12,7 +12,7 @@ for left = 1, leg do
   ways[left] = motion.def { { wait = left }, { loop = forever, { turn = 180 }, { wait = leg } } }
 end
 
--- Both ends of its way are in the field; it starts where `left` frames are left to the far one.
+-- Both ends of its path are in the field. It starts `left` frames before the far end.
 local function throw(i)
   local speed, left = rng.number(0.5, 3), i % leg + 1
   local x, y, dir, dx, dy
@@ -25,7 +25,7 @@ local function throw(i)
                 motion = ways[left] }
 end
 
--- So many a frame that a script that fires them is not taken for an endless loop.
+-- Fires in batches, so that the script is not stopped as an endless loop.
 return function(n)
   return function()
     for i = 1, n do

@@ -1,5 +1,5 @@
--- items.lua - n items near the top of the field. DIP price says what they do: `straight`, they fall, so slowly that none leaves;
--- `home`, they fly to the player, whose pull is so weak that none arrives.
+-- items.lua - n items near the top of the field. DIP price selects their movement: `straight`, they fall, so slowly that none
+-- leaves; `home`, they fly to the player, whose pull is so weak that none arrives.
 item.def("coin", { sprite = "d12", radius = 0, gravity = 0.00005, top = 0.001 })
 
 return function(n)

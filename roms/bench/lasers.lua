@@ -1,4 +1,4 @@
--- lasers.lua - curves of 64 points that go round and never leave the field, drawn as DIP picture says.
+-- lasers.lua - curves of 64 points that circle and never leave the field. DIP picture selects how they are drawn.
 local looks = {
   plain = { strip = "ray" },
   sprite = { strip = "d16" },

@@ -1,5 +1,5 @@
--- looks.lua - n things that are only seen, as DIP price_look says: sparks that fly on; sparks that are thrown in each frame, 64
--- at a time, and gone in the same; as many trails, of a spark a frame; sprites that stand, and that follow a bullet.
+-- looks.lua - n purely visual things. DIP price_look selects them: sparks that stay; sparks thrown in each frame, 64 at a time,
+-- that last one frame; trails with one spark per frame; sprites that stand still, or that follow a bullet.
 local price = board.dip("price_look")
 local H = rom.field.h
 

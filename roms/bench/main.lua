@@ -1,11 +1,11 @@
--- main.lua - n bullets, thrown at random, that fly to and fro for ever: a motion program turns each round before it can leave.
--- The other scenes have files of their own.
+-- main.lua - n bullets, thrown at random, that fly to and fro forever: a motion program turns each around before it can leave.
+-- The other scenes have their own files.
 --
--- Each flies `there` frames one way and the same way back, so the crowd stays as it is. Every 20th has its turning points
--- across an edge of the screen: about 5 % are drawn clipped.
+-- Each flies `there` frames one way and the same way back, so the crowd stays the same. Every 20th has its turning points
+-- on both sides of a screen edge, so about 5 % are drawn clipped.
 local n = board.dip("n") + 65536 * board.dip("n_high")
 local does = board.dip("does")
-assert(pattern) -- tools/bench/worst.c runs a line in this game that needs it, so it is packed
+assert(pattern) -- a line that tools/bench/worst.c runs in this game needs it, so it must be packed
 
 local function shuttle()
   bullet.def("d8",  { sprite = "d8",  hit = { circle = 3 } })
@@ -17,10 +17,10 @@ end
 local function target()
   player.def("target", { sprite = "d8", hit = { circle = 2 }, graze = 12, safe = 0, lives = 99,
     magnet = 0, pull = 0.001 })
-  on.hit(function(p) p.safe = 1 end) -- being hit is counted, and changes nothing
+  on.hit(function(p) p.safe = 1 end) -- a hit is counted, but has no effect
 end
 
--- One bullet. Its way and back is at most 24 frames of 1 px, so a start 28 px from the edges never shows at them.
+-- One bullet. It flies at most 24 frames of 1 px each way, so from a start 28 px inside it never reaches an edge.
 local function thrower()
   local small = board.dip("mix") == "small"
   local kinds = small and { "d8" } or { "d8", "d8", "d8", "d12", "d8", "d16", "d8", "d24" }
@@ -36,7 +36,7 @@ local function thrower()
   end
 end
 
--- All in the first frame, so that every later one is alike.
+-- All in the first frame, so that all later frames are the same.
 if does == "shuttle" then
   shuttle()
   target()

@@ -1,5 +1,5 @@
--- pictures.lua - n pictures that stand still, drawn as DIP picture says: bullets of one kind, in banks of their own, turned,
--- across the left edge or blended, by a table or a rule; free sprites, plain and flipped.
+-- pictures.lua - n motionless pictures. DIP picture selects how they are drawn: bullets of one kind, in different banks, rotated,
+-- clipped at the left edge or blended, by a table or a rule; free sprites, plain and flipped.
 local how = board.dip("picture")
 local free = how == "sprite" or how == "flipped"
 local blend = ({ blended = "glow", blended_banks = "glow", ramp = "shine" })[how]
@@ -11,7 +11,7 @@ end
 
 return function(n)
   return function()
-    for _ = 1, n do -- the largest, 128 px, is just inside
+    for _ = 1, n do -- the largest, 128 px, just fits
       local x, y = how == "clipped" and 0 or rng.number(64, rom.field.w - 64), rng.number(64, rom.field.h - 64)
       if free then
         sprite.put { sprite = "kind1", x = x, y = y, flip_x = how == "flipped" }

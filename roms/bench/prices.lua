@@ -1,6 +1,6 @@
--- prices.lua - n bullets that all do what DIP price, or one of price_figure, _kind, _step and _verb, says each frame, to be
--- compared with as many that fly straight. They creep, so that none leaves the field, and out of the player's way, so that
--- none is near but those that shall be.
+-- prices.lua - n bullets that all do the same thing each frame, selected by DIP price, price_figure, _kind, _step or _verb, for
+-- comparison with n bullets that fly straight. They creep, so that none leaves the field, and stay away from the player unless
+-- the case needs them near.
 local price = board.dip("price")
 for _, part in ipairs { "figure", "kind", "step", "verb" } do
   local word = board.dip("price_" .. part)
@@ -12,7 +12,7 @@ if price == "value" or price == "named" or price == "valued" then value.def("cur
 
 local function ever(...) return motion.def { { loop = forever, ... } } end
 
--- A program for each op of motion programs, which is active in every frame.
+-- A program for each motion op, active in every frame.
 local ops = {
   ever { wait = 60 },
   ever { kind = "d8", over = 1 },
@@ -46,13 +46,13 @@ local motions = {
 if price == "around" then motions.around = motion.def { { orbit = 4, spin = 1, over = forever } } end
 if price == "named" then motions.named = ever { turn = "curl", over = 60 } end
 
--- What a bullet is fired with besides.
+-- Extra options for the fired bullets.
 local with = {
   delay = { delay = 1000000 }, named = { curl = 1 }, hp = { kind = "d8hp" },
 }
 
--- Shapes that are as large as each other, of bullets about the player; the kind `reach`, of which there is none, lets all of
--- them be close to it though they touch nothing.
+-- Shapes of equal size for bullets around the player. The unused kind `reach` widens the range of the hit test, so that all
+-- of them are close although they touch nothing.
 local shapes = {
   circle = { hit = { circle = 3 } },
   box = { hit = { box = { 6, 6 } } },
@@ -84,7 +84,7 @@ local function fire(i)
   return bullet.fire(b)
 end
 
--- One that is fired and gone in the same frame.
+-- One bullet that is fired and removed in the same frame.
 local fires = {
   fire = function(i)
     bullet.fire { kind = "d8", x = i % 64 * 4, y = i // 64 % 16, dir = 7 * i, speed = 0.001, tag = "all", motion = gone }
@@ -101,7 +101,7 @@ function fires.kept(i)
   bullet.fire(kept)
 end
 
--- A figure of 64 of them.
+-- A figure of 64 bullets.
 local points, rows = {}, {}
 for i = 1, 64 do points[i] = { i % 8, i // 8 } end
 for i = 1, 8 do rows[i] = "########" end
@@ -119,8 +119,8 @@ local function draw(n)
   return function() for _ = 1, n // 64 do f(figure) end end
 end
 
--- What is done each frame once n bullets are fired; where they are not, there is nothing to be found or cleared. The line
--- passes them at a corner, so that the box around it holds all.
+-- The action of each frame once n bullets are fired. It works where there are no bullets, so it finds and clears nothing. The
+-- line passes them at a corner, so that its bounding box contains all of them.
 local aside = { x = 300, y = 200 }
 local from, to = { x = -100, y = 300 }, { x = 300, y = -10 }
 local all
@@ -151,12 +151,12 @@ local function fire_all(n)
   if price == "hp" then for _ = 1, 64 do shot.fire { kind = "still", x = aside.x, y = aside.y, speed = 0 } end end
 end
 
--- What goes on in each frame; nil: nothing.
+-- The action of each frame, or nil.
 local function each_frame(n)
   local one = fires[price]
   if one then return function() for i = 1, n do one(i) end end end
   if figures[price] then return draw(n) end
-  fire_all(price == "emit" and n // 64 or n) -- what those fire is gone in the next frame
+  fire_all(price == "emit" and n // 64 or n) -- the bullets they emit are gone in the next frame
   local p = player.get(1)
   return shapes[price] and function() p.x, p.y = 160, 120 end or verbs[price]
 end

@@ -1,11 +1,11 @@
--- together.lua - all at once, or as DIP price_part says a part of it: n bullets of the crowd, 56 curves of 64 points and 8 beams
--- that turn, items all over the top, sparks that fall, and three layers of tiles with a plane. What ends is made anew, so
--- that there are as many of each in every frame.
+-- together.lua - everything at once, or the part that DIP price_part selects: n bullets of the crowd, 56 curves of 64 points and
+-- 8 turning beams, items all over the top, falling sparks, and three tile layers with a plane. Expired things are replaced, so
+-- that their number is the same in every frame.
 local part = board.dip("price_part")
 local function with(what) return part == "everything" or part == "only_" .. what end
 
 local CURVES, BEAMS, ITEMS = 56, 8, 512
-local LIFE, BURST = 65, 32 -- at the end of a frame 64 bursts are there, 2,048 sparks
+local LIFE, BURST = 65, 32 -- 64 bursts, 2,048 sparks, are alive at the end of a frame
 
 local function lasers()
   laser.def("worm", { strip = "ray", width = 8, hit = { share = 0.5 } })

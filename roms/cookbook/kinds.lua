@@ -1,4 +1,4 @@
--- kinds.lua - what the recipes take for granted. Nothing kills a ship here: it flickers.
+-- kinds.lua - kinds for all recipes. A ship that is hit flickers and survives.
 bullet.def("orb",   { sprite = "orb",   hit = { circle = 3.5 } })
 bullet.def("rice",  { sprite = "rice",  hit = { circle = 2 }, turns = true })
 bullet.def("knife", { sprite = "knife", hit = { circle = 2.5 }, turns = true })
@@ -23,7 +23,7 @@ player.def("gun", { sprite = "ship", hit = { circle = 2 }, run = function(p)
   end
 end })
 
--- A ship that is meant to die says so by its name.
+-- Only the ship kind "mortal" dies.
 on.hit(function(p)
   if p.kind ~= "mortal" then p.safe = 30 end
 end)

@@ -1,7 +1,7 @@
--- main.lua - the cookbook: small patterns and effects, one a file in recipes/. A file returns a task for an enemy,
--- f(e, p); or a table: run, that task; ship, the player's; alone = true, if no enemy is wanted (run(nil, p));
--- hud = true, if the score shall be seen. std/boot.lua turns the pages; book.txt, which `make cookbook` writes, has
--- their titles and words.
+-- main.lua - the cookbook: small patterns and effects, one per file in recipes/. A file returns a task f(e, p) for an
+-- enemy, or a table: run, the task; ship, the player's ship; alone = true to run without an enemy, as run(nil, p);
+-- hud = true to show the score. std/boot.lua turns the pages. `make cookbook` writes book.txt, their titles and
+-- descriptions.
 require "kinds"
 
 local pages = {
@@ -18,7 +18,7 @@ local pages = {
   -- Players
   "spread_shot", "homing_shot", "pierce", "laser_shot", "charge_shot", "reflect", "shield", "options",
   "trail_options", "orbit_options", "bomb", "deathbomb", "rank", "gauge", "chain", "shower", "cancel",
-  -- The picture
+  -- Screen effects
   "floor", "parallax", "blast", "palette_cycle", "echoes", "spell_name",
 }
 for i, name in ipairs(pages) do pages[i] = { name = name, recipe = require("recipes/" .. name) } end

@@ -1,4 +1,4 @@
--- rom.lua - the cookbook: what its recipes draw with, and room for all of them.
+-- rom.lua - the cookbook: art for the recipes, and capacities for all of them.
 return {
   id = "cookbook", title = "Cookbook", author = "The Curtain authors",
   screen = { w = 416, h = 320 }, field = { x = 176, y = 0, w = 240, h = 320 },

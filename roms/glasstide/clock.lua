@@ -1,15 +1,15 @@
--- clock.lua - the time of a mode that is played against it, at the foot of the screen.
+-- clock.lua - the clock at the bottom of the screen, for timed modes.
 local clock = {}
 
-local OFTEN <const> = 6 -- frames from one look at it to the next: tenths of a second are shown
+local OFTEN <const> = 6 -- frames between updates, a tenth of a second
 
--- Frames as minutes, seconds and hundredths.
+-- Formats frames as minutes, seconds and hundredths.
 function clock.text(frames)
   return ("%d:%02d.%02d"):format(frames // 3600, frames // 60 % 60, frames % 60 * 100 // 60)
 end
 
--- Shows f(), frames, for as long as the task that called this has it: local shown <close> =
--- clock.show(f). Below `alarm` frames it is in the colour of one. nil: nothing is shown.
+-- Shows f(), in frames, until the returned value is closed: local shown <close> = clock.show(f).
+-- Below `alarm` frames it uses the alarm colour. While f() is nil, it shows nothing.
 function clock.show(f, alarm)
   local t = task.go(function()
     local there = false

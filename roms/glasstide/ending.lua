@@ -1,5 +1,5 @@
--- ending.lua - what is told when the tide has turned: as it is, as it is for those who had it
--- easy, and as it is when nobody holds its other end any more.
+-- ending.lua - the endings: the normal one, a lesser one for easy, and the true one after the
+-- moon is beaten.
 local story = require "story"
 local moon = require "stages/moon"
 
@@ -21,13 +21,13 @@ local TRUE <const> = {
   { picture = "dive", lines = { "The eye closes.", "For the first time in a year",
                                 "nothing pulls." } },
   { picture = "flood", lines = { "The sea comes up the steps", "like someone who lives here." } },
-  { picture = "home", lines = { "And the moon is in the sky,", "where it only looks.",
+  { picture = "home", lines = { "And the moon is in the sky,", "where it only watches.",
                                 "Two lamps come home by it." } },
 }
 
 local function told(scenes) return function(_) story.tell(scenes) end end
 
--- The dive alone has endings, and who made it; the other modes have had theirs.
+-- Only the dive shows endings and staff; the other modes end with their results.
 local function dived(run) return run.mode == nil or run.mode == "dive" end
 
 return {

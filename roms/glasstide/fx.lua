@@ -1,12 +1,12 @@
--- fx.lua - what breaks, in three sizes, and how a boss goes down. Stages name kinds.small, large,
--- huge, burst and collapse, which call these; all take a place: a thing, or a table of x and y.
+-- fx.lua - explosions in three sizes, and the end of a boss. Stages use them through kinds.small,
+-- large, huge, burst and collapse. Each takes a place: a thing, or a table with x and y.
 local fx = {}
 
-fx.COLLAPSE = 170 -- frames that a boss takes to go down; a stage waits as long behind its fight
+fx.COLLAPSE = 170 -- frames that a boss's end takes; stages wait this long after the fight
 
-local FIRE <const>, COLD <const>, PALE <const>, GOLD <const> = 0, 5, 0, 3 -- banks to add
+local FIRE <const>, COLD <const>, PALE <const>, GOLD <const> = 0, 5, 0, 3 -- banks of additive sprites
 
--- Fire and light are added to what is there, so bullets show through.
+-- Fire and light are additive, so bullets show through.
 local function light(name, sprite, bank, life, drag)
   spark.def(name, { sprite = sprite, bank = bank, life = life, drag = drag or 0, blend = "glow",
                     layer = "middle" })
@@ -23,7 +23,7 @@ light("ripple",  "ripple",  COLD, 24)
 light("breaker", "breaker", COLD, 32)
 light("dawn",    "breaker", GOLD, 32)
 
--- Glass of the stage's own colour tumbles down, bubbles go up.
+-- Glass in the stage's colours tumbles down; bubbles rise.
 local function debris(name, life, def)
   def.sprite, def.life, def.layer = name, life, "middle"
   spark.def(name, def)
@@ -38,24 +38,24 @@ local function throw(kind, at, n, speed, radius)
   spark.burst { kind = kind, x = at.x, y = at.y, n = n, speed = speed, radius = radius }
 end
 
--- Where it is heard: a place has no handle.
+-- Sound options from a place, which has no handle.
 local function from(at) return { pan = math.max(-1, math.min(1, at.x / 120 - 1)) * 0.6 } end
 
-local turn = 0 -- no two fires side by side are the same
+local turn = 0 -- alternates, so that adjacent fires differ
 
 local function either(a, b)
   turn = turn + 1
   return turn % 2 == 0 and a or b
 end
 
--- What is 20 to 32 px.
+-- For creatures of 20 to 32 px.
 function fx.small(at)
   throw(either("fire_a", "fire_b"), at, 1, 0)
   throw("sherd_s", at, 3, 2.2)
   throw("bubbles", at, 1, 0.8)
 end
 
--- What is up to 64 px; the game holds its breath.
+-- For creatures up to 64 px, with a short hit-stop.
 function fx.large(at)
   sound.play("crash", from(at))
   throw("star", at, 1, 0)
@@ -68,7 +68,7 @@ function fx.large(at)
   board.stop(2)
 end
 
--- What fills a quarter of the field: midbosses, claws.
+-- For things as large as a quarter of the field: midbosses, claws.
 function fx.huge(at)
   sound.play("collapse", from(at))
   throw("flare", at, 1, 0)
@@ -83,7 +83,7 @@ function fx.huge(at)
   board.stop(4)
 end
 
--- A craft is lost.
+-- The loss of a craft.
 function fx.lost(p)
   throw("flare", p, 1, 0)
   throw("fire_e", p, 1, 0)
@@ -95,7 +95,7 @@ function fx.lost(p)
   board.stop(6)
 end
 
--- A bomb, or whatever sweeps: rings that run out one after the other.
+-- A bomb or another sweep: rings that spread one after another.
 function fx.wave(at)
   local x, y = at.x, at.y
   task.go(function()
@@ -108,20 +108,20 @@ function fx.wave(at)
   throw("glint", at, 24, 5, 10)
 end
 
--- What is left of it: its picture, which trembles. Kinds of creatures have their sprites' names.
+-- The boss's picture, which trembles. A creature's kind and sprite have the same name.
 local function remains(e)
   if not (e.kind and rom.has(e.kind)) then return nil end
   return sprite.put { sprite = e.kind, x = e.x, y = e.y, bank = e.bank or 0, layer = "back" }
 end
 
--- It cracks: fires run over it, ever closer together, and pieces fall off.
+-- It cracks: fires spread over it, faster and faster, and pieces fall off.
 local function crack(x, y, body)
   for i = 1, 16 do
     if body and body.alive then body.x, body.y = x + (i % 3 - 1) * 2, y + i // 2 end
     local at = { x = x + 38 * angle.cos(137 * i), y = y + 28 * angle.sin(137 * i) }
     throw(i % 4 == 0 and either("fire_c", "fire_d") or either("fire_a", "fire_b"), at, 1, 0)
     throw("sherd_m", at, 1, 1.8)
-    if i == 4 or i == 10 then screen.flash { over = 6, share = 0.2 } end -- at most 3 in a second
+    if i == 4 or i == 10 then screen.flash { over = 6, share = 0.2 } end -- at most 3 per second
     if i % 4 == 0 then
       sound.play("crash", from(at))
       throw("ripple", at, 1, 0)
@@ -131,7 +131,7 @@ local function crack(x, y, body)
   end
 end
 
--- It bursts: light, three rings, and glass that sinks for a long time.
+-- It bursts into light, three rings, and glass that sinks slowly.
 local function break_up(x, y)
   local at = { x = x, y = y }
   screen.flash { over = 40, share = 0.7 }
@@ -156,8 +156,8 @@ local function break_up(x, y)
   end
 end
 
--- A boss goes down in two seconds and more. Its handle is dead by then: the place is kept, and in
--- its last moment all stands still.
+-- A boss's end lasts longer than two seconds. Its handle is already dead, so the place is copied.
+-- The game stops briefly before the burst.
 function fx.collapse(e)
   local x, y = e.x, e.y
   sound.play("collapse", from(e))

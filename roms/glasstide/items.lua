@@ -1,10 +1,10 @@
--- items.lua - what can be found.
-local items = { BOMBS = 6 } -- the most of those that can be kept
+-- items.lua - the items.
+local items = { BOMBS = 6 } -- the most bombs a craft can hold
 
--- All are green, as nothing is that hurts.
--- What sinks out of the broken: pearls are worth more the deeper one dares to take them, a conch
--- is a bomb more, a heart a life; bullets that were swept away are foam, and those that a gauge
--- let go took are prisms.
+-- All items are green; nothing green is dangerous.
+-- Creatures drop pearls, conches and hearts. A pearl is worth more the higher the craft takes it.
+-- A conch gives a bomb, a heart a life. Swept bullets become foam; bullets cleared by the gauge
+-- become prisms.
 item.def("pearl", { sprite = "nacre", bank = 4, radius = 9, gives = { score = { 100, 1000 } } })
 item.def("conch", { sprite = "conch", bank = 4, radius = 10, gives = { score = 500, bombs = 1 },
                     full = "bombs", gravity = 0.02, top = 1,

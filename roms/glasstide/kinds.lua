@@ -1,9 +1,9 @@
--- kinds.lua - sparks, bullets, and what creatures have in common. Stages declare their own with what this returns.
+-- kinds.lua - sparks, bullets, and what creatures share. Stages use its functions to declare their own kinds.
 require "items"
 local fx = require "fx"
 
--- A spark that plays its frames once lives frames * every.
--- All lie under the bullets, and none is of a bullet's colour where it lies among them.
+-- A spark that plays its frames once has a lifetime of frames * every.
+-- All sparks are drawn below the bullets, and none has the colour of bullets near it.
 local PALE, GREEN, BLUE = 0, 4, 5
 
 local function under(name, def)
@@ -22,7 +22,7 @@ under("shock",  { sprite = "shock", life = 16, bank = BLUE })
 under("blast",  { sprite = "blast", life = 24, drag = 0.10 })
 under("blaze",  { sprite = "blaze", life = 32, drag = 0.10 })
 
--- Every bullet of glass comes out of mist where it has a delay, and pops where it is cleared away.
+-- A glass bullet with a delay starts as mist; a cleared one pops.
 local function glass(name, def)
   def.sprite, def.cloud, def.vanish = def.sprite or name, def.cloud or "mist", def.vanish or "pop"
   bullet.def(name, def)
@@ -38,19 +38,19 @@ glass("big",    { hit = { circle = 8 },  cloud = "mist_150" })
 glass("bubble", { hit = { circle = 9 },  cloud = "mist_150" })
 glass("marble", { hit = { circle = 12 }, cloud = "mist_150" })
 
--- What is long is hit along its length; what tumbles is hit in its middle.
+-- Long bullets hit along their length; tumbling ones only at their middle.
 glass("rice",  { hit = { capsule = { 5, 1.5 } }, turns = true })
 glass("petal", { hit = { capsule = { 4, 2 } },   turns = true })
 glass("shard", { hit = { capsule = { 4, 1.5 } }, turns = true })
 glass("chip",  { hit = { circle = 2 }, sprite = "shard", spin = 11, vanish = "glint" })
 
--- What is aimed lies over what is not: order.
+-- order draws aimed bullets above others.
 glass("kunai",  { hit = { circle = 2.5 }, cloud = "mist_70", turns = true, order = 1 })
 glass("needle", { hit = { capsule = { 8, 1.2 } },   turns = true, order = 1 })
 glass("lance",  { hit = { capsule = { 18, 1.4 } },  turns = true, order = 1, vanish = "glint" })
 
--- Neither a bomb nor a graze makes anything of these two. A lamp can be shot: then its light
--- sweeps away what is around it.
+-- Bombs don't clear these two, and they can't be grazed. A lamp can be shot; its light then clears
+-- the bullets around it.
 glass("moon", { hit = { circle = 6 }, sprite = "pearl", clearable = false, graze = false })
 glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 2, hp = 18,
   score = 500, spark = "splint", on_death = function(b)
@@ -59,23 +59,23 @@ glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 
     bullet.sweep { x = b.x, y = b.y, radius = 8, radius_to = 64, over = 14 }
   end })
 
--- A ray of the crab's lamps; its core is what burns.
+-- A ray of the crab's lamps; only its core hits.
 laser.def("ray", { strip = "ray_of_light", width = 12, hit = { share = 0.5 }, graze = 12,
                    vanish = "glint" })
 
--- Where a shot lands: somewhere on the lower half of the creature.
+-- A hit by a shot, somewhere on the lower half of the creature.
 local function chip(e, _, _)
   sound.play("chip", { from = e })
   spark.burst { kind = "splint", from = e, dy = 6, n = 1, dir = 90, spread = 140, speed = 2.5 }
 end
 
--- What breaks, by its size.
+-- on_death handlers by the size of the creature.
 local function small(e, _) fx.small(e) end
 local function large(e, _) fx.large(e) end
 local function huge(e, _) fx.huge(e) end
 local function collapse(e, _) fx.collapse(e) end
 
--- A tough shell throws its splinters at whoever broke it; they tumble.
+-- A tough shell throws tumbling splinters at the craft that broke it.
 local function burst(e, _)
   fx.large(e)
   sound.play("shatter", { from = e })
@@ -85,8 +85,8 @@ end
 
 local COLD, WARM = 0, 1 -- the two colours of glass
 
-local BLINK = 8 -- frames that a creature blinks when it is hurt: a quarter of them in white
-local LARGE = 36 -- px of what is hit: from there on it blinks softly, or it would flash the screen
+local BLINK = 8 -- frames that a hurt creature blinks; a quarter of them are white
+local LARGE = 36 -- px: hitboxes from this size on blink softly, or the screen would flash
 
 local function creature(name, bank, w, h, hp, score, on_death, drops)
   enemy.def(name, { sprite = name, bank = bank, hit = { box = { w, h } }, hp = hp, score = score,

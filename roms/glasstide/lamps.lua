@@ -1,8 +1,8 @@
--- lamps.lua - in what colours the craft fly: the switch `lamps` of the settings says it, once
--- they were earned.
+-- lamps.lua - the colours of the crafts. The setting `lamps` selects one that has been
+-- unlocked.
 local lamps = {}
 
--- The pictures of a craft besides its own.
+-- The alternative pictures of a craft.
 function lamps.pictures(ship) return { gilt = ship .. "_gilt", ember = ship .. "_ember" } end
 
 function lamps.wear(p)

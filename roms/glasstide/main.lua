@@ -20,12 +20,12 @@ local grades = require "fx/grades"
 local score_page = require "fx/score_page"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 9, 1
-hud.low = 3 -- the bombs stand below
+hud.low = 3 -- rows left free for the bombs
 hud.shy = 6
 hud.graze = "GRAZE"
 
--- The handlers see the craft where it was hit; it starts anew afterwards. From there a wave runs
--- out that takes the bullets along.
+-- The handlers see the craft where it was hit, before it respawns. A wave spreads from there and
+-- clears the bullets.
 on.death(function(p)
   fx.lost(p)
   bullet.sweep { x = p.x, y = p.y, radius_to = 400, over = 30 }
@@ -43,7 +43,7 @@ on.stage(function(_, state)
 end)
 on.game_over(function() sea.speed(0.4) end)
 
--- A boss is heard when it comes.
+-- Plays a sound when a boss appears.
 task.go(function()
   local was
   while true do
@@ -54,7 +54,7 @@ task.go(function()
   end
 end)
 
--- The pieces of the screens, and the list of the music room.
+-- The music of each screen, and the list for the music room.
 local pieces = require "pieces"
 for screen, name in pairs { title = "title", opening = "opening", results = "clear",
                             clear = "clear", over = "over", ending = "ending", staff = "staff",
@@ -65,9 +65,9 @@ end
 task.go(sea.run)
 task.go(front.run)
 boot.run { modes = {
-    { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the floor of the sea." },
-    { name = "caravan", stages = { "caravan" }, text = "Two minutes, and all that swims by." },
-    { name = "rush", stages = { "rush" }, needs = "rush", text = "All who guard something, against the clock." } },
+    { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the sea floor." },
+    { name = "caravan", stages = { "caravan" }, text = "Two minutes, and everything that swims by." },
+    { name = "rush", stages = { "rush" }, needs = "rush", text = "Every boss, against the clock." } },
   opening = require "opening",
   players = { "heron", "petrel", "tern" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
@@ -77,6 +77,6 @@ boot.run { modes = {
   music = pieces, pages = { score_page }, grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
-            { "THE WATER STILL LEANS", "To those who dive on NORMAL", "or beyond, and come",
-              "with shards at x3:", "look down once more.",
+            { "THE WATER STILL LEANS", "If you dive on NORMAL", "or harder and arrive",
+              "with shards at x3,", "look down once more.",
               when = function() return not moon.outlived() end } } }

@@ -1,5 +1,5 @@
--- missions.lua - short dives with one thing to do in each, from the shallows down.
-local S <const> = 60 -- frames of a second
+-- missions.lua - short dives with one goal each, in the order of the stages.
+local S <const> = 60 -- frames per second
 
 local function dive(name, title, text, m)
   m.title, m.text = title, text
@@ -25,7 +25,7 @@ dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 50 seconds.",
 dive("snail", "Snail's Pace", "Let the Chambered Lamp burn 20 seconds. No bomb.",
   { boss = "nautilus", phase = "chambers", difficulty = "hard", goal = { frames = 20 * S },
     bombs = 0, by = "grazes", medals = { 30, 60 } })
-dive("nets", "Cut the Nets", "Win 30,000 points above the crab.",
+dive("nets", "Cut the Nets", "Score 30,000 points above the crab.",
   { stage = "one", mark = "deep", to = "crab", goal = { score = 30000 },
     medals = { 26 * S, 21 * S } })
 dive("hooks", "By Hook", "Break 40 above the crab with hooks.",
@@ -37,13 +37,13 @@ dive("pinch", "A Pinch of Salt", "Graze 100 in Pincers without a bomb.",
 dive("echo", "No Echo", "Break the Grotto of Rings with the lens.",
   { boss = "crab", phase = "grotto", ship = "heron_lens", difficulty = "normal", clear = true,
     limit = 35 * S, medals = { 31 * S, 26 * S } })
-dive("waltz", "Last Waltz", "Let the Waltz of Lamps go on 25 seconds. No bomb.",
+dive("waltz", "Last Waltz", "Let the Waltz of Lamps run 25 seconds. No bomb.",
   { boss = "crab", phase = "lamplight", difficulty = "hard", goal = { frames = 25 * S },
     bombs = 0, by = "grazes", medals = { 30, 60 } })
 dive("glazier", "The Glazier", "Collect 70 shards under the Falling Chandelier.",
   { boss = "crab", phase = "chandelier", goal = { prisms = 70 }, bombs = 0,
     registers = { gauge = 500 }, medals = { 30 * S, 20 * S } })
-dive("harbour", "Harbour Dues", "Break Lights of the Harbour without a bomb.",
+dive("harbour", "Harbour Dues", "Break Harbour Lights without a bomb.",
   { boss = "crab", phase = "harbour", difficulty = "normal", clear = true, bombs = 0,
     medals = { 32 * S, 26 * S } })
 dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
@@ -52,7 +52,7 @@ dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
 dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
   { stage = "one", difficulty = "normal", clear = true, by = "score",
     medals = { 180000, 300000 } })
-dive("prism", "Prism", "Bring the multiplier to x3.00 in the shallows.",
+dive("prism", "Prism", "Raise the multiplier to x3.00 in the shallows.",
   { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 205 * S, 185 * S } })
 
 -- ---- the works ----
@@ -60,7 +60,7 @@ dive("prism", "Prism", "Bring the multiplier to x3.00 in the shallows.",
 dive("soot", "Soot", "Chain 24 in the street of the works.",
   { stage = "two", mark = "street", to = "bellows", lives = 3, goal = { chain = 24 },
     medals = { 13 * S, 11 * S } })
-dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathe.",
+dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathes.",
   { boss = "bellows", phase = "breath", difficulty = "normal", goal = { grazes = 30 },
     limit = 20 * S, medals = { 16 * S, 13 * S } })
 dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
@@ -81,7 +81,7 @@ dive("press", "Stop Press", "Break The Press with fangs.",
 dive("trench", "Trench Coat", "Break 18 in the trench.",
   { stage = "three", mark = "trench", to = "angler", lives = 3, goal = { kills = 18 },
     medals = { 14 * S, 13 * S } })
-dive("bait", "Bait", "Graze 50 round the Anglerlamp's bait.",
+dive("bait", "Bait", "Graze 50 around the Anglerlamp's bait.",
   { boss = "angler", phase = "bait", difficulty = "normal", goal = { grazes = 50 },
     limit = 26 * S, medals = { 22 * S, 17 * S } })
 dive("match", "Struck Match", "Break Struck Match in 20 seconds.",
@@ -115,11 +115,11 @@ dive("undertow", "The Tide Returns", "Send her back without a bomb.",
   { boss = "undertow", difficulty = "normal", clear = true, bombs = 0, by = "score",
     medals = { 120000, 180000 } })
 
--- ---- below it ----
+-- ---- the moon ----
 
 dive("tithe", "Tithe", "Graze 120 under the waxing moon.",
   { boss = "moon", phase = "gibbous", difficulty = "normal", goal = { grazes = 120 }, bombs = 0,
     limit = 45 * S, medals = { 27 * S, 20 * S }, needs = "rush" })
-dive("eclipse", "Eclipse", "Outlive the sea that falls in.",
+dive("eclipse", "Eclipse", "Survive The Sea Falls In.",
   { boss = "moon", phase = "eclipse", difficulty = "normal", lives = 2, clear = true,
     by = "grazes", medals = { 60, 120 }, needs = "rush" })

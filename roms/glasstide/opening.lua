@@ -1,8 +1,8 @@
--- opening.lua - what is told before the title.
+-- opening.lua - the story before the title.
 local story = require "story"
 
 local SCENES <const> = {
-  { picture = "dry", lines = { "A year ago the moon hung", "low, and the sea went after.",
+  { picture = "dry", lines = { "A year ago the moon hung", "low, and the sea followed.",
                                "It did not come back." } },
   { picture = "brink", lines = { "The harbours are dry.", "Lamp-boats go where the sea",
                                  "went: down." } },

@@ -1,5 +1,5 @@
--- pieces.lua - the music room: all pieces in the order of the dive, each with a line of its own. What only those hear
--- who come far stays closed until then.
+-- pieces.lua - the music room: all pieces in the order of the dive, each with a line of text. Most are locked until
+-- the player has come far enough to hear them.
 local function piece(name, title, text, needs)
   return { name = name, title = title, text = text, needs = needs }
 end
@@ -10,8 +10,8 @@ return {
   piece("title", "Lamps of the Harbour", "A wave, and a smaller one."),
   piece("opening", "The Tide Went Out", "Three beats, and no water."),
   piece("tide", "Down the Slope", "One: threes over the beat."),
-  piece("lantern", "A Lamp That Looks Back", "Who waits half-way down.", ROOM),
-  piece("claws", "Sidestep in Crystal", "It knows that it walks so.", ROOM),
+  piece("lantern", "A Lamp That Looks Back", "It waits halfway down.", ROOM),
+  piece("claws", "Sidestep in Crystal", "It knows it walks sideways.", ROOM),
   piece("works", "Slag and Brass", "Two: sevens, and anvils.", ROOM),
   piece("furnace", "Hot Iron, Cold Iron", "One left, the other right.", ROOM),
   piece("abyss", "Where Light Has Weight", "Three: as slow as sinking.", ROOM),

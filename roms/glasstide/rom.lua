@@ -1,23 +1,23 @@
--- rom.lua - Glass Tide: what the packer needs to know. tools/art/art.c draws the pictures in art/.
+-- rom.lua - the manifest of Glass Tide. tools/art/art.c draws the pictures in art/.
 return {
   id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320 },
   board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 96, motions = 192,
             tasks = 1024, lua_kib = 4096,
-            -- what only some games need: bullets that can be shot, that circle something, that
-            -- stand still, and that have numbers of their own; bosses of parts, shots that go through
+            -- optional: bullets with hp, that orbit something, that can be frozen, and that have
+            -- declared values; enemies with parts, piercing shots
             hp = true, around = true, frozen = true, values = { bullet = 4 },
             bodies = true, pierce = true,
             items = 1024, lasers = 64, curve_points = 2048, options = 8, lines = 64,
             registers = 128,
-            wide = true }, -- cells that hold any character
+            wide = true }, -- text cells for any character
   palette = "art/palette.png", font = "art/font.png",
-  -- each stage has creatures and scenery in colours of its own (banks 10 to 13)
+  -- each stage has its own colours for creatures and scenery (banks 10 to 13)
   palettes = { one = "art/palette_one.png", deep = "art/palette_deep.png",
                two = "art/palette_two.png", three = "art/palette_three.png",
                moon = "art/palette_moon.png", dark = "art/palette_dark.png",
                story = "art/palette_story.png" },
-  -- what the cells' font lacks comes from here
+  -- fallback for characters that the font of the text cells lacks
   fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
     "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
     "ハバパヒビピフブプヘベペホボポマミムメモャヤュユョヨラリルレロヮワヰヱヲンヴヵヶ・ー、。「」" } },
@@ -34,7 +34,7 @@ return {
     logo_light = { file = "art/logo_light.png", bank = 15 },
     marker  = { file = "art/marker.png",  bank = 1 },
     gems    = { file = "art/gems.png",    bank = 0 },
-    -- crafts, and who flies them
+    -- crafts and pilots
     heron   = { file = "art/heron.png",   bank = 8 },
     petrel  = { file = "art/petrel.png",  bank = 9 },
     tern    = { file = "art/tern.png",    bank = 8 },
@@ -66,7 +66,7 @@ return {
     gulper  = { file = "art/gulper.png",  bank = 10, palette = "three" },
     angler  = { file = "art/angler.png",  bank = 12, palette = "three" },
     -- the moon
-    -- the craft in colours that are earned
+    -- unlockable colours of the crafts
     heron_gilt = { file = "art/heron_gilt.png", bank = 15 },
     petrel_gilt = { file = "art/petrel_gilt.png", bank = 15 },
     tern_gilt = { file = "art/tern_gilt.png", bank = 15 },
@@ -75,7 +75,7 @@ return {
     tern_ember = { file = "art/tern_ember.png", bank = 14 },
     last    = { file = "art/last.png",    bank = 12, palette = "moon" },
     last_face = { file = "art/last_face.png", bank = 12, palette = "moon" },
-    -- what the opening and the endings show
+    -- pictures of the opening and the endings
     dry     = { file = "art/dry.png",     bank = 8,  palette = "story" },
     brink   = { file = "art/brink.png",   bank = 9,  palette = "story" },
     wave    = { file = "art/wave.png",    bank = 10, palette = "story" },
@@ -85,7 +85,7 @@ return {
 
   },
   sprites = {
-    -- bullets: what turns is drawn pointing right
+    -- bullets; sprites with rotations point right
     pellet = { sheet = "bullets", x = 0,   y = 0,  w = 8,  h = 8 },
     orb    = { sheet = "bullets", x = 16,  y = 0,  w = 12, h = 12 },
     ring   = { sheet = "bullets", x = 32,  y = 0,  w = 16, h = 16 },
@@ -224,7 +224,7 @@ return {
     home  = { sheet = "home",  x = 0, y = 0, w = 240, h = 160 },
     moon_eclipse = { sheet = "last", x = 0, y = 800, w = 160, h = 160, frames = 2, every = 6 },
 
-    -- who talks
+    -- portraits
     iri         = { sheet = "iri",        x = 0,  y = 0, w = 72, h = 96 },
     iri_cross   = { sheet = "iri",        x = 72, y = 0, w = 72, h = 96 },
     sen         = { sheet = "sen",        x = 0,  y = 0, w = 72, h = 96 },
@@ -240,7 +240,7 @@ return {
     queen_face  = { sheet = "queen_face", x = 0,  y = 0, w = 72, h = 96 },
     queen_cross = { sheet = "queen_face", x = 72, y = 0, w = 72, h = 96 },
 
-    -- sparks, and what a craft wears
+    -- sparks, and sprites on a craft
     glint   = { sheet = "sparks", x = 0,   y = 0,  w = 12, h = 12, frames = 4, every = 4 },
     crumb   = { sheet = "sparks", x = 48,  y = 0,  w = 8,  h = 8,  frames = 4, every = 3 },
     hoop    = { sheet = "sparks", x = 80,  y = 0,  w = 12, h = 12, frames = 4, every = 3 },
@@ -250,7 +250,7 @@ return {
     shock   = { sheet = "sparks", x = 0,   y = 64, w = 48, h = 48, frames = 8, every = 2 },
     blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
     blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
-    -- fire in three sizes, light that is added, and what glass leaves: fx.lua
+    -- fire in three sizes, additive light, and glass debris: fx.lua
     fire_a  = { sheet = "fires",  x = 0, y = 0,   w = 32,  h = 32,  frames = 10, every = 3 },
     fire_b  = { sheet = "fires",  x = 0, y = 32,  w = 32,  h = 32,  frames = 10, every = 3 },
     fire_c  = { sheet = "fires",  x = 0, y = 64,  w = 64,  h = 64,  frames = 10, every = 4 },
@@ -273,7 +273,7 @@ return {
     ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },
     logo_light = { sheet = "logo_light", x = 0, y = 0, w = 208, h = 112, frames = 8, every = 3 },
-    -- stands at the lower edge below a boss
+    -- marks a boss's position at the lower edge
     boss_marker = { sheet = "marker", x = 0, y = 0, w = 24, h = 10, frames = 2, every = 10,
                     origin = { 12, 10 } },
   },
@@ -307,7 +307,7 @@ return {
 
   },
   blends = { ghost = { mix = 50 }, glow = "add", light = { ramp = "add" } },
-  -- What is heard often is short and gives way first. The first eleven play by themselves.
+  -- Frequent sounds are short and have low priority. The first ten play automatically.
   sounds = {
     graze    = { mml = "t300 @fm E0,25,0,10 o7 V64 g32", priority = 1 },
     item     = { mml = "t300 @fm E0,60,0,30 o6 V84 a32>d16", priority = 2 },
@@ -319,26 +319,26 @@ return {
     bomb     = { file = "sfx/bomb.mml", priority = 6, limit = 1 },
     extend   = { file = "sfx/extend.mml", priority = 6, limit = 1 },
     hit      = { file = "sfx/hit.mml", priority = 7, limit = 1 },
-    -- each craft fires, and a creature is hurt
+    -- shots, and hits on creatures
     dart     = { mml = "t300 @pulse E0,16,0,6 o6 V100 {c<g}32", priority = 0, limit = 1 },
     fang     = { mml = "t300 @triangle E0,22,0,8 o5 V98 {a<d}16", priority = 0, limit = 1 },
     chip     = { mml = "t300 @fm E0,11,0,6 o6 V92 b64", priority = 0, limit = 1 },
-    -- what breaks, by size
+    -- things that break, by size
     crash    = { file = "sfx/crash.mml", priority = 4, limit = 1 },
     shatter  = { file = "sfx/shatter.mml", priority = 4, limit = 1 },
     lamp     = { file = "sfx/lamp.mml", priority = 4, limit = 1 },
     phase    = { file = "sfx/phase.mml", priority = 6, limit = 1 },
     collapse = { file = "sfx/collapse.mml", priority = 7, limit = 1 },
-    -- what is found and won
+    -- items and bonuses
     conch    = { file = "sfx/conch.mml", priority = 5, limit = 1 },
     power    = { file = "sfx/power.mml", priority = 5, limit = 1 },
     bonus    = { file = "sfx/bonus.mml", priority = 6, limit = 1 },
-    -- what bosses do
+    -- bosses
     charge   = { file = "sfx/charge.mml", priority = 4, limit = 1 },
     beam     = { file = "sfx/beam.mml", priority = 4, limit = 1 },
     still    = { file = "sfx/still.mml", priority = 5, limit = 1 },
     flow     = { file = "sfx/flow.mml", priority = 5, limit = 1 },
-    -- stage one: a claw breaks, a hatch opens, a bubble bursts; the crab speaks
+    -- stage one: a claw breaks off, a hatch opens, a bubble bursts; the crab snaps
     claw     = { file = "sfx/claw.mml", priority = 6, limit = 1 },
     hatch    = { file = "sfx/hatch.mml", priority = 4, limit = 1 },
     bubble   = { file = "sfx/bubble.mml", priority = 2, limit = 2 },
@@ -358,11 +358,11 @@ return {
     angler   = { file = "sfx/angler.mml", priority = 5, limit = 1 },
     chord    = { file = "sfx/chord.mml", priority = 5, limit = 1 },
 
-    -- the moon: its bell, its voice
+    -- the moon: its bell and its voice
     toll     = { file = "sfx/toll.mml", priority = 6, limit = 1 },
     the_moon = { mml = "t300 @fm E4,60,0,40 o3 V92 a16", priority = 5, limit = 1 },
 
-    -- crafts: what the tern fires, shots that are gathered, bombs; gauge, chain, tasks
+    -- crafts: shots of the tern, the ray, bombs, gauge, shards, chain, missions
     peal     = { mml = "t300 @fm E0,30,0,12 o5 V104 {d>d}32", priority = 0, limit = 1 },
     ray      = { file = "sfx/ray.mml", priority = 3, limit = 1 },
     bell_bomb = { file = "sfx/bell_bomb.mml", priority = 6, limit = 1, duck = 0.7 },
@@ -381,24 +381,24 @@ return {
     mote     = { mml = "t300 @sine E0,14,0,6 o6 V96 {e>c}32", priority = 0, limit = 1 },
     hook     = { mml = "t300 @pulse E0,20,0,10 o5 V112 {a>e}16", priority = 0, limit = 1 },
 
-    -- a boss comes in; a clock's last seconds; what is unlocked
+    -- a boss's entrance; the last seconds of a clock; unlocks
     entrance = { file = "sfx/entrance.mml", priority = 6, limit = 1 },
     tick     = { mml = "t300 @pulse E0,14,0,8 o6 V118 g32", priority = 5, limit = 1 },
     unlock   = { file = "sfx/unlock.mml", priority = 6, limit = 1 },
-    -- menus, and the way round
+    -- menus
     select   = { file = "sfx/select.mml", priority = 5, limit = 1 },
     back     = { file = "sfx/back.mml", priority = 5, limit = 1 },
     wrong    = { mml = "t300 @pulse E2,90,20,20 o3 V124 c16r32c8", priority = 5, limit = 1 },
     pause    = { file = "sfx/pause.mml", priority = 6, limit = 1 },
     continue = { file = "sfx/continue.mml", priority = 6, limit = 1 },
     ready    = { file = "sfx/ready.mml", priority = 6, limit = 1 },
-    -- voices of those who talk, a letter each
+    -- voices in dialogue, one sound per letter
     iri       = { mml = "t300 @pulse E1,22,0,10 o5 V116 a32", priority = 5, limit = 1 },
     sen       = { mml = "t300 @triangle E1,24,0,10 o5 V84 d32", priority = 5, limit = 1 },
     the_crab  = { mml = "t300 @noise E0,14,0,8 o6 V80 c64r64c64", priority = 5, limit = 1 },
     the_queen = { mml = "t300 @fm E1,34,0,16 o4 V84 {a<a}16", priority = 5, limit = 1 },
   },
-  music = { -- each file says its key, chords and form; docs/measured/music.md
+  music = { -- each file states its key, chords and form; docs/measured/music.md
     title   = { file = "music/title.mml", volume = 0.74 },
     opening = { file = "music/opening.mml", volume = 0.71 },
     -- stages
@@ -412,7 +412,7 @@ return {
     furnace = { file = "music/furnace.mml", volume = 0.57 },
     queen   = { file = "music/queen.mml", volume = 0.70 },
     moon    = { file = "music/moon.mml", volume = 0.63 },
-    -- and afterwards
+    -- results, endings, scores
     clear   = { file = "music/clear.mml", volume = 0.64 },
     over    = { file = "music/over.mml", volume = 0.62 },
     ending  = { file = "music/ending.mml", volume = 0.84 },
@@ -420,7 +420,7 @@ return {
     staff   = { file = "music/staff.mml", volume = 0.68 },
     scores  = { file = "music/scores.mml", volume = 0.82 },
   },
-  dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, if it was earned
+  dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, once unlocked
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }

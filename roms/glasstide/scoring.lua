@@ -1,23 +1,23 @@
--- scoring.lua - what is worth how much: grazes fill the gauge, its release turns bullets to
--- shards, shards raise the multiplier, and kills in a chain are worth more.
-local scoring = { NEED = 250, FULL = 1000 } -- of the gauge, to let it go at all
+-- scoring.lua - the scoring: grazes fill the gauge, releasing it turns bullets into shards, shards
+-- raise the multiplier, and kills in a chain are worth more.
+local scoring = { NEED = 250, FULL = 1000 } -- the gauge: least for a release, and full
 
 require "rank" -- its registers
 require "items"
 
 local GRAZE <const> = 50        -- points
-local FILLS <const> = 10        -- of the gauge, by a graze
-local TIRED <const> = 200       -- grazes of a phase that pay in full; then a half, a quarter
-local MINIONS <const> = 20      -- of those that a boss sends in one phase so many leave something
-local SAFE <const> = 40         -- frames, when the gauge is let go
-local LARGE <const> = 3000      -- points that are seen where they were won
-local DEAD <const> = 2          -- at a death what is over x1.00 is divided by this
-local MOST_CHAIN <const> = 200  -- beyond this a chain is worth no more
+local FILLS <const> = 10        -- gauge for each graze
+local TIRED <const> = 200       -- grazes per phase that pay in full; as many pay half, then a quarter
+local MINIONS <const> = 20      -- minions per phase of a boss that drop items
+local SAFE <const> = 40         -- frames of safety after a release
+local LARGE <const> = 3000      -- points from which a kill shows a floating number
+local DEAD <const> = 2          -- a death divides the multiplier's part above x1.00 by this
+local MOST_CHAIN <const> = 200  -- longer chains are worth no more
 
-local COUNT <const> = { show = "none" } -- nobody practises with more of it
+local COUNT <const> = { show = "none" } -- practice doesn't offer it
 
--- What every craft keeps. worn: grazes in this phase; it recovers in waves. Those in the second
--- part are for the tally; brushes: grazes that paid in full.
+-- The registers of every craft. worn counts grazes in this phase and recovers over time. The last
+-- two rows are for the tally; brushes are grazes that paid in full.
 function scoring.registers()
   return {
     gauge = { max = scoring.FULL, show = "bar", at = "low", label = "GLASS", mark = scoring.NEED },
@@ -29,7 +29,7 @@ function scoring.registers()
     used = COUNT }
 end
 
--- A number that rises where it was won.
+-- A number that floats up from a place.
 local function float(x, y, words, bank)
   local l = text.line { x = math.max(16, math.min(x, 224)), y = math.max(24, y), text = words,
                         align = "center", bank = bank }
@@ -44,7 +44,7 @@ local function float(x, y, words, bank)
   end)
 end
 
--- What the k-th graze of a phase pays: all, a half, a quarter, nothing.
+-- The share that the k-th graze of a phase pays: full, a half, a quarter, nothing.
 local function share(k)
   if k < TIRED then return 1 end
   return k < 2 * TIRED and 0.5 or k < 3 * TIRED and 0.25 or 0
@@ -68,7 +68,7 @@ on.graze(function(p, _)
   if pays > 0 then spark.burst { kind = "ping", from = p, n = 2, speed = 3.5 } end
 end)
 
--- ---- the gauge let go ----
+-- ---- the release of the gauge ----
 
 local function wave(p, radius)
   spark.burst { kind = "shock", from = p, speed = 0 }
@@ -79,7 +79,7 @@ local function wave(p, radius)
   end
 end
 
--- Bullets about the craft become shards that fly to it. Returns how many.
+-- Bullets around the craft become prisms that fly to it. Returns their number.
 function scoring.release(p)
   if p.gauge < scoring.NEED then return 0 end
   local radius = 40 + p.gauge // 8
@@ -93,7 +93,7 @@ function scoring.release(p)
   return n
 end
 
--- Who is out has no registers any more.
+-- A player who is out has no registers.
 local function rate(p) return (p.shards or 100) / 100 end
 
 score.rule { on = "take", kind = "prism", points = 100, times = rate,
@@ -107,8 +107,8 @@ local function worth(p) return rate(p) * (1 + math.min(p.chain or 0, MOST_CHAIN)
 
 score.rule { on = "kill", gain = { chain = 1 }, most = { longest = "chain" }, times = worth }
 
--- What a boss sends without end is no way to riches: what it left goes again, and counts in no
--- chain.
+-- A boss's endless minions must not pay: after the first MINIONS their items disappear, and they
+-- don't count for the chain.
 local function spoil(e, p)
   game.minions = game.minions + 1
   if game.minions <= MINIONS then return end
@@ -118,10 +118,10 @@ local function spoil(e, p)
   end
 end
 
--- Of each player: score, a frame ago; x and y, where it made its last kill since.
+-- Per player: the score one frame ago; x and y, the place of its last kill since then.
 local seen = { {}, {} }
 
--- So many in a chain are heard, once each until it is broken.
+-- Chain lengths that play a sound, once each until the chain breaks.
 local HEARD <const> = { { 25, "chain_one" }, { 60, "chain_two" }, { 120, "chain_three" } }
 
 local function hear(p, s)
@@ -133,7 +133,7 @@ local function hear(p, s)
     s.tier = tier + 1
     sound.play(higher[2], { from = p })
   end
-  local whole = (p.shards or 0) // 100 -- each whole of the multiplier too
+  local whole = (p.shards or 0) // 100 -- so does each whole number of the multiplier
   if whole > (s.whole or 1) then sound.play("medal", { from = p }) end
   s.whole = whole
 end
@@ -143,8 +143,8 @@ on.kill(function(e, p)
   if boss.now() then spoil(e, p) end
 end)
 
--- Each frame, by the craft: what a kill brought is shown above it, if it is much; not among those
--- who fire.
+-- Called each frame by the craft. Shows a large score from a kill above the craft, away from the
+-- enemies.
 function scoring.watch(p)
   local s = seen[p.index]
   local n = p.score - (s.score or p.score)
@@ -153,7 +153,7 @@ function scoring.watch(p)
   hear(p, s)
 end
 
--- ---- what ends it ----
+-- ---- deaths, bombs, phases ----
 
 on.death(function(p)
   p.shards, p.chain, p.gauge = 100 + (p.shards - 100) // DEAD, 0, p.gauge // DEAD
@@ -163,7 +163,7 @@ on.bomb(function(p) p.used = p.used + 1 end)
 on.phase(function(_, _, won, captured)
   game.minions = 0
   player.each(function(p)
-    if won then p.worn = 0 end -- who waits for the clock stays tired
+    if won then p.worn = 0 end -- a phase that times out doesn't reset it
     if captured then p.captures = p.captures + 1 end
   end)
 end)

@@ -1,21 +1,21 @@
--- story.lua - pictures with words under them, which come out of the dark and go into it again.
--- The opening and the endings are told so. FIRE goes on to the next, START leaves.
+-- story.lua - pictures with text below them, which fade in from dark and out again, for the opening
+-- and the endings. FIRE shows the next picture, START skips the rest.
 local story = {}
 
-local FADE <const> = 36   -- frames from black, and to it
+local FADE <const> = 36   -- frames of a fade from dark; half of it to dark
 local LETTER <const> = 2  -- frames before each letter
-local STAYS <const> = 170 -- frames that all of the words stand
-local MIDDLE <const> = 108 -- y of the picture's
-local DOWN <const> = 25   -- row of the first words, below the picture
-local APART <const> = 2   -- rows from one line to the next
-local WORDS <const> = 3   -- their bank
+local STAYS <const> = 170 -- frames that the complete text stays
+local MIDDLE <const> = 108 -- y of the picture's centre
+local DOWN <const> = 25   -- row of the first line, below the picture
+local APART <const> = 2   -- rows between lines
+local WORDS <const> = 3   -- the bank of the text
 
--- Everything but what the words are written in: those are never dark.
+-- All colours except those of the text, which never darkens.
 local FIRST <const>, LAST <const> = 8 * 16, 255
 
 local function taken(button) return pad.take(button, 0, 1) or pad.take(button, 0, 2) end
 
--- Waits so many frames; true: somebody is done with this picture. left: set where somebody leaves.
+-- Waits; returns true if a player skips this picture. Sets told.left if one skips the rest.
 local function rest(frames, told)
   for _ = 1, frames do
     if taken("start") then told.left = true end
@@ -29,8 +29,8 @@ local function dark(over)
   palette.fade { to = 0x04060e, over = over, first = FIRST, last = LAST }
 end
 
--- The words, a letter after the other; each line stands in a row. A line in a hurry is there at
--- once.
+-- Writes the lines letter by letter, each in its own row. FIRE completes the current line
+-- immediately.
 local function write(lines, told)
   for i, line in ipairs(lines) do
     local words, hurried = text.lang(line), false
@@ -47,7 +47,7 @@ local function write(lines, told)
   end
 end
 
--- Behind the pictures is nothing: a layer that has a map, so that no sea comes there, and hides it.
+-- The background behind the pictures: a hidden layer, whose map keeps sea.lua from showing the sea.
 bg.def("nothing", function()
   palette.load("story")
   bg.layer(1).map, bg.layer(1).hidden = "water", true
@@ -55,10 +55,10 @@ end)
 
 local telling = false
 
--- Is something told now?
+-- Is a story playing?
 function story.telling() return telling end
 
--- scenes: a list of { picture, palette?, lines }. Returns true when it was seen to its end.
+-- scenes: a list of { picture, palette?, lines }. Returns true if it played to the end.
 function story.tell(scenes)
   local told = { left = false }
   telling = true

@@ -1,15 +1,15 @@
--- unlocks.lua - what can be earned; EXTRAS of the title shows it.
+-- unlocks.lua - the unlocks; EXTRAS on the title lists them.
 local moon = require "stages/moon"
 
 unlock.def("tern", { title = "The Tern", when = { clear = "two" },
-                     hint = "Come through the drowned glassworks" })
+                     hint = "Clear the drowned glassworks" })
 unlock.def("rush", { title = "The Rush", when = { clear = true, mode = "dive" },
                      hint = "Turn the tide" })
 unlock.def("music_room", { title = "Music", when = { clear = "one" },
-                           hint = "Come through the shallows" })
--- Colours of the craft, for the switch `lamps` of the settings; with ember come two pieces of
--- music.
+                           hint = "Clear the shallows" })
+-- Colours of the crafts, for the setting `lamps`; ember also unlocks two pieces in the music
+-- room.
 unlock.def("gilt", { title = "Gilt Lamps", when = { mode = "caravan", score = 600000 },
                      hint = "600000 points in the caravan" })
-unlock.def("ember", { title = "Ember Lamps", hint = "Outlive what is under the abyss",
+unlock.def("ember", { title = "Ember Lamps", hint = "Survive what lies below the abyss",
                       when = function(_) return moon.outlived() end })

@@ -1,4 +1,4 @@
--- waves.lua - how waves come in all stages.
+-- waves.lua - wave helpers for all stages.
 local waves = {}
 
 -- The same wave from both sides.

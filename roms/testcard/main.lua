@@ -1,7 +1,7 @@
--- main.lua - the test card. What must be seen:
---   every colour but column 0 of a bank, a row a bank; the letter F as it is, mirrored, upside down, both; sixteen turns of an
---   arrow and one that turns for ever; a box that crosses the screen, one pixel a frame; boxes that hang over every edge and
---   corner; the whole font in three banks; every button of both players, bright while it is held.
+-- main.lua - the test card. It shows:
+--   every colour except column 0, one row per bank; the letter F plain, mirrored, upside down, and both; sixteen rotations of
+--   an arrow, and one arrow that keeps turning; a box that crosses the screen one pixel per frame; boxes clipped at every
+--   edge and corner; the complete font in three banks; every button of both players, bright while held.
 
 local BUTTONS = { "up", "down", "left", "right", "fire", "bomb", "focus", "special", "start", "select" }
 local SHORT = { "UP", "DN", "LT", "RT", "FI", "BO", "FO", "SP", "ST", "SE" }
@@ -30,7 +30,7 @@ local function turns(x, y)
   return bullet.fire { kind = "arrow", x = x + 26 * 3, y = y + 26 * 3, dir = 0, speed = 0, bank = 1 }
 end
 
--- Boxes whose middles go round just inside and outside the screen's border, so that each is clipped every way.
+-- Boxes whose centres circle just inside and outside the screen's border, so that each is clipped in every way.
 local function clipped()
   local boxes, w, h = {}, rom.screen.w, rom.screen.h
   local places = { { 0, 0 }, { w // 2, 0 }, { w, 0 }, { w, h // 2 }, { w, h }, { w // 2, h }, { 0, h }, { 0, h // 2 } }

@@ -1,4 +1,4 @@
--- rom.lua - the test card: the first thing a new port runs. The pictures in art/ are drawn by `art OUTDIR card` (tools/art/art.c).
+-- rom.lua - the test card: the first game to run on a new port. `art OUTDIR card` (tools/art/art.c) draws art/.
 return {
   id = "testcard", title = "Test Card", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 },

@@ -1,4 +1,4 @@
--- kinds.lua - what flies, and the programs it flies by: every key of a motion step, at once and over time.
+-- kinds.lua - the kinds and their motion programs: every key of a motion step, immediate and over time.
 spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, bank = 2 })
 spark.def("long", { sprite = "box", life = 400, banks = { 1, 7, 3 } })
 
@@ -66,7 +66,7 @@ motion.def { name = "stop", { speed = 0, over = 15 }, { wait = 10 }, { aim = tru
 motion.def { name = "drift", fine = true, { kind = "late", speed = 0.4, over = 40 }, { turn = 0.001, over = 30 },
   { accel = 0.00001, over = 50 }, { aim = true } }
 
--- ---- what fires, waits and follows ----
+-- ---- programs that fire, wait and follow ----
 
 motion.def { name = "third", { wait_for = { tag = "go", limit = 20 } }, { emit = { kind = "ghost", speed = "heat", tag = "late", delay = "goal" } },
   { die = true } }

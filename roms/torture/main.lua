@@ -5,7 +5,7 @@ require "world"
 
 game.def { registers = { rank = { start = 40, min = -5, max = 60, drain = 1, every = 33, hold = 20 } } }
 
-local seen = 0 -- what the handlers were told
+local seen = 0 -- number of handler calls
 
 on.graze(function(p, b)
   seen = seen + p.grazes

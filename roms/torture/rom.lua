@@ -1,5 +1,5 @@
 -- rom.lua - torture: a game for tests. It calls every function of the API, runs every key of a motion step, and keeps
--- every pool near its small capacity. tests/machine/test_uses.c counts. The art is the test card's.
+-- every pool near its small capacity. tests/machine/test_uses.c counts them. The art is the test card's.
 return {
   id = "torture", title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 }, field = { x = 16, y = 8, w = 224, h = 224, margin = 32 },

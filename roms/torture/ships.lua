@@ -1,4 +1,4 @@
--- ships.lua - two ships. Their tasks shoot, read the pads and write every property a player has.
+-- ships.lua - two ships. Their tasks shoot, read the pads and set every property of a player.
 local function shoot(p, kind)
   if pad.down("fire", p) then
     for i = -1, 1 do shot.fire { kind = kind, from = p, dx = 6 * i, dir = 270 + 8 * i, speed = 6, tag = "volley" } end
@@ -32,7 +32,7 @@ bomb.def("shove", { over = 25, safe = 5, cost = 2, run = function(p)
   bullet.sweep { follow = p, radius_to = 90, over = 30, hurt = 3, by = p, spark = "ping" }
 end })
 
--- Fires, and looks at itself.
+-- Fires, and reads its own properties.
 option.def("bead", { sprite = "steps", bank = 3, layer = "middle", run = function(o)
   local n = 0
   while true do

@@ -61,7 +61,7 @@ boss.def("pair", { title = "Iris and Opal", cast = {
       run = { iris = function(e) wait(20) e:hurt(9) end, opal = ringing } },
     { id = "any", hp = { iris = 3, opal = 4 }, down = "any", time = 60, run = function(iris, opal) wait(15) opal:hurt(4) end } } })
 
--- ---- one task a corner; all end with the stage ----
+-- ---- one task per corner of the API; all end with the stage ----
 
 local function bullets()
   local n = 0
@@ -269,7 +269,7 @@ local function crowd()
   end
 end
 
--- Bodies, what goes round them, wanderers, and hit-stops.
+-- Enemies with parts, things that orbit them, wanderers, and hit-stops.
 local function bodies()
   for n = 0, forever do
     local e = enemy.spawn { kind = "crab", x = 60 + n * 31 % 100, y = 50, rate = n % 3 / 2 + 0.25 }
@@ -356,7 +356,7 @@ end
 
 local function enemies()
   for n = 0, forever do
-    if n % 20 == 19 then -- to the brim; otherwise there is room for the boss
+    if n % 20 == 19 then -- fills the pool; otherwise the boss still fits
       local more = {}
       for i = 1, 26 do more[i] = enemy.spawn { kind = "wall", x = 8 * i, y = 150 } end
       wait(1)
@@ -497,7 +497,7 @@ local function numbers()
   end
 end
 
--- Owners, scopes, closings, and now and then more tasks than there is room for.
+-- Owners, scopes, closing, and now and then more tasks than fit.
 local function tasks()
   local closed = 0
   for n = 0, forever do
@@ -606,7 +606,7 @@ stage.def("first", function()
     run = function(e) wait(20) if e.alive then pattern.aimed { from = e, kind = "needle", n = 2, every = 4, speed = 2 } end end }
   stage.at(212)
   board.note(stage.skipping())
-  task.stop(talking) -- the boss has talks of its own, and there is one at a time
+  task.stop(talking) -- the boss has its own dialogue, and only one can run
   stage.mark "boss"
   boss.fight "twin"
   stage.clear(120)

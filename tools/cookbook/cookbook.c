@@ -1,16 +1,16 @@
 /*
- * cookbook.c - runs pages of the cookbook: `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each from
- * power-on and prints a line of it:
+ * cookbook.c - runs pages of the cookbook. `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each from
+ * power-on and prints one line for it:
  *
  *     PAGE HASH BULLETS LASERS WORK MOST LEAST
  *
- * the state's hash after FRAMES frames; bullets and lasers at most; and the work of a frame (vm.h), mean, most and
- * least, but for the first two frames, in which the book writes its words. (It depends a little on addresses, as the
- * order does in which pairs() finds what it sorts.) With -o, the field as it is in three frames, FRAME (300) and two
- * more, STEP (40) frames from each other, goes to DIR/PAGE.png. Exit code 1: a fault, or a pool was full; which, says
- * standard error.
+ * HASH is the state's hash after FRAMES frames; BULLETS and LASERS are the most alive at once; WORK, MOST and LEAST are
+ * the mean, maximum and minimum work per frame (vm.h). The first two frames don't count: the book writes its text then.
+ * Work depends slightly on addresses, because pairs() orders keys by them. With -o, pictures of the field at three
+ * frames, FRAME (300) and two more at intervals of STEP (40) frames, go to DIR/PAGE.png. Exit code 1: a fault or a full
+ * pool, which standard error reports.
  *
- * The plain ship stands still. Any other one sways, holds fire, and presses bomb now and then, and when it was hit.
+ * The plain ship stands still. Other ships sway, hold fire, and press bomb now and then and after a hit.
  * floor: tools
  */
 #include <stdio.h>
@@ -21,13 +21,13 @@
 #include "../../src/cab/pack/png.h"
 
 enum {
-    FIRST = 2,        /* frames that are not counted */
-    SWAY = 40,        /* frames to a side */
-    BOMB_EVERY = 400, /* frames from bomb to bomb */
+    FIRST = 2,        /* frames that don't count */
+    SWAY = 40,        /* frames in one direction */
+    BOMB_EVERY = 400, /* frames between bombs */
     BOMB_FIRST = 200,
-    LATE = 5,     /* frames that a hit leaves for a bomb */
-    PICTURES = 3, /* of a page, side by side */
-    GAP = 4,      /* px between two of them */
+    LATE = 5,     /* frames left for a deathbomb */
+    PICTURES = 3, /* per page, side by side */
+    GAP = 4,      /* px between pictures */
     GREY = 0x282828
 };
 
@@ -36,7 +36,7 @@ struct cookbook {
     struct cart cart;
     size_t ram_size;
     void *ram;
-    const char *dir; /* for pictures; NULL: none are wanted */
+    const char *dir; /* for pictures; NULL: no pictures */
     long frames;
 };
 
@@ -46,12 +46,12 @@ struct strip {
     void *screen, *scratch;
     uint8_t *pix;
     int w, count, colours;
-    uint32_t rgb[256]; /* so many colours of all pictures */
+    uint32_t rgb[256]; /* colours of all pictures */
 };
 
 struct tally {
-    uint32_t bullets, lasers;   /* at most */
-    uint64_t work, most, least; /* sum, and of a frame */
+    uint32_t bullets, lasers;   /* most alive at once */
+    uint64_t work, most, least; /* total; maximum and minimum per frame */
 };
 
 static void fail(const char *what)
@@ -71,7 +71,7 @@ static uint16_t hands(const struct board *b, long f)
     if (f / (SWAY * 4) % 2)
         pads |= PAD_FOCUS;
     if (f % BOMB_EVERY == BOMB_FIRST || (b->player.hit[0] == LATE && f % BOMB_EVERY < BOMB_FIRST))
-        pads |= PAD_BOMB; /* also against some of the hits */
+        pads |= PAD_BOMB; /* also answers some hits */
     return pads;
 }
 
@@ -84,7 +84,7 @@ static void strip_open(struct strip *s, const struct cookbook *c, const struct b
     s->pix = calloc((size_t)s->w, (size_t)c->cart.m.field_h);
     s->screen = malloc(fb_size(w, h));
     s->scratch = malloc(board_scratch(b));
-    s->rgb[s->colours++] = GREY; /* between two */
+    s->rgb[s->colours++] = GREY; /* the gaps */
     if (!s->pix || !s->screen || !s->scratch)
         fail("out of memory");
     fb_init(&s->fb, s->screen, w, h);
@@ -101,7 +101,7 @@ static int64_t distance(uint32_t a, uint32_t b)
     return sum;
 }
 
-/* The strip's number of a colour; when there are 256, of the nearest one. */
+/* The strip's index for a colour; after 256 colours, that of the nearest one. */
 static int strip_colour(struct strip *s, uint32_t rgb)
 {
     int best = 0;
@@ -116,7 +116,7 @@ static int strip_colour(struct strip *s, uint32_t rgb)
     return s->colours++;
 }
 
-/* Adds the field as it is, without the words beside it. */
+/* Adds the current field, without the text next to it. */
 static void strip_add(struct strip *s, const struct cookbook *c, const struct board *b)
 {
     const struct manifest *m = &c->cart.m;
@@ -168,7 +168,7 @@ static void count(struct tally *t, const struct board *b)
         t->most = b->vm.work;
 }
 
-/* False: a fault, or a line in the log, which tells of a full pool. */
+/* False after a fault or a log line, which reports a full pool. */
 static bool sound(const char *page, const struct board *b)
 {
     const struct board_out *out = board_last(b);

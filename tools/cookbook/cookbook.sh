@@ -49,18 +49,18 @@ run() {
 }
 
 table() {
-    echo "# page  pictures  hash after $frames frames  bullets, lasers at most  work: mean, most, least"
+    echo "# page  pictures  hash after $frames frames  most bullets, lasers  work: mean, most, least"
     run "$@"
 }
 
 comma() { sed -E ':a; s/([0-9])([0-9]{3})($|[ ,;])/\1,\2\3/; ta'; }
-# What most pages have as their least work is the book's own, which looks at the buttons: that is not the recipe's.
+# The least work of most pages is the book's own, for reading the buttons. It is not part of a recipe's cost.
 book_work() { awk '!/^#/ { print $8 }' $table | sort | uniq -c | sort -rn | awk 'NR == 1 { print $2 }'; }
 price() { # NAME
     awk -v page="$1" -v book="$(book_work)" '$1 == page {
-        if ($4) s = s "at most " $4 " bullet" ($4 > 1 ? "s" : "") "; "
-        if ($5) s = s "at most " $5 " laser" ($5 > 1 ? "s" : "") "; "
-        printf "%s%.0f units of work per frame on average, at most %.0f\n", s, $6 - book, $7 - book }' $table | comma
+        if ($4) s = s "up to " $4 " bullet" ($4 > 1 ? "s" : "") "; "
+        if ($5) s = s "up to " $5 " laser" ($5 > 1 ? "s" : "") "; "
+        printf "%s%.0f units of work per frame on average, %.0f at most\n", s, $6 - book, $7 - book }' $table | comma
 }
 
 page() {
@@ -73,13 +73,13 @@ pages, fire restarts a recipe, and START closes the list so that the arrows fly 
 \`curtain play roms/cookbook --stage flower\` starts at one recipe, and
 \`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
 
-A file returns a task \`f(e, p)\` with an enemy \`e\` and the player \`p\`. Some files return a table with that task as
-\`run\`, and other fields such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines the kinds that recipes fire
-and the ships that fly; in your own game use the names of your kinds. [The guide](README.md) explains the API.
+Each file returns a task \`f(e, p)\`; \`e\` is an enemy and \`p\` the player. Some files return a table with that task
+as \`run\`, and other fields, such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines kinds for the recipes;
+in your own game, use your own. [The guide](README.md) explains the API.
 
-The line below each recipe shows its cost over the first $frames frames: the maximum number of bullets and lasers at
-once, and the work per frame, on average and at most. A unit is about one Lua instruction, and a call of the engine
-costs 100 or more; a frame may use 200,000,000. Flying, hits and drawing cost extra:
+The line below each recipe shows its cost over the first $frames frames: the most bullets and lasers alive at once, and
+the average and maximum work per frame. A unit of work is about one Lua instruction; an engine call costs 100 or more. A
+frame can use 200,000,000 units. Movement, hit tests and drawing cost extra:
 [the guide](guide/21-capacities.md) lists the costs. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do
@@ -89,7 +89,7 @@ END
         fi
         both=$(words "$name")
         printf '\n### %s\n\n%s\n\n' "${both%%|*}" "${both#*|}"
-        printf '<img src="images/cookbook/%s.png" width="728" alt="%s, three moments">\n\n' "$name" "${both%%|*}"
+        printf '<img src="images/cookbook/%s.png" width="728" alt="%s at three moments">\n\n' "$name" "${both%%|*}"
         printf '```lua\n'
         code "$name"
         printf '```\n\n[%s.lua](../roms/cookbook/recipes/%s.lua): %s.\n' "$name" "$name" "$(price "$name")"

@@ -1,4 +1,4 @@
--- patterns/clockwork.lua - bullets that go round e and fire on the way: tasks that bullets own.
+-- patterns/clockwork.lua - bullets that orbit `e` and fire as they fly: tasks owned by bullets.
 local round = motion.def { { orbit = 0, radius_to = 56, spin = 2, over = 45 },
                            { orbit = 56, spin = 2, over = forever } }
 

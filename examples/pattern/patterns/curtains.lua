@@ -1,4 +1,4 @@
--- patterns/curtains.lua - walls with a gap that wanders: `skip` leaves bullets out.
+-- patterns/curtains.lua - walls with a wandering gap: `skip` omits bullets.
 return function(e)
   e:move { x = 120, y = 60, over = 40, ease = "both" }
   wait(40)

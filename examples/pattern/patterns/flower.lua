@@ -1,4 +1,4 @@
--- patterns/flower.lua - a motion program: rings that slow down, curl, and leave as petals.
+-- patterns/flower.lua - a motion program: rings that slow down, curl, and fly off as petals.
 motion.def { name = "open", { speed = 0.4, over = 40 }, { kind = "petal", bank = 7 }, { turn = 1.4, over = 60 },
   { speed = 2.4, over = 40 } }
 

@@ -1,4 +1,4 @@
--- patterns/stopped.lua - time stands still for the bullets, while others come; then all fly.
+-- patterns/stopped.lua - time stops for the bullets while knives appear; then all of them fly.
 return function(e, p)
   for k = 1, forever do
     for i = 1, 3 do

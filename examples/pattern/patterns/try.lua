@@ -1,4 +1,4 @@
--- patterns/try.lua - yours. e is the enemy, p the player; save, and the window goes on with what you wrote.
+-- patterns/try.lua - your pattern. e is the enemy, p the player. Save the file, and the running game reloads it.
 return function(e)
   for i = 1, forever do
     pattern.ring { from = e, kind = "rice", bank = 1, n = 18, dir = 7 * i, speed = 1.8 }

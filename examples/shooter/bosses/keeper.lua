@@ -1,9 +1,9 @@
--- bosses/keeper.lua - the boss: two phases, the second one a spell.
+-- bosses/keeper.lua - the boss: two phases, the second a spell card.
 enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, score = 50000, spark = "glint",
   blink = 8, blink_soft = true,
   on_hit = function(e) sound.play("chip", { from = e }) end,
   on_death = function(e)
-    local x, y = e.x, e.y -- of what is gone there is no place any more
+    local x, y = e.x, e.y -- copied: e has been removed by the time the task runs
     screen.shake { size = 5, over = 80 }
     sound.play("burst")
     task.go(function()
@@ -17,7 +17,7 @@ enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, score = 500
     end)
   end })
 
--- As lanterns on a wind: they slow down, hang there, and go on.
+-- Like lanterns in the wind: they slow down, hang there, and fly on.
 motion.def { name = "hang", { speed = 0.25, over = 50 }, { wait = 40 }, { speed = 2.2, over = 60 } }
 
 boss.def("keeper", { title = "Keeper of the Lanterns", kind = "keeper", x = 120, y = 112, music = "keeper",
@@ -25,7 +25,7 @@ boss.def("keeper", { title = "Keeper of the Lanterns", kind = "keeper", x = 120,
     { id = "wings", hp = 420, time = 30 * 60, safe = 30, run = function(e)
       e:wander { w = 70, h = 16, every = 150, over = 70 }
       for i = 1, forever do
-        for side = -1, 1, 2 do -- from the eyes of both wings
+        for side = -1, 1, 2 do -- from the eyes on both wings
           pattern.fan { from = e, dx = 34 * side, dy = -24, kind = "petal", bank = side < 0 and 7 or 3, speed = 1.8,
                         n = by_difficulty { easy = 5, normal = 8, hard = 11 }, spread = 120,
                         dir = 90 + 24 * side * angle.sin(21 * i) }
@@ -41,14 +41,14 @@ boss.def("keeper", { title = "Keeper of the Lanterns", kind = "keeper", x = 120,
       e:move { x = 120, y = 112, over = 60, ease = "both" }
       wait(60)
       local n = by_difficulty { easy = 10, normal = 16, hard = 22 }
-      task.go(function() -- lights that hang in the air, and then come
+      task.go(function() -- lights that hang in the air, then fly on
         for i = 1, forever do
           pattern.ring { from = e, kind = "pearl", bank = 2, n = n, dir = 11 * i, speed = 2.6, motion = "hang" }
           sound.play("spell", { volume = 0.5 })
           wait(110)
         end
       end)
-      for i = 1, forever do -- two wheels against each other
+      for i = 1, forever do -- two wheels in opposite directions
         pattern.ring { from = e, kind = "star", bank = 3, n = 4, dir = 7 * i, speed = 1.7 }
         pattern.ring { from = e, kind = "rice", bank = 1, n = 3, dir = -9 * i, speed = 2 }
         wait(by_difficulty { easy = 12, normal = 8, hard = 6 })

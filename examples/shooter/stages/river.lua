@@ -1,4 +1,4 @@
--- stages/river.lua - the stage, from top to bottom as it is played.
+-- stages/river.lua - the stage, in the order of play.
 local left = path.def { { x = 20, y = -24 }, { x = 60, y = 90, over = 80, ease = "out" }, { wait = 60 },
                         { x = -40, y = 40, over = 90, ease = "in" } }
 local sway = path.def { { x = 50, y = -24 }, { x = 90, y = 70, over = 70, ease = "out" },
@@ -12,7 +12,7 @@ local function glow(e) -- a lantern: a ring that opens
                  n = by_difficulty { easy = 6, normal = 10, hard = 16 } }
 end
 
-local function dust(e) -- a moth: aimed, as it turns
+local function dust(e) -- a moth: aimed fans as it sways
   for _ = 1, 3 do
     wait(45)
     pattern.fan { from = e, kind = "petal", bank = 7, spread = 36, aim = true, speed = 2.2,

@@ -1,3 +1,3 @@
--- boot.lua - in place of the standard one: no title, no menus; a player stands in the crowd from the first frame on.
+-- boot.lua - replaces the standard boot.lua: no title, no menus; the player is in the crowd from the first frame.
 local sys = ...
 return { run = function() sys.join(1, "target") end }

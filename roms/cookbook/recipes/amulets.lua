@@ -1,5 +1,5 @@
--- amulets.lua - Homing amulets: They fan out, slow down, and home at the player for two seconds,
--- by at most two degrees per frame. That is little enough to sidestep: move late.
+-- amulets.lua - Homing amulets: Amulets fan out, slow down, and home in on the player for almost
+-- two seconds, turning up to two degrees per frame. That is slow enough to sidestep: move late.
 local seek = motion.def { { speed = 1.2, over = 25 }, { home = 2, over = 110 },
                           { accel = 0.02, over = 60 } }
 

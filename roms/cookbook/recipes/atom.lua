@@ -1,5 +1,5 @@
--- atom.lua - Atom: Three ellipses with a common centre are tilted by 60 degrees, and a slow ring
--- is the nucleus. Each figure keeps its shape while it grows, so the whole atom does too.
+-- atom.lua - Atom: Three ellipses share a centre, each tilted by 60 degrees from the last, and a
+-- slow ring is the nucleus. Every shape stays the same as it grows, so the whole atom does too.
 return function(e)
   for k = 0, forever do
     for i = 0, 2 do

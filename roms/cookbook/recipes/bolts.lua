@@ -1,5 +1,5 @@
--- bolts.lua - Bouncing bolts: Short lasers leave in a fan and bounce off the sides three times.
--- They grow out of their origin and hit with their whole length.
+-- bolts.lua - Bouncing bolts: Short lasers fan out and bounce off the sides three times. They grow
+-- out of their origin and hit along their full length.
 local banks = motion.def { { bounce = 3, walls = "left right", { bank = 2 } } }
 
 return function(e)

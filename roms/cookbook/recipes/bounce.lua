@@ -1,5 +1,5 @@
--- bounce.lua - Bounce once: The sides and the top reflect each bullet once, at the exact position,
--- and change its colour. A green bullet will still bounce; a gold one flies away.
+-- bounce.lua - Bounce once: The sides and the top reflect each bullet once, at the exact point of
+-- impact, and change its colour. A green bullet will still bounce; a gold one flies away.
 local once = motion.def { { bounce = 1, walls = "left right top", { bank = 3 } } }
 
 return function(e)

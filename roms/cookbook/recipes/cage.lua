@@ -1,5 +1,5 @@
--- cage.lua - Laser cage: Bars close in on both sides of the player and stay, with aimed bullets
--- between them. The warning lasts a second, time enough to leave the cage.
+-- cage.lua - Laser cage: Beams close in on both sides of the player and stay, with aimed bullets
+-- between them. The warning lasts up to a second, long enough to leave the cage.
 return function(e, p)
   while true do
     local x = p.x

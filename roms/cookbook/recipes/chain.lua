@@ -1,5 +1,5 @@
--- chain.lua - Chain: Each kill makes the next one worth more, as long as it comes within a second.
--- The register waits for `hold` frames after a rise, then drains at once; the points float up.
+-- chain.lua - Chain: Each kill is worth more than the last if it comes within a second. The
+-- register stays for `hold` frames after a kill, then drops to zero; the multiplier floats up.
 player.def("linker", { sprite = "ship", hit = { circle = 2 },
   registers = { chain = { drain = forever, hold = 60, show = "number" } },
   run = function(p)

@@ -1,5 +1,5 @@
--- clock.lua - Clock: Two hands of light never stop, the long one twelve times as fast, and bullets
--- strike the hours between them. The hands last until the enemy they follow dies.
+-- clock.lua - Clock: Two laser hands turn without stopping, the long one twelve times as fast, and
+-- rings of bullets strike the hours. The hands last until the enemy they follow dies.
 return function(e)
   e:move { x = 120, y = 140, over = 60, ease = "both" }
   wait(60)

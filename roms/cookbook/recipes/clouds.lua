@@ -1,5 +1,5 @@
--- clouds.lua - Out of the mist: A bullet with a delay starts as a harmless, motionless cloud in
--- its own colour. A ring right next to the player is fair, because it shows where it will be.
+-- clouds.lua - Out of the mist: A bullet with a delay starts as a harmless, motionless cloud in its
+-- own colour. A ring right next to the player is fair, because the clouds show where it will be.
 bullet.def("spore", { sprite = "orb", hit = { circle = 3.5 }, cloud = "mist" })
 
 return function(_, p)

@@ -1,5 +1,5 @@
 -- crossfire.lua - Crossfire: Fans from two corners weave a lattice of diamonds; the player flies
--- through its holes. Both corners fire mirrored fans in the same frame, so the holes are exact.
+-- through its holes. Both corners fire mirrored fans in the same frame, so the fans always line up.
 return function()
   for k = 0, forever do
     for i = 0, 4 do

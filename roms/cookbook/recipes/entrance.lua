@@ -1,6 +1,6 @@
 -- entrance.lua - Entrance: A warning band announces the boss. She is invulnerable for a second and
--- nearly so for three, and a portrait crosses the field with her spell. All of it is options of
--- boss.def.
+-- armoured for three, and her portrait crosses the field with the spell's name. All of this is set
+-- in boss.def.
 local function bloom(e)
   for k = 0, forever do
     pattern.rose { from = e, kind = "petal", bank = 7 - k % 2 * 6, n = 48, petals = 6, dir = 15 * k,

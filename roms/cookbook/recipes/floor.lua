@@ -1,5 +1,5 @@
--- floor.lua - Raster floor: A picture is drawn in perspective, line by line, under a sky of
--- swaying lines. The camera turns with a sine, and fog hides the end of the floor.
+-- floor.lua - Raster floor: A map is drawn in perspective, line by line, under a sky of swaying
+-- lines. The camera swings from side to side, and fog hides the far edge of the floor.
 bg.def("court", function()
   local sky, floor = bg.layer(1), bg.plane()
   sky.map, sky.bank, sky.vx = "sea", 9, 0.2

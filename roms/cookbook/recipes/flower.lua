@@ -1,5 +1,5 @@
--- flower.lua - Flower: Nested roses of five petals, each rotated by half a petal. A rose is one
--- volley whose speed rises and falls with the angle; four of them make a blossom.
+-- flower.lua - Flower: Four nested roses of five petals, each rotated by half a petal, make a
+-- blossom. A rose is one volley whose speed rises and falls with the angle.
 return function(e)
   for k = 0, forever do
     for i = 0, 3 do

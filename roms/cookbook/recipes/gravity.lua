@@ -1,5 +1,5 @@
--- gravity.lua - Gravity well: A mass bends every bullet that comes near it. Each frame a task
--- looks only at the bullets close to it and changes their velocity; distant bullets cost nothing.
+-- gravity.lua - Gravity well: A mass bends the path of every bullet that comes near it. Each frame
+-- a task changes the velocity of the bullets close to it; distant bullets cost nothing.
 return function(e)
   local well = sprite.put { sprite = "lamp", x = 120, y = 170, layer = "back", bank = 6,
                             blend = "glow" }

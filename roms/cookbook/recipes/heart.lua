@@ -1,5 +1,5 @@
--- heart.lua - Heart: Rows of characters place one bullet each. The heart pulses because one line
--- stops and one line releases all bullets with its tag.
+-- heart.lua - Heart: Each # in the picture places one bullet. The heart beats because one line of
+-- code slows all bullets with its tag and another speeds them up.
 local heart = [[
   .##...##.
   ####.####

@@ -1,5 +1,5 @@
 -- hit_stop.lua - Hit-stop: When a big enemy dies, the field freezes for eight frames and the
--- picture shakes before it bursts. Tasks of the field freeze too, so no script has to wait.
+-- picture shakes before the enemy bursts. The field's tasks freeze too, so no script has to wait.
 enemy.def("heavy", { sprite = "jelly", hit = { box = { 28, 26 } }, hp = 24, score = 2000, blink = 4,
   on_death = function(e)
     board.stop(8)

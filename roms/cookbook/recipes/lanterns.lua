@@ -1,5 +1,5 @@
--- lanterns.lua - Lanterns to shoot: Lanterns have hp, stop shots, and burst into an aimed ring
--- when shot down; left alone they only drift. So the player decides when and where they burst.
+-- lanterns.lua - Lanterns to shoot: Lanterns have hp, stop shots, and burst into an aimed ring when
+-- shot down; otherwise they only drift. The player decides when and where they burst.
 local function burst(b)
   pattern.ring { kind = "rice", bank = 3, x = b.x, y = b.y, n = 14, aim = true, speed = 1.5 }
 end

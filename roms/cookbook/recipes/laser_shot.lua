@@ -1,5 +1,5 @@
--- laser_shot.lua - Player laser: A beam follows the ship while fire is held, and fades when fire
--- is released or the ship is hit. A laser kind with damage hurts only enemies, every few frames.
+-- laser_shot.lua - Player laser: A beam follows the ship while fire is held, and fades when fire is
+-- released or the ship is hit. A laser kind with damage hurts only enemies, every four frames.
 laser.def("lance", { strip = "ray", width = 10, hit = { share = 1 }, damage = 2, every = 4,
                      bank = 4 })
 

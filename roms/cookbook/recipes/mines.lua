@@ -1,5 +1,5 @@
--- mines.lua - Mines: They drift down until the ship comes near, then blink and burst into a ring.
--- The step wait_for is checked in C, so a field full of mines costs no script time.
+-- mines.lua - Mines: Mines drift down until the ship comes near, then blink and burst into a ring.
+-- The engine checks `wait_for`, so a field full of mines runs no script.
 local mine = motion.def { { wait_for = { near = 64 } }, { speed = 0.2, bank = 1 },
   { loop = 4, { bank = 3 }, { wait = 5 }, { bank = 1 }, { wait = 5 } },
   { emit = { pattern = "ring", n = 14, kind = "rice", bank = 2, speed = 1.8 } }, { die = true } }

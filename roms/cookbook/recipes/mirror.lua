@@ -1,5 +1,5 @@
--- mirror.lua - Mirror: One side fires, and its mirror image fires the same pattern flipped. A
--- pattern that fires through its own function can be mirrored in one place.
+-- mirror.lua - Mirror: A pattern and its mirror image are fired together. The pattern calls the
+-- function `each` for every bullet, and that function fires the bullet twice.
 local function both(a)
   bullet.fire(a)
   a.x, a.dir, a.bank = 240 - a.x, 180 - a.dir, 7

@@ -1,5 +1,5 @@
--- odd_even.lua - Odd and even fans: An odd fan has a bullet aimed at the player, so move aside. An
--- even fan has none, so moving gets you hit. Red means move, blue means stay.
+-- odd_even.lua - Odd and even fans: An odd fan aims its middle bullet at the player, so move aside.
+-- An even fan leaves a gap there, so moving gets you hit. Red means move, blue means stay.
 return function(e)
   while true do
     for i = 1, 4 do

@@ -1,5 +1,5 @@
--- options.lua - Options: Options accompany the ship; their number depends on its power. They
--- spread wide, and close in front of it while focus is held. Their positions are data, and their
+-- options.lua - Options: Options fly with the ship; their number depends on its power. They spread
+-- wide, or close in front of it while focus is held. Tables list their positions, and their own
 -- task fires.
 option.def("bead", { sprite = "bead", run = function(o)
   while true do

@@ -1,5 +1,5 @@
--- orbit_options.lua - Wheel of options: Six options circle the ship, more closely while focus is
--- held. Each fires away from the ship, so the wheel guards every side.
+-- orbit_options.lua - Option wheel: Six options circle the ship, more closely while focus is held.
+-- Each fires away from the ship, so the wheel guards every side.
 option.def("wheel", { sprite = "bead", bank = 3, run = function(o)
   while true do
     if pad.down("fire", o.by) then

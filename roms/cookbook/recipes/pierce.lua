@@ -1,5 +1,5 @@
--- pierce.lua - Piercing spear: It hits up to three enemies on its path, each again after six
--- frames, and is then used up. Its kind declares this; an enemy it hits blinks and does not block
+-- pierce.lua - Piercing spear: A spear survives three hits on its way; the next one uses it up. It
+-- can hit the same enemy again after six frames. Its kind declares this, and enemies don't stop
 -- it.
 shot.def("spear", { sprite = "dart", hit = { capsule = { 8, 3 } }, damage = 4, turns = true,
                     bank = 2, pierce = 3, every = 6 })

@@ -1,5 +1,5 @@
--- polygons.lua - Polygons: A triangle, square, pentagon and hexagon open inside each other and
--- keep their straight sides. Every second set is rotated by half a corner.
+-- polygons.lua - Polygons: A triangle, a square, a pentagon and a hexagon open inside each other
+-- and keep their straight sides. Every second set is rotated so that sides replace corners.
 return function(e)
   for k = 0, forever do
     for sides = 3, 6 do

@@ -1,4 +1,4 @@
--- rain.lua - Rain: Rows of drops fall in a swinging wind. All drops of a row share one direction,
+-- rain.lua - Rain: Rows of drops fall in a swinging wind. All drops in a row share one direction,
 -- so there is always a lane to follow; only their start positions in the row are random.
 return function()
   for k = 0, forever do

@@ -1,5 +1,5 @@
--- red_blue.lua - Red cancels blue: Bullets of two tags cancel each other when they meet. Both
--- fountains cover the field; a calm line forms between them and moves towards the weaker one.
+-- red_blue.lua - Red cancels blue: Bullets with different tags cancel each other when they meet.
+-- Two fountains cover the field; a calm line forms between them and moves towards the weaker one.
 bullet.meet("red", "blue", { clear = "both", spark = "glint" })
 
 return function()

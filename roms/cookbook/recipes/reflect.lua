@@ -1,6 +1,6 @@
--- reflect.lua - Reflection: A parry button opens a bubble for a third of a second and turns the
--- bullets in it into shots. Each bullet is removed and replaced by a shot in the opposite
--- direction.
+-- reflect.lua - Reflection: For a third of a second, fire opens a bubble that
+-- turns the bullets in it into shots. Each bullet is replaced by a shot flying
+-- the opposite way.
 shot.def("returned", { sprite = "orb", hit = { circle = 4 }, damage = 1, bank = 4 })
 
 local function parry(p)

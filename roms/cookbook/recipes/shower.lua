@@ -1,5 +1,5 @@
--- shower.lua - Shower of items: Items from a wisp rise in an arc and fall. Near the ship they fly
--- to it; above the collect line all of them do. They are worth more points the higher the ship is.
+-- shower.lua - Item shower: Items burst from a wisp, rise in an arc and fall. Those near the ship
+-- fly to it; above the collect line it attracts all. The higher it is, the more coins are worth.
 item.def("coin", { sprite = "point", bank = 3, radius = 10, gives = { score = { 100, 1000 } } })
 item.def("gem",  { sprite = "shard", bank = 5, radius = 9, gives = { score = 50 }, gravity = 0.03,
                    top = 1.4 })
@@ -16,7 +16,7 @@ local function run()
     item.drop { kind = "gem", from = e, n = 13, spread = 240, speed = 2.4 }
     e:kill()
     wait(24)
-    if k % 8 == 7 then item.group():pull() end -- all come at once
+    if k % 8 == 7 then item.group():pull() end -- all items fly to the ship
   end
 end
 

@@ -1,5 +1,5 @@
--- sines.lua - Sine waves: Streams sway around a straight path. The two streams of a pair have
--- opposite phases, so they braid; the crossings are never safe.
+-- sines.lua - Sine waves: Streams sway around straight paths. The two streams of a pair have
+-- opposite phases, so they braid, and the crossings are never safe.
 local left = motion.def { { wave = 22, every = 70, over = forever } }
 local right = motion.def { { wave = 22, every = 70, phase = 180, over = forever } }
 

@@ -1,6 +1,6 @@
--- spell_name.lua - Spell name: The name appears letter by letter in the middle, slides to the
--- corner and stays there while the pattern continues. A line is a handle, whose position can be
--- set each frame.
+-- spell_name.lua - Spell name: The name appears letter by letter in the middle, slides to the top
+-- and stays there while the pattern continues. text.line returns a handle, so a script can move the
+-- line.
 return function(e)
   while true do
     local name = text.line { x = 120, y = 150, text = "Night Sign \"Slow Rain\"", font = "slim",

@@ -1,5 +1,5 @@
 -- spiral.lua - Accelerating spiral: Three arms turn by 11 degrees per shot. Each bullet starts
--- slowly and speeds up, so the arms bend. After a rest, every second spiral turns the other way.
+-- slowly and speeds up, so the arms bend. Every second spiral turns the other way.
 local faster = motion.def { { accel = 0.02, over = 120 } }
 
 return function(e)

@@ -1,5 +1,5 @@
--- star_drawing.lua - Drawing a star: A pen follows five lines and leaves stationary bullets. When
--- the figure is closed, a signal releases all of them, each in its own direction.
+-- star_drawing.lua - Drawing a star: A pen draws five lines of motionless bullets. When the star is
+-- complete, a signal releases all of them, each in its own direction.
 local wait_for_it = motion.def { { wait_for = { tag = "star" } }, { speed = 2.4, over = 60 } }
 
 local function corner(i) return 120 + 76 * angle.cos(144 * i - 90),

@@ -1,6 +1,6 @@
 -- survive.lua - Survival phase: The boss is invulnerable, and the player must outlast the clock;
--- rings come faster as time runs out. boss.def sets all of it: survive, time, bonus and the
--- spell's name.
+-- rings come faster as time runs out. Four fields of boss.def set it up: `survive`, `time`,
+-- `bonus`, `spell`.
 local function rings(e)
   for k = 0, forever do
     pattern.ring { from = e, kind = "petal", bank = 1 + k % 2 * 5, n = 24, dir = 7.5 * k * k,

@@ -1,5 +1,5 @@
--- sweep.lua - Sweeping laser: Two beams warn with dotted lines, open, and close like a pair of
--- scissors. They follow the enemy, rotate only after the warning, and leave an exit below.
+-- sweep.lua - Sweeping laser: Dotted lines announce two beams, which then close like a pair of
+-- scissors. The beams follow the enemy, turn only after the warning, and leave a way out below.
 return function(e)
   for k = 0, forever do
     for side = -1, 1, 2 do

@@ -1,5 +1,5 @@
 -- time_stop.lua - Time stop: All bullets freeze and lose their colour, and knives appear among
--- them. When time resumes, the bullets continue from where they were, together with the knives.
+-- them. When time resumes, the bullets fly on, together with the knives.
 local function strike(e, p)
   bullet.group().frozen = forever
   palette.fade { to = 0x303848, over = 10, first = 16 * 6, last = 16 * 7 - 1 }

@@ -1,4 +1,4 @@
--- trail_options.lua - Trailing options: Four options follow the ship's path, some frames apart,
+-- trail_options.lua - Trailing options: Four options follow the ship's path, nine frames apart,
 -- and stop when it stops. Each fires at its own angle, so the player's path draws the shot
 -- pattern.
 option.def("tail", { sprite = "bead", bank = 4, run = function(o)

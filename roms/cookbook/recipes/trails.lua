@@ -1,5 +1,5 @@
--- trails.lua - Trails: Comets leave stars behind, which hang for a moment and then fall away to
--- both sides. The step emit in a loop fires from the comet; turn spreads the stars.
+-- trails.lua - Trails: Comets leave stars behind, which hang for a moment and then fly off to both
+-- sides. An `emit` step in a loop fires the stars, and a `turn` step points them sideways.
 local left = motion.def { { wait = 40 }, { turn = -90 }, { speed = 1.4, over = 20 } }
 local right = motion.def { { wait = 40 }, { turn = 90 }, { speed = 1.4, over = 20 } }
 local comet = motion.def { { loop = forever,

@@ -1,4 +1,4 @@
--- whips.lua - Whips: Two bent stacks fly from the left and the right, aimed at the player. The
+-- whips.lua - Whips: Bent stacks lash out from the left and the right, aimed at the player. The
 -- slow bullets of a whip are its handle and the fast ones its tip, so it cracks on arrival.
 return function(e)
   for k = 0, forever do

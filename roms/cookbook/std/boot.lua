@@ -1,18 +1,18 @@
--- boot.lua - in place of the standard one: no title, but a book. One recipe is played at a time, again and again, with
--- its words beside the field. While the list is open the arrows turn pages; while it is closed they fly the ship.
-local sys = ... -- functions that only the standard library gets
+-- boot.lua - replaces the standard boot.lua: a book instead of a title. It repeats one recipe at a time and shows the
+-- description next to the field. The arrows turn pages while the list is open, and fly the ship while it is closed.
+local sys = ... -- functions for the standard library only
 local boot = {}
 
-local LENGTH <const> = 900 -- frames until a recipe begins anew
+local LENGTH <const> = 900 -- frames until a recipe restarts
 local COL <const>, WIDTH <const>, LIST <const> = 1, 20, 13
 local ROWS <const> = rom.screen.h // 8
 
 local pages            -- a list of { name, recipe, title, words }
 local at, open = 1, true
-local difficulty       -- of the run's start: a recipe may set another
-local turned           -- another page, or the same anew, is asked for
+local difficulty       -- from the start of the run; recipes can change it
+local turned           -- the player has turned the page or restarted it
 
--- "name|title|words", a line a page.
+-- One line per page: "name|title|words".
 local function read(book)
   local by = {}
   for name, title, words in book:gmatch("([^|\n]*)|([^|\n]*)|([^\n]*)\n") do by[name] = { title, words } end
@@ -47,8 +47,8 @@ local function draw()
   put(1, ("COOKBOOK       %2d/%2d"):format(at, #pages), 5)
   paragraph(paragraph(3, page.title, 3) + 1, page.words)
   if open then draw_list() end
-  local help = open and { "ARROWS   turn", "FIRE    again", "START     fly" } or
-    { "START    list", "SPECIAL  next", "SELECT before" }
+  local help = open and { "ARROWS  pages", "FIRE  restart", "START     fly" } or
+    { "START    list", "SPECIAL  next", "SELECT   back" }
   for i, line in ipairs(help) do put(ROWS - 6 + 2 * (i - 1), line, 6) end
 end
 
@@ -58,7 +58,7 @@ end
 
 local function repeated(button) return pad.pressed(button) or pad.repeated(button) end
 
--- What the buttons ask of the book. While it is open the ship stays where it was.
+-- Handles the buttons of the book. While the list is open, the ship stays in place.
 local function read_buttons()
   if pad.take("start", 0) then
     open = not open
@@ -73,7 +73,7 @@ local function read_buttons()
   end
 end
 
--- A page as a stage: its recipe, for so many frames.
+-- Declares a page as a stage that runs its recipe for LENGTH frames.
 local function stage_of(page)
   local r = page.recipe
   if type(r) == "function" then r = { run = r } end
@@ -90,7 +90,7 @@ local function stage_of(page)
   end)
 end
 
--- Plays page `at` until it is over or another is asked for.
+-- Plays page `at` until it ends or the player turns the page.
 local function play()
   local page, game = pages[at], sys.scope()
   sys.wipe()
@@ -112,7 +112,7 @@ local function play()
   sys.leave(1)
 end
 
--- The list of what can be practised, for the cabinet.
+-- Lists what can be practised, for the cabinet.
 local function tell()
   sys.mark("ship", "ship", "", "", 3)
   for _, page in ipairs(pages) do

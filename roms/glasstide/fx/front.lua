@@ -1,5 +1,5 @@
--- fx/front.lua - what moves behind the title and its pages while nobody plays: bubbles, and now and
--- then something large that swims far below.
+-- fx/front.lua - movement behind the title and its pages while nobody plays: bubbles, and now and
+-- then a large creature far below.
 local story = require "story"
 local front = {}
 
@@ -9,8 +9,8 @@ local function nobody()
   return not (player.get(1).alive or player.get(2).alive or story.telling())
 end
 
--- A shadow of a creature, half seen, that crosses slowly. Where it enters follows from how many
--- were before it.
+-- The shadow of a creature that crosses slowly. Its number, k, determines its kind and where it
+-- enters.
 local SWIMMERS <const> = { "jelly", "ray", "nautilus", "fish" }
 
 local function swim(k)

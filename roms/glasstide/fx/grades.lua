@@ -1,6 +1,6 @@
--- fx/grades.lua - what a stage is worth in a letter: who was never hit and kept the bombs has an S,
--- and a sign that was broken cleanly makes up for a bomb.
-local before = { {}, {} } -- of each player, what had been counted when the stage began
+-- fx/grades.lua - the grade for a stage. No hits and no bombs earn an S; each captured sign makes
+-- up for one bomb.
+local before = { {}, {} } -- per player: the counts at the start of the stage
 
 local function counted(p) return { misses = p.misses, used = p.used, captures = p.captures } end
 

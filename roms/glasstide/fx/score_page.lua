@@ -1,8 +1,8 @@
--- fx/score_page.lua - HOW TO SCORE: a page with pictures that move, one for each way to points.
+-- fx/score_page.lua - HOW TO SCORE: a page with an animated picture for each way to score.
 local page = {}
 
 local PICTURE <const>, WORDS <const>, WIDTH <const> = 44, 10, 148 -- px; column; px
-local APART <const> = 5 -- rows from one part to the next
+local APART <const> = 5 -- rows between parts
 
 local function put(sprite_name, x, y, more)
   local s = { sprite = sprite_name, x = x, y = y, screen = true, layer = "over" }
@@ -16,7 +16,7 @@ local function words(row, head, line)
               screen = true }
 end
 
--- Bullets pass a craft.
+-- Bullets that pass a craft.
 local function graze(y)
   put("heron", PICTURE, y)
   local list = {}
@@ -28,7 +28,7 @@ local function graze(y)
   end
 end
 
--- What was near becomes prisms, which come.
+-- Nearby bullets become prisms, which fly to the craft.
 local function release(y)
   put("heron", PICTURE, y)
   local list = {}
@@ -75,11 +75,11 @@ local function pearls(y)
 end
 
 local PARTS <const> = {
-  { graze, "GRAZE", "Fly past bullets: the glass fills." },
-  { release, "SPECIAL", "Let go: what is near is prisms." },
-  { prisms, "PRISMS", "Each raises what all else is worth." },
-  { chain, "CHAIN", "Break one after the other." },
-  { pearls, "PEARLS", "High up they count ten times." },
+  { graze, "GRAZE", "Graze bullets to fill the glass." },
+  { release, "SPECIAL", "Nearby bullets become prisms." },
+  { prisms, "PRISMS", "Each one raises the multiplier." },
+  { chain, "CHAIN", "Break enemies without a pause." },
+  { pearls, "PEARLS", "Worth up to 10x near the top." },
 }
 
 function page.show(row, rows)

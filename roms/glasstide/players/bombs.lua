@@ -1,10 +1,10 @@
--- players/bombs.lua - the three craft's last ways out: the heron's undertow, the petrel's bell,
--- the tern's lamp.
+-- players/bombs.lua - the bombs of the three crafts: the heron's undertow, the petrel's bell, the
+-- tern's lamp.
 
 local GREEN <const> = 4
 
--- A wave runs out from the craft: bullets turn to light, and creatures crack. What is seen of it is
--- foam along its edge.
+-- A wave spreads from the craft, clears bullets and hurts creatures. Only the foam along its edge
+-- is visible.
 bomb.def("undertow", { over = 90, safe = 150, run = function(p)
   local x, y = p.x, p.y
   screen.shake { size = 3, over = 36 }
@@ -22,8 +22,8 @@ bomb.def("undertow", { over = 90, safe = 150, run = function(p)
   item.group():pull(p)
 end })
 
--- Three strokes: what is near stands still as glass does when it is struck, further out each time,
--- and at last all that stands breaks.
+-- Three strokes freeze nearby bullets, each in a wider circle. Afterwards the frozen bullets
+-- break.
 local STROKES <const>, APART <const> = 3, 22
 
 local function ring(x, y, radius)
@@ -58,7 +58,7 @@ bomb.def("bell", { over = 120, safe = 170, run = function(p)
   item.group():pull(p)
 end })
 
--- A broad beam ahead, for as long as the lamp burns; nothing stays in it, and nothing comes near.
+-- A broad beam ahead clears every bullet in it, and bullets near the craft, while the lamp burns.
 laser.def("lamplight", { strip = "lamp_ray", width = 56, hit = { share = 0.9 },
                          damage = 5, every = 4, bank = GREEN, clearable = false, blend = "glow" })
 

@@ -1,18 +1,18 @@
--- players/craft.lua - what all craft share: the dot and halo of focus, beads that fly along, a
--- gauge that is let go, and the registers that are scored. Each craft has two forms, a kind of
--- player each.
+-- players/craft.lua - what all crafts share: the dot and halo of focus, beads (options), the gauge
+-- and its release, and the registers for scoring. Each craft has two forms, and each form is a
+-- player kind.
 local scoring = require "scoring"
 require "players/bombs"
 local items = require "items"
 local lamps = require "lamps"
 
--- Bombs that can be kept; the bank of all that a craft fires.
+-- The most bombs a craft can hold; the bank of everything a craft fires.
 local craft = { MOST = items.BOMBS, GREEN = 4 }
 
-local BOMBS <const> = 3 -- in each life
-local HELD <const> = 4  -- frames that a press of special stays good
+local BOMBS <const> = 3 -- per life
+local HELD <const> = 4  -- frames that a press of special is buffered
 
--- Puts a sprite, or puts it again when the field was wiped.
+-- Puts a sprite, and again after the field was wiped.
 local function keep(set, key, spec)
   local s = set[key]
   if not (s and s.alive) then
@@ -26,10 +26,10 @@ local function remove_all(set)
   for _, s in pairs(set) do s:remove() end
 end
 
--- Everything a craft wears; closed with its task, so nothing of it stays on the field.
+-- The sprites on a craft. They are removed when its task closes this.
 local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
--- A cell off the edges, as the hud; so a talk's plate covers all of them.
+-- One cell from the edges, like the hud, so that a dialogue box covers all of them.
 local function show_bombs(set, p)
   for i = 1, craft.MOST do
     local x = p.index == 1 and 12 * i + 3 or rom.screen.w - 12 * i - 3
@@ -45,12 +45,12 @@ local function show_focus(set, p)
                     { sprite = "halo", follow = p, bank = craft.GREEN, layer = "middle" })
   halo.hidden = not slow
   keep(set, "dot", { sprite = "dot", follow = p, bank = 1 }).hidden = not slow
-  -- the dot is there faintly at any time: nothing covers where one is hit
+  -- without focus a faint dot still shows the hitbox
   local faint = keep(set, "faint", { sprite = "dot", follow = p, bank = 1, blend = "ghost" })
   faint.hidden = slow or p.state ~= "fly"
 end
 
--- Calls f(thing, beat) each frame while player p fires; beat counts from 0 anew with each press.
+-- Calls f(thing, beat) each frame while player p fires; beat counts from 0 after each press.
 local function while_firing(thing, p, f)
   local beat = 0
   while true do
@@ -60,7 +60,7 @@ local function while_firing(thing, p, f)
   end
 end
 
--- A ray that burns while player p fires, from a craft or a bead; spec() says how it lies now.
+-- A ray from a craft or a bead while player p fires; spec(thing) returns its current options.
 function craft.ray(thing, p, spec)
   local ray
   while true do
@@ -79,10 +79,10 @@ function craft.ray(thing, p, spec)
   end
 end
 
--- Declares a form of a craft: def as of player.def. arms: ship, whose pictures it has; fire(p,
--- beat) and bead(o, beat); or ray(p) and bead_ray(o), which are tasks; bomb; options, as of
--- player.def but for its kind. What is near comes by itself, and all of it if one dares to fly up
--- high.
+-- Declares a form of a craft. def is as for player.def. arms has ship, the craft whose pictures it
+-- uses; fire(p, beat) and bead(o, beat), or the tasks ray(p) and bead_ray(o); bomb; and options, as
+-- for player.def but without kind. The craft attracts nearby items, and all items while it is high
+-- up.
 function craft.def(name, def, arms)
   local bead, ship = name .. "_bead", arms.ship or name
   option.def(bead, { sprite = ship .. "_bead", run = function(o)
@@ -113,7 +113,7 @@ function craft.def(name, def, arms)
   player.def(name, def)
 end
 
--- Both forms' options: a pair, and with the multiplier at x3.00 a second one.
+-- Options for both forms: one pair, and a second pair with the multiplier at x3.00.
 function craft.pairs_of(one, two)
   local all = { wide = {}, close = {} }
   for _, of in ipairs { one, two } do
@@ -125,10 +125,10 @@ function craft.pairs_of(one, two)
                                                { at = 300, wide = all.wide, close = all.close } } }
 end
 
--- A new life has its bombs; what was kept of more is not lost.
+-- A new life starts with at least BOMBS bombs; a larger stock stays.
 function craft.refill(p) p.bombs = math.max(p.bombs, BOMBS) end
 
--- The ship of a player's kind, whichever form: "heron", "petrel" or "tern".
+-- The ship of a player's kind, for either form: "heron", "petrel" or "tern".
 function craft.ship(p) return p.kind:match("^%a+") end
 
 return craft

@@ -1,5 +1,5 @@
--- players/heron.lua - Iri's: fast and narrow. Two darts abreast with beads that aim ahead; or a
--- lens, a ray that goes through all that it meets, with threads of light from the beads.
+-- players/heron.lua - Iri's craft, fast with a narrow shot: two darts abreast with beads that aim
+-- ahead, or a lens, a ray that pierces everything, with threads of light from the beads.
 local craft = require "players/craft"
 
 shot.def("dart",   { sprite = "dart",   bank = craft.GREEN, hit = { box = { 8, 14 } },
@@ -27,7 +27,7 @@ local function bead(o, beat)
   end
 end
 
--- The lens hums while it burns.
+-- The lens hums while it fires.
 local function lens(p)
   task.own(p, function()
     while true do

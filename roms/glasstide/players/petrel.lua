@@ -1,6 +1,6 @@
--- players/petrel.lua - Sen's: slower and wide. A fan of fangs that closes while focused, with
--- beads that fire straight; or a swarm of motes that find their way, from the craft and from beads
--- that circle it.
+-- players/petrel.lua - Sen's craft, slower with a wide shot: a fan of fangs that closes with focus
+-- and beads that fire straight, or a swarm of homing motes from the craft and from beads that
+-- circle it.
 local craft = require "players/craft"
 
 shot.def("fang",  { sprite = "fang",   bank = craft.GREEN, hit = { box = { 10, 10 } },

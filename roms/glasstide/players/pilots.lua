@@ -1,4 +1,4 @@
--- players/pilots.lua - who flies, as a talk names them: by the kind of player, whichever form.
+-- players/pilots.lua - the pilots as speakers in dialogue, by player kind.
 local function pilot(kinds, name, voice)
   for _, kind in ipairs(kinds) do
     talk.def(kind, { name = name, voice = voice,

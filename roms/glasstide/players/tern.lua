@@ -1,5 +1,5 @@
--- players/tern.lua - Ono's: quick in a straight line, and heavy. Lances that go through, with
--- beads that trail behind; or hooks that fly out and come back, and hit on both ways.
+-- players/tern.lua - Ono's craft, fast in a straight line, and heavy: piercing lances with beads
+-- that trail behind, or hooks that fly out, come back, and hit both ways.
 local craft = require "players/craft"
 
 shot.def("pike",  { sprite = "pike", bank = craft.GREEN, hit = { box = { 6, 24 } }, damage = 5,

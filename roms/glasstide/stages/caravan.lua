@@ -1,20 +1,20 @@
--- stages/caravan.lua - two minutes, and all that swims by in them. A formation that is gone calls
--- the next, so who shoots faster sees more; one of which none got away is worth more each time.
--- At 2:00 all stops, and what is left is paid for.
+-- stages/caravan.lua - a two-minute score attack. Clearing a formation brings the next one, so
+-- faster shooting brings more. Formations destroyed completely, in a row, are worth more each time.
+-- At 2:00 everything stops, and remaining lives and bombs are paid.
 local clock = require "clock"
 local herds = require "stages/caravan/herds"
 require "stages/caravan/scene"
 
 local LONG <const> = 120 * 60 -- frames
-local LATE <const> = 10 * 60  -- of them the last, when the clock is heard
-local PATIENCE <const> = 200  -- frames until the next comes although the one before is still there
-local FEW <const> = 2         -- that many left of one call the next as well
-local KEPT <const> = 8        -- tags of herds, taken in turns
+local LATE <const> = 10 * 60  -- the last frames, in which the clock ticks
+local PATIENCE <const> = 200  -- frames until the next formation comes anyway
+local FEW <const> = 2         -- survivors at which the next formation comes
+local KEPT <const> = 8        -- herd tags, reused in rotation
 
 local caravan = { LONG = LONG }
 
-local left_of = {} -- tag -> how many of that herd swim yet
-local streak = 0   -- herds in a row of which none got away
+local left_of = {} -- tag -> how many of that herd are left
+local streak = 0   -- herds destroyed completely, in a row
 
 on.start(function() left_of, streak = {}, 0 end)
 on.death(function() streak = 0 end)
@@ -22,7 +22,7 @@ on.leave(function(e)
   if left_of[e.tag] then left_of[e.tag], streak = nil, 0 end
 end)
 
--- A herd is gone, and none of it got away.
+-- A herd was destroyed completely.
 local function whole()
   streak = streak + 1
   local points = 1000 * math.min(streak, 50)
@@ -38,7 +38,7 @@ on.kill(function(e)
   if left == 1 then whole() end
 end)
 
--- The next herd as soon as there is room for it.
+-- Sends each herd when the one before is nearly gone.
 local function drive()
   for k = 1, forever do
     local tag = "herd " .. k % KEPT
@@ -56,7 +56,7 @@ local function tick(left)
   end
 end
 
--- What is left, and what it is worth.
+-- Pays for the remaining lives and bombs.
 local function pay()
   local lines = { "TIME!" }
   player.each(function(p)
@@ -71,9 +71,9 @@ end
 
 stage.def("caravan", function()
   bg.show("caravan", { over = 0 })
-  local began = game.frames -- what stands still while the game does
+  local began = game.frames -- game.frames stops with the game
   local function left() return math.max(0, LONG - (game.frames - began)) end
-  local road = task.scope() -- with it go the waves that are on their way
+  local road = task.scope() -- stopping it also stops pending waves
   task.own(road, drive)
   task.own(road, function() tick(left) end)
   do

@@ -1,5 +1,5 @@
--- stages/moon.lua - under the abyss: the Drowned Moon, who holds the other end of the tide. It is
--- met at the end of a good run, and can be practised.
+-- stages/moon.lua - below the abyss: the Drowned Moon, who holds the other end of the tide. It
+-- appears at the end of a good run, and can be practised.
 require "stages/moon/creatures"
 require "stages/moon/scene"
 require "stages/moon/boss"
@@ -7,7 +7,7 @@ local meeting = require "stages/moon/meeting"
 local sea = require "sea"
 local fx = require "fx"
 
-local SHARDS <const> = 300 -- hundredths: the multiplier that it wakes for
+local SHARDS <const> = 300 -- hundredths: the multiplier that wakes it
 
 local moon = {}
 
@@ -18,7 +18,7 @@ on.phase(function(_, id, won)
   if id == "eclipse" and won then outlived = true end
 end)
 
--- May it be met in this run: not on easy, and with enough shards in one of the crafts.
+-- Does it appear in this run? Not on easy, and only if one craft has enough shards.
 function moon.open()
   if board.difficulty() == "easy" then return false end
   local open = false
@@ -26,7 +26,7 @@ function moon.open()
   return open
 end
 
--- Was it, in this run?
+-- Was the eclipse survived in this run?
 function moon.outlived() return outlived end
 
 local function fight()

@@ -1,4 +1,4 @@
--- stages/one.lua - the shallows: the reef, the wreck of a lamp ship, and who keeps guard below it.
+-- stages/one.lua - the shallows: the reef, the wreck of a lamp ship, and the guardians below it.
 require "stages/one/creatures"
 require "stages/one/nautilus"
 require "stages/one/crab"
@@ -30,10 +30,10 @@ local glide = path.def {
 local loom = path.def {
   { x = 64, y = -30 }, { x = 64, y = 76, over = 90, ease = "out" }, { wait = 270 },
   { x = 64, y = -50, over = 90, ease = "in" } }
-local stoop = path.def { -- of an arrow: down in one stroke, a rest, and away upwards
+local stoop = path.def { -- for arrows: down in one stroke, a rest, and back up
   { x = 44, y = -24 }, { x = 44, y = 64, over = 40, ease = "out" }, { wait = 150 },
   { x = 44, y = -40, over = 60, ease = "in" } }
-local bob = path.def { -- of a seahorse: as waves go
+local bob = path.def { -- for seahorses: up and down like waves
   { x = -20, y = 60 }, { x = 30, y = 50, over = 50, ease = "out" },
   { x = 44, y = 84, over = 60, ease = "both" }, { x = 36, y = 52, over = 60, ease = "both" },
   { x = 48, y = 84, over = 60, ease = "both" }, { x = 40, y = 56, over = 60, ease = "both" },
@@ -62,7 +62,7 @@ local function reef()
   stage.clear(120)
 end
 
--- The lamp ship: for as long as it takes to fly over it.
+-- The wreck of the lamp ship scrolls by, and creatures come out of its hatches.
 local function wreck()
   if stage.skipping() then return end
   sea.speed(0.9)

@@ -1,5 +1,5 @@
--- stages/rush.lua - all who guard something, one after the other, against the clock. Each is
--- fought where it lives.
+-- stages/rush.lua - all bosses, one after another, against the clock. Each fight has its boss's
+-- own scene.
 local clock = require "clock"
 local sea = require "sea"
 
@@ -12,7 +12,7 @@ local ORDER <const> = {
 
 local rush = {}
 
--- The best time on this difficulty, frames, or nil.
+-- The best time on this difficulty in frames, or nil.
 function rush.best() return save.get("rush/" .. board.difficulty()) end
 
 local function keep(frames)
@@ -20,7 +20,7 @@ local function keep(frames)
   if not best or frames < best then save.set("rush/" .. board.difficulty(), frames) end
 end
 
--- A conch comes to whoever is there, so that each fight begins with something in hand.
+-- Drops a conch for each player, so that each fight starts with a bomb.
 local function provide()
   player.each(function(p)
     if p.alive then item.drop { kind = "conch", x = p.x, y = 60 } end
@@ -35,7 +35,7 @@ local function fight(who)
 end
 
 stage.def("rush", function()
-  local frames = 0 -- those of phases alone count
+  local frames = 0 -- frames in boss fights only
   task.go(function()
     while true do
       if boss.now() then frames = frames + 1 end

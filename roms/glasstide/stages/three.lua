@@ -1,5 +1,5 @@
 -- stages/three.lua - the abyss: down between columns of basalt, over the trench, past the
--- Anglerlamp in water without light, and to the Queen of the Glass Tide.
+-- Anglerlamp in lightless water, and to the Queen of the Glass Tide.
 require "stages/three/creatures"
 require "stages/three/angler"
 local habits = require "stages/three/habits"
@@ -37,7 +37,7 @@ local dart = path.def {
   { x = 120, y = -80 }, { x = 120, y = 110, over = 60, ease = "out" }, { wait = 90 },
   { x = 120, y = -140, over = 90, ease = "in" } }
 
-local ROSE <const> = 1 -- the other glass
+local ROSE <const> = 1 -- the second glass colour
 local wave, both = stage.wave, waves.both
 
 local function lone(w)
@@ -50,7 +50,7 @@ local function pair(w)
   both(w)
 end
 
--- Down between the columns.
+-- The descent between the columns.
 local function descent()
   stage.at(70)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
   stage.at(200)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
@@ -81,7 +81,7 @@ local function trench()
   stage.clear(150)
 end
 
--- Behind the lamp: all of them, in company.
+-- After the Anglerlamp, all creatures come in groups.
 local function deep()
   stage.at(2790) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
   stage.at(2940) lone { kind = "gulper", path = hang, run = habits.gulp }
@@ -101,7 +101,7 @@ local function deep()
   stage.clear(200)
 end
 
--- She is seen from afar before she comes: a shape in the dark water, which rises and goes.
+-- The queen, seen from afar before she appears: a shape that rises through the dark water.
 local function omen()
   local shape = sprite.put { sprite = "queen_afar", x = 120, y = 250, layer = "back", bank = 1 }
   for _ = 1, 220 do

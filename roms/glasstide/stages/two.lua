@@ -40,7 +40,7 @@ local berth = path.def {
 
 local wave, both = stage.wave, waves.both
 
--- The wall of arches: who works here.
+-- The wall of arches introduces the creatures of the works.
 local function arches()
   stage.at(80)   wave { kind = "drone", n = 7, every = 13, path = sweep, run = habits.blink }
   stage.at(220)  wave { kind = "drone", n = 7, every = 13, path = sweep, mirror = true,
@@ -63,7 +63,7 @@ local function arches()
   stage.clear(240)
 end
 
--- The street: everything comes faster, and in formation.
+-- In the street, creatures come faster and in formations.
 local function street()
   stage.at(1740) wave { kind = "bottle", n = 7, every = 0, path = rush, formation = "v", gap = 22,
                         run = habits.shaken }
@@ -79,7 +79,7 @@ local function street()
   stage.clear(200)
 end
 
--- Behind the Bellows: all of them together.
+-- After the Bellows, all creatures come together.
 local function halls()
   stage.at(2820) both { kind = "drone", n = 7, every = 10, path = sweep, run = habits.beads }
   stage.at(2960) both { kind = "worm", n = 1, every = 1, path = wind, run = habits.vent }

@@ -1,5 +1,5 @@
--- missions.lua - from the title: the list, a mission that is done, what is kept of it, and one
--- that is failed.
+-- missions.lua - from the title: the list, a mission that is cleared, its saved result, and one
+-- that fails.
 local function tap(run, button, after)
   run:press(button .. "@" .. run.frame .. ":" .. run.frame + 1)
   run:step(after or 20)
@@ -22,10 +22,10 @@ test.equal(run:eval "game.stage", "one")
 run:exec "player.get(1).chain = 20"
 run:step(90)
 local value, stars, ship = run:eval "mission.best('first_light')"
-test.expect(value and value < 300, "the time is kept")
+test.expect(value and value < 300, "the time is saved")
 test.equal({ stars, ship }, { 3, "heron" }, "with all its stars")
-test.equal(run:eval "mission.stars()", 3, "of all")
-test.equal(run:heard("mission"), 1, "it is heard")
+test.equal(run:eval "mission.stars()", 3, "in total")
+test.equal(run:heard("mission"), 1, "its sound plays")
 
 tap(run, "fire", 40) -- back to the list
 tap(run, "down")
@@ -35,10 +35,10 @@ tap(run, "fire", 40)
 tap(run, "fire", 60)
 run:exec "player.get(1).bombs = 1"
 tap(run, "bomb", 60) -- Clear Water allows none
-test.equal(run:heard("failed"), 1, "it is failed")
-test.equal(run:eval "mission.best('clear_water')", nil, "and nothing kept")
+test.equal(run:heard("failed"), 1, "it fails")
+test.equal(run:eval "mission.best('clear_water')", nil, "and nothing is saved")
 
--- Every one of them begins, and runs for some seconds without a fault, with fire held.
+-- Every mission starts and runs for some seconds without a fault, with fire held.
 local function begin(i)
   local one = test.run { seed = i, frames = 60 }
   one:exec "save.set('unlock/rush', true) save.set('unlock/tern', true)"
@@ -51,12 +51,12 @@ local function begin(i)
     if one:eval "player.get(1).alive" then break end
     tap(one, "fire", 16)
   end
-  test.expect(one:eval "player.get(1).alive", ("mission %d begins"):format(i))
+  test.expect(one:eval "player.get(1).alive", ("mission %d starts"):format(i))
   one:exec "player.get(1).safe = 10000"
   one:press("fire")
   one:step(240)
   test.equal(one.fault, nil, ("mission %d"):format(i))
-  test.expect(one:wait("boss.now() or game.stage", 300), ("mission %d: nothing comes"):format(i))
+  test.expect(one:wait("boss.now() or game.stage", 300), ("mission %d: nothing appears"):format(i))
 end
 
 local _, most = run:eval "mission.stars()"

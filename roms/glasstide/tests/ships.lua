@@ -1,5 +1,5 @@
--- ships.lua - every form of every craft hits what is ahead, has its beads, fires in green alone,
--- and its bomb clears.
+-- ships.lua - every form of every craft hits enemies ahead, has its beads, fires only in green, and
+-- clears bullets with its bomb.
 local FORMS <const> = { "heron", "heron_lens", "petrel", "petrel_swarm", "tern", "tern_hooks" }
 local GREEN <const> = 4
 local BANKS <const> = "(function() local t = {} " ..
@@ -18,14 +18,14 @@ end
 
 for _, form in ipairs(FORMS) do
   local run = test.run { stage = "one@" .. form, invincible = true, frames = 5 }
-  test.equal(run:eval "player.get(1).kind", form, "the ship that was asked for")
+  test.equal(run:eval "player.get(1).kind", form, "the requested ship")
   target(run)
   run:press("fire,focus")
   run:step(60)
-  test.equal(run:eval(BANKS), { GREEN }, form .. ": all it fires is green")
+  test.equal(run:eval(BANKS), { GREEN }, form .. ": its shots are green")
   run:step(120)
-  test.expect(lost(run) >= 60, form .. ": it has hit, for " .. lost(run))
-  test.expect(lost(run) <= 400, form .. ": not too hard, for " .. lost(run))
+  test.expect(lost(run) >= 60, form .. ": damage " .. lost(run))
+  test.expect(lost(run) <= 400, form .. ": damage not too high, " .. lost(run))
 
   local bombs = run:eval "player.get(1).bombs"
   run:exec [[for i = 1, 40 do
@@ -35,7 +35,7 @@ for _, form in ipairs(FORMS) do
   local flying = run:live("bullets")
   run:press("bomb@" .. run.frame .. ":" .. run.frame + 2)
   run:step(130)
-  test.equal(run:eval "player.get(1).bombs", bombs - 1, form .. ": a bomb is gone")
-  test.expect(run:live("bullets") < flying // 2, form .. ": and most bullets")
+  test.equal(run:eval "player.get(1).bombs", bombs - 1, form .. ": one bomb is used")
+  test.expect(run:live("bullets") < flying // 2, form .. ": and most bullets are cleared")
   test.equal(run.fault, nil, form)
 end

@@ -1,5 +1,5 @@
--- story.lua - the opening is told once the power is on, with its music; START leaves it, and the title is there. Left
--- alone it ends by itself.
+-- story.lua - the opening plays after power-on, with its music. START skips it and shows the title. Otherwise it ends
+-- by itself.
 local run = test.run { seed = 1 }
 run:step(60)
 test.equal(run.music, "opening", "its music")
@@ -7,7 +7,7 @@ test.equal(run:live("sprites"), 1, "a picture")
 test.shot("opening")
 run:press("start@70:72")
 run:step(60)
-test.equal(run.music, "title", "it is left by START")
+test.equal(run.music, "title", "start skips the opening")
 
 local alone = test.run { seed = 1 }
 test.expect(alone:wait(function(r) return r.music == "title" end, 30 * 60), "it ends by itself")

@@ -1,5 +1,5 @@
--- three.lua - the abyss: every phase of its bosses, and its waves, in colours that are its own: violet and rose are
--- the creatures', green is the player's.
+-- three.lua - the abyss: every phase of its bosses and its waves use the right colours: violet and rose are for
+-- creatures, green is for the player.
 local phases = require "helpers/phases"
 
 local BANKS <const> = "01235"
@@ -17,4 +17,4 @@ for _ = 1, 8 do
   run:step(200)
   phases.colours(run, BANKS, "the waves")
 end
-test.equal(run:refused("bullets"), 0, "the waves: bullets there was no room for")
+test.equal(run:refused("bullets"), 0, "the waves: dropped bullets")

@@ -1,5 +1,5 @@
--- two.lua - the works: every phase of both bosses, and what flies in the stage as well, keeps to the colours that
--- creatures and shots leave to bullets.
+-- two.lua - the works: every phase of both bosses and the stage itself use only the colours reserved for
+-- bullets.
 local phases = require "helpers/phases"
 
 local BANKS <const> = "0567"
@@ -8,26 +8,26 @@ phases.watch { banks = BANKS, first = 240, looks = 6, apart = 70,
                bosses = { { "bellows", "breath", "draught", "wheels" },
                           { "eels", "both", "furnace", "panes", "crossing", "press" } } }
 
--- The whole of it, with fire held, on the hardest.
+-- The complete stage on abyss, with fire held.
 local run = test.run { stage = "two", difficulty = "abyss", seed = 1, invincible = true, pads = "fire" }
 while run.frame < 24000 and not run:moment("clear", "two") do
   run:step(120)
   phases.colours(run, BANKS, "the stage, frame " .. run.frame)
 end
-test.expect(run:moment("phase", "breath"), "the Bellows has come")
-test.expect(run:moment("phase", "press"), "the eels have come")
-test.equal(run:refused("bullets") + run:refused("enemies"), 0, "the stage has room")
+test.expect(run:moment("phase", "breath"), "the Bellows appears")
+test.expect(run:moment("phase", "press"), "the eels appear")
+test.equal(run:refused("bullets") + run:refused("enemies"), 0, "no pool is full")
 
--- One eel is down, and the fight goes on; both, and it is over.
+-- With one eel down, the fight continues; with both down, it ends.
 local duel = test.run { stage = "eels/both", seed = 1, invincible = true, frames = 200 }
 duel:exec "enemy.each(nil, function(e) if e.kind == 'cinder' then e:hurt(4000) end end)"
 duel:step(5)
-test.equal(duel:moment("won"), nil, "the other one goes on")
+test.equal(duel:moment("won"), nil, "the other eel fights on")
 duel:exec "enemy.each(nil, function(e) if e.kind == 'quench' then e:hurt(4000) end end)"
 duel:step(5)
 test.expect(duel:moment("won", "both"), "the phase is beaten")
 
--- A pane breaks into shards where shots hit it.
+-- Shots break a pane into shards.
 local cast = test.run { stage = "eels/panes", seed = 1, invincible = true, frames = 260 }
 local panes = cast:eval "bullet.group('pane').count"
 test.expect(panes > 3, "panes hang in a row")

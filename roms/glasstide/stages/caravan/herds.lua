@@ -1,5 +1,5 @@
--- stages/caravan/herds.lua - the formations of the caravan, easy ones first; they come round
--- again, larger and faster.
+-- stages/caravan/herds.lua - the formations of the caravan, easy ones first; they repeat, larger
+-- and faster.
 local herds = {}
 
 local arch = path.def {
@@ -19,7 +19,7 @@ local snake = path.def {
   { x = 40, y = -20 }, { x = 40, y = 60, over = 36 }, { x = 200, y = 90, over = 60, ease = "both" },
   { x = 40, y = 130, over = 60, ease = "both" }, { x = 260, y = 170, over = 70, ease = "both" } }
 
--- A shot or two now and then: what swims by is after its own way, not after you.
+-- A shot or two now and then: these creatures only pass through.
 local function nip(e)
   wait(rng.int(30, by_difficulty { easy = 70, normal = 74, hard = 50, abyss = 40 }))
   if e.y < 200 and rng.chance(by_difficulty { easy = 0.6, normal = 1 }) then
@@ -50,7 +50,7 @@ local LIST <const> = {
   { kind = "fish", n = 9, every = 0, path = fall, formation = "v", gap = 24 },
 }
 
--- Sends the k-th herd; those of a long streak are longer and closer. Returns how many swim in it.
+-- Sends the k-th herd; a long streak makes it longer and denser. Returns its number of creatures.
 function herds.send(k, streak, tag)
   local h, n = LIST[(k - 1) % #LIST + 1], 0
   for side = 1, h.both and 2 or 1 do

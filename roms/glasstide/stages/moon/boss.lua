@@ -1,11 +1,11 @@
--- stages/moon/boss.lua - the Drowned Moon. It wanes, is new, comes full, and then goes dark: five
--- phases that are beaten, and one that is outlived.
+-- stages/moon/boss.lua - the Drowned Moon. It wanes, is new, becomes full, and then goes dark: five
+-- phases to beat, and one to survive.
 local by = require "stages/three/by"
 local late = require "stages/moon/late"
 
-local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
+local FOAM = { items = "foam", spark = "pop" } -- what its bullets become when a phase is beaten
 
--- 1. Gibbous: two wheels of light turn against each other; where they cross are the holes.
+-- 1. Two wheels of light turn against each other; the gaps are where they cross.
 local function wheel(e, kind, bank, step)
   pattern.spiral { from = e, kind = kind, bank = bank, n = forever, step = step,
                    every = by(14, 9, 9, 11),
@@ -27,13 +27,13 @@ local function gibbous(e)
   end
 end
 
--- 2. Half: above the line is air, below it water. What flies in is bent towards the ground, takes
--- another colour and goes slowly, so that it lies close down there.
+-- 2. Above the line is air, below it water. Bullets that enter the water curve downwards, change
+-- colour and slow down, so they are denser there.
 local LINE <const> = 190 -- y of the water
 local CLASSES <const> = 9
 local SLOW <const> = { easy = 0.9, normal = 1, hard = 1.1, abyss = 0.8 }
 
-local bent = {} -- by how far from straight down it flies
+local bent = {} -- by a bullet's angle from straight down
 for i = 1, CLASSES do
   local off = 20 * (i - 5) -- degrees from straight down
   bent[i] = {}
@@ -49,7 +49,7 @@ local function refract(a)
   if i >= 1 and i <= CLASSES then a.motion = bent[i][board.difficulty()] bullet.fire(a) end
 end
 
--- The line itself: foam along it, which is there before anything crosses it.
+-- The foam along the line, which appears before anything crosses it.
 local function shore()
   for i = 0, forever do
     spark.burst { kind = "pop", x = 97 * i % 240, y = LINE + 2 * angle.sin(11 * i), speed = 0.2 }
@@ -73,7 +73,7 @@ local function half(e)
   end
 end
 
--- 3. Crescent: sickles that fly as one, and go to pieces over you.
+-- 3. Sickles of bullets fly in one piece and break up over you.
 local sickle = {}
 for i = -7, 7 do
   local a = 12 * i
@@ -118,7 +118,7 @@ local function crescent(e)
   end
 end
 
--- Each phase is rung in.
+-- Rings the bell at the start of a phase.
 local function tolled(run)
   return function(e)
     sound.play("toll", { from = e })
@@ -127,7 +127,7 @@ local function tolled(run)
 end
 
 boss.def("moon", { title = "The Drowned Moon", kind = "moon", x = 120, y = 100,
-  epithet = "What Pulls the Water", entrance = "bubbles", bg = "moon",
+  epithet = "That Which Pulls the Water", entrance = "bubbles", bg = "moon",
   music = "moon", portrait = "moon_cross",
   warning = 150, phases = {
     { id = "gibbous", hp = 1600, time = 45 * 60, run = tolled(gibbous), clear = FOAM,

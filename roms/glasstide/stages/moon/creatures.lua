@@ -1,7 +1,7 @@
--- stages/moon/creatures.lua - who hangs in the black water: one disc, and what is done to it.
+-- stages/moon/creatures.lua - the moon, a disc in the black water.
 local kinds = require "kinds"
 
--- It wanes and waxes: each phase of the fight has a picture of its own.
+-- It wanes and waxes: each phase of the fight has its own picture.
 enemy.def("moon", { sprite = "moon", bank = 0, hit = { circle = 58 }, hp = 100, score = 200000,
                     spark = "crumb", blink = 4, blink_soft = true,
                     on_hit = kinds.chip, on_death = kinds.collapse,

@@ -2,7 +2,7 @@
 local by = require "stages/three/by"
 local late = {}
 
--- Glints that look at you, one after the other, slow: whoever goes on a little is past them.
+-- Slow stars aimed at you, one after another. Keep moving a little to pass them.
 function late.stream(e, every, bank)
   while true do
     wait(every)
@@ -11,11 +11,11 @@ function late.stream(e, every, bank)
   end
 end
 
--- 4. New: rings that turn while they grow, one gap or two in each. The next gap is never further
--- from the last than a craft goes meanwhile.
+-- 4. Rings turn while they grow, each with a gap. The next gap is never farther away than a craft
+-- can move in time.
 local GROW <const> = { easy = 0.8, normal = 0.8, hard = 0.85, abyss = 0.7 }
 local SPIN <const> = 0.1
-local DOWN_THERE <const> = 176 -- px from its middle to where the crafts are
+local DOWN_THERE <const> = 176 -- px from its centre to the crafts
 
 local turning = {}
 for name, v in pairs(GROW) do
@@ -55,15 +55,15 @@ function late.new(e)
   end
 end
 
--- 5. Full: the moon comes down, and lets go all that it has: seeds of a sunflower, each beside
--- none before. Large ones go out between them like bells.
+-- 5. The moon comes down and throws everything it has: bullets like the seeds of a sunflower, none
+-- next to the one before. Rings of large bubbles spread between them.
 local GOLDEN <const> = 137.508
 
 function late.full(e)
   e.picture = "full"
   e:move { x = 120, y = 114, over = 120, ease = "both" }
   task.go(function()
-    local rate = by(0.9, 2.4, 3, 3.4) -- seeds a frame
+    local rate = by(0.9, 2.4, 3, 3.4) -- seeds per frame
     local seed = { kind = "pellet", from = e, dir = 0, speed = by(1.1, 1.2, 1.3, 0.9) }
     local owed = 0
     for k = 1, forever do
@@ -84,16 +84,16 @@ function late.full(e)
   end
 end
 
--- 6. Dark: it is outlived. The sea falls in in four pieces, and at last in all of them.
+-- 6. Survive as the sea falls in: walls, then rays, then recalled rings, then walls and arms.
 local pulled = {}
 for name, v in pairs { easy = 2.4, normal = 2.7, hard = 2.9, abyss = 3.1 } do
   pulled[name] = motion.def { { speed = v, over = 1 }, { speed = 0, over = 150 },
     { bank = 1 }, { wait = 24 }, { go_to = { 120, 100 }, over = 190, ease = "in" }, { die = true } }
 end
 
--- Walls from above, and the way through them goes to and fro.
+-- Walls from above, with a gap that swings from side to side.
 local function walls(frames, apart)
-  local wide = by(6, 6, 5, 5) -- of 14 px each
+  local wide = by(6, 6, 5, 5) -- bullets, 14 px apart
   for k = 1, frames // apart do
     local gap = (9 + 5 * angle.sin(53 * k) - wide / 2) // 1
     pattern.line { x = 120, y = -8, kind = "rice", bank = 6, n = 19, width = 252, dir = 90,
@@ -103,7 +103,7 @@ local function walls(frames, apart)
   end
 end
 
--- What goes out and is called back: it hangs a while before it comes.
+-- Rings that spread, hang, and are pulled back to the moon.
 local function recall(e, times)
   for k = 1, times do
     pattern.ring { from = e, kind = "orb", bank = 5, dir = 7 * k,
@@ -113,7 +113,7 @@ local function recall(e, times)
   end
 end
 
--- The corona: rays that go round, and rings between them.
+-- The corona: rotating rays, and rings between them.
 local function corona(e, frames)
   local n = by(4, 6, 7, 8)
   local p = player.nearest(e.x, e.y)
@@ -134,9 +134,9 @@ local function corona(e, frames)
   wait(30)
 end
 
--- What fell in first comes down all the while: each drop as far as may be from those before.
+-- Rain that never stops; each drop falls as far as possible from those before.
 local function rain()
-  local rate = by(0.36, 0.3, 0.32, 0.55) -- drops a frame
+  local rate = by(0.36, 0.3, 0.32, 0.55) -- drops per frame
   local drop = { kind = "petal", bank = 3, y = -10, dir = 90 }
   local owed, fallen = 0, 0
   for k = 1, forever do

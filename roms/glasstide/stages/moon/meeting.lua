@@ -1,17 +1,17 @@
--- stages/moon/meeting.lua - what is said before the moon, who says little.
+-- stages/moon/meeting.lua - the dialogue before the moon, who says little.
 talk.def("moon", { name = "The Moon", side = "right", voice = "the_moon",
                    faces = { calm = "moon_face", cross = "moon_cross" } })
 
 local calm, cross = { face = "calm", limit = 150 }, { face = "cross", limit = 150 }
 
--- What each pilot sees in it, and answers.
+-- Each pilot's first line and answer.
 local LINES = {
   heron = { "That is no lamp down there.", "Then I am cutting the rope." },
-  petrel = { "I steered by you for thirty years.", "Let go. Or be let go of." },
+  petrel = { "I steered by you for thirty years.", "Let it go, or be let go." },
   tern = { "The biggest bell I ever saw.", "Everything rings if you hit it." },
 }
 
--- A form of a craft has the pilot of the craft.
+-- Both forms of a craft have the same pilot.
 local function lines_of(kind) return LINES[kind] or LINES[kind:match("^[^_]+")] or LINES.heron end
 
 return function()

@@ -1,6 +1,6 @@
--- stages/moon/scene.lua - black water, and the way that the moon's light lays on it. The light
--- lies broken, each line of it swaying for itself; its strokes drift down faster than the swell
--- below them.
+-- stages/moon/scene.lua - black water, and the path of moonlight on it. The light is broken: each
+-- of its lines sways separately, and its strokes drift down faster than the swell below
+-- them.
 bg.def("moon", function()
   palette.load("moon")
   local water, light = bg.layer(1), bg.layer(2)

@@ -1,5 +1,5 @@
--- stages/one/crab.lua - where the shallows end: the Chandelier Crab, five phases. Its claws are
--- parts of it, and break off; what they did, the shell then does in another way.
+-- stages/one/crab.lua - the boss at the end of the shallows: the Chandelier Crab, five phases. Its
+-- claws are parts and can break off; the shell then fires other patterns in their place.
 local meeting = require "stages/one/meeting"
 local rank = require "rank"
 
@@ -19,7 +19,7 @@ local function wander(e, over)
   e:move { x = rng.int(86, 154), y = rng.int(84, 100), over = over, ease = "both" }
 end
 
--- 1. Both claws sweep the sides, and snap at whoever is between them. From a stump come slow rings.
+-- 1. Both claws sweep the sides and snap at a ship between them. A stump fires slow rings.
 local function snapping(speed)
   return motion.def { { speed = 0.8, over = 12 }, { aim = true }, { speed = speed, over = 24 } }
 end
@@ -67,7 +67,7 @@ local function pincers(e)
   end
 end
 
--- 2. What goes to the walls comes back from them, and then it is gold.
+-- 2. Rings bounce off the walls and turn gold.
 local echo = motion.def { { bounce = 1, walls = "left right top", { bank = GOLD } } }
 
 local function grotto(e)
@@ -92,14 +92,14 @@ local function grotto(e)
   end
 end
 
--- 3. It turns its lamps on you: rays that go round, one way and then the other. You go along with
--- them, between the rings that it lets go.
+-- 3. Its lamps cast rays that rotate one way, then the other. Move along with the rays, between
+-- the rings.
 local function lamplight(e)
   for k = 1, forever do
     local n = by_difficulty { easy = 3, normal = 4, hard = 5 }
     local way = k % 2 == 0 and -1 or 1
     local p = player.nearest(e.x, e.y)
-    -- whoever is there stands between two
+    -- starts with the player between two rays
     local dir = (p and p.alive and angle.to(e, p) or 90) + 180 / n
     for i = 1, n do
       laser.beam { kind = "ray", bank = GOLD, follow = e, dy = 4, dir = dir + 360 * i / n,
@@ -115,7 +115,7 @@ local function lamplight(e)
       pattern.ring { from = e, kind = even and "orb" or "pellet", bank = even and MAGENTA or RUBY,
                      dir = 17 * (k + i), speed = 1.3,
                      n = by_difficulty { easy = 12, normal = 22, hard = 28, abyss = 27 } }
-      if even then -- and some wax, to where you were
+      if even then -- and some wax, aimed
         pattern.fan { from = e, dy = 10, kind = "drop", bank = AMBER, aim = true, speed = 1.6,
                       spread = 44, delay = 20, n = by_difficulty { easy = 1, normal = 3,
                                                                    abyss = 5 } }
@@ -127,11 +127,11 @@ local function lamplight(e)
   end
 end
 
--- 4. Lamps hang round the crab. Each falls when its rest is over, and sheds light to both sides;
--- shot down, it clears a space.
+-- 4. Lamps circle the crab. They fall one after another and shed light to both sides; a lamp that
+-- is shot down clears the bullets around it.
 local hang = motion.def {
   { orbit = 0, radius_to = 62, spin = 1.6, over = 50 }, { orbit = 62, spin = 1.6, over = forever } }
--- It sheds so often and no more: not where you are.
+-- It sheds a limited number of times, so that it has stopped before it reaches you.
 local function falling(every, n, times)
   local shed = { pattern = "fan", n = n, spread = 180, kind = "pellet", bank = MAGENTA,
                  speed = 0.8, delay = 20 }
@@ -141,13 +141,13 @@ end
 local fall = { easy = motion.def { { speed = 0, over = 12 }, { bank = RUBY }, { wait = "rest" },
                                    { aim = true }, { speed = 2.3, over = 30 } },
                normal = falling(30, 2, 2), hard = falling(16, 3, 3), abyss = falling(12, 4, 5) }
--- A bubble slows, bursts, and is a splinter that falls.
+-- A bubble slows down, bursts, and becomes a falling splinter.
 local crack = motion.def {
   { speed = 0.2, over = 40 }, { kind = "shard", bank = MAGENTA, speed = 0.3 }, { dir = 90 },
   { speed = 2.2, over = 50 } }
 local CRACKS = { RUBY, MAGENTA, GOLD }
 
--- Between the lamps that fall, wax.
+-- Wax between the falling lamps.
 local function drips(e)
   while true do
     wait(by_difficulty { easy = 160, normal = 50, hard = 34, abyss = 30 })
@@ -180,8 +180,8 @@ local function chandelier(e)
   end
 end
 
--- 5. Every lamp that it has taken goes out over the water: slow rings that wind both ways through
--- each other, and wax that drips from them. Look for the lanes; they turn.
+-- 5. Every lamp it has taken drifts out over the water: slow rings spiral through each other in
+-- both directions, and wax drips. Find the lanes; they turn.
 local function lights(v, spin) return motion.def { { polar = v, spin = spin, over = 420 } } end
 local ebbing = { easy = { lights(1.0, 0.2), lights(1.0, -0.2) },
                  normal = { lights(1.0, 0.24), lights(1.0, -0.24) },
@@ -213,7 +213,7 @@ local function harbour(e)
   end
 end
 
-local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
+local FOAM = { items = "foam", spark = "pop" } -- what its bullets become when a phase is beaten
 
 boss.def("crab", { title = "Chandelier Crab", kind = "crab", x = 120, y = 92, music = "claws",
                    epithet = "Keeper of the Shallows", entrance = "bubbles",

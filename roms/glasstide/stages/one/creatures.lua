@@ -1,4 +1,4 @@
--- stages/one/creatures.lua - who lives in the shallows.
+-- stages/one/creatures.lua - the creatures of the shallows.
 local kinds = require "kinds"
 local creature, small, large, burst = kinds.creature, kinds.small, kinds.large, kinds.burst
 local huge, collapse, COLD, WARM = kinds.huge, kinds.collapse, kinds.COLD, kinds.WARM
@@ -15,18 +15,18 @@ creature("urchin",   COLD, 28, 28, 90,  2400,  burst, { pearl = 4 })
 creature("nautilus", WARM, 32, 32, 150, 5000,  large, { pearl = 6, conch = 1 })
 creature("lantern_nautilus", COLD, 54, 46, 100, 15000, huge, { pearl = 8, conch = 1 })
 
--- A float harms nobody: bullets end at it, so it is a shelter for as long as it holds.
+-- A float is harmless and stops bullets, so it is a shelter until it breaks.
 enemy.def("float", { sprite = "float", bank = WARM, hit = { circle = 15 }, hp = 160, score = 800,
                      spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip, on_death = large,
                      drops = { pearl = 2 }, touch = false, blocks = true })
 
--- A hatch of the wreck: it lies on the deck, so nobody flies into it.
+-- A hatch of the wreck lies on the deck, so ships can't collide with it.
 enemy.def("hatch", { sprite = "hatch", bank = COLD, hit = { circle = 15 }, hp = 48, score = 1200,
                      spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip, on_death = large,
                      pictures = { ajar = "hatch_ajar", half = "hatch_half", open = "hatch_open" },
                      drops = { pearl = 3 }, touch = false })
 
--- A claw breaks off, and what flies near it goes with it.
+-- A claw breaks off and clears the bullets near it.
 local function break_off(e, p)
   huge(e, p)
   sound.play("shatter", { from = e })

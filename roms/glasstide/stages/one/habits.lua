@@ -1,23 +1,23 @@
--- stages/one/habits.lua - what each creature does while it swims its route. All are `run`
--- functions: they end with their creature. On each difficulty each has another writing.
+-- stages/one/habits.lua - what each creature fires on its path. All are `run` functions, which end
+-- with their creature. Each has its own version for each difficulty.
 local rank = require "rank"
 
 local habits = {}
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 
--- Two ribbons that cross each other as often as they wave.
+-- Two ribbons that cross with every wave.
 local ribbon  = motion.def { { wave = 17, every = 84, over = forever } }
 local counter = motion.def { { wave = 17, every = 84, phase = 180, over = forever } }
 
--- Out from a middle that stays, turning about it; after four seconds straight on.
+-- Spirals out from a fixed centre; after four seconds, straight on.
 local curl_left  = motion.def { { polar = 1.15, spin = 0.55, over = 240 } }
 local curl_right = motion.def { { polar = 1.15, spin = -0.55, over = 240 } }
 
--- The sides of the sea throw it back, once each way.
+-- Bounces off each side once.
 local rebound = motion.def { { bounce = 2, walls = "left right", { bank = GOLD } } }
 
--- Whoever is so near, or above, is not shot at.
+-- px: creatures don't fire at a ship this near.
 local NEAR <const> = 56
 
 local function may_fire(e)
@@ -29,7 +29,7 @@ local function may_fire(e)
   return dx * dx + dy * dy > NEAR * NEAR
 end
 
--- Spit: a few pellets at whoever is near. The mist that they come out of tells where from.
+-- Spit: a few aimed pellets. The mist shows where they will come from.
 function habits.spit(e)
   wait(rng.int(16, 44))
   if not may_fire(e) then return end
@@ -41,7 +41,7 @@ function habits.spit(e)
   end
 end
 
--- Drip: drops one after the other, straight down; deeper, every third falls as three.
+-- Drip: drops one after another, straight down; on hard every third is three drops, on abyss all.
 function habits.drip(e)
   wait(20)
   for k = 1, forever do
@@ -74,7 +74,7 @@ function habits.fan(e)
   end
 end
 
--- Wake: two trails that wind about each other; easy has one of them, the deepest a third between.
+-- Wake: two trails that wind around each other; only one on easy, with extra pellets on abyss.
 function habits.wake(e)
   wait(24)
   for k = 1, forever do
@@ -93,7 +93,7 @@ function habits.wake(e)
   end
 end
 
--- Pulse: rings that open like a flower, to one side and to the other.
+-- Pulse: rings that open like a flower, turning left and right alternately.
 function habits.pulse(e)
   wait(80)
   for k = 1, forever do
@@ -105,7 +105,7 @@ function habits.pulse(e)
   end
 end
 
--- Gild: the warm kind of fish fans out in gold, and wider.
+-- Gild: warm-coloured fish fire gold fans, each wider than the last.
 function habits.gild(e)
   e.bank = 1
   wait(62)
@@ -119,7 +119,7 @@ function habits.gild(e)
   end
 end
 
--- Bristle: needles in turning directions.
+-- Bristle: rotating rings of needles.
 function habits.bristle(e)
   wait(40)
   local turn = rng.dir()
@@ -132,7 +132,7 @@ function habits.bristle(e)
   end
 end
 
--- Whorl: stars that wind out, with pearls to both sides that come back from the walls.
+-- Whorl: a spiral of stars, and pearls that bounce off the walls on both sides.
 function habits.whorl(e)
   wait(70)
   task.go(function()
@@ -146,7 +146,7 @@ function habits.whorl(e)
                    arms = by_difficulty { easy = 2, normal = 3, hard = 4 } }
 end
 
--- Arrow Salvo: splinters in the figure of an arrow, which flies at whoever it saw.
+-- Arrow Salvo: splinters in the shape of an arrow, aimed.
 local ARROW = { { 0, 0 }, { -8, 6 }, { -8, -6 }, { -16, 12 }, { -16, -12 }, { -10, 0 }, { -20, 0 } }
 local SHORT = { { 0, 0 }, { -8, 6 }, { -8, -6 } }
 
@@ -169,7 +169,7 @@ function habits.salvo(e)
   end
 end
 
--- Bubble Chain: bubbles that rise and fall as they drift down, and burst into splinters.
+-- Bubble Chain: bubbles that sway as they drift down, and burst into splinters.
 local function drift(n)
   return motion.def { { wave = 14, every = 70, over = 96 },
     { emit = { pattern = "ring", n = n, kind = "chip", bank = AMBER, speed = 1.2,

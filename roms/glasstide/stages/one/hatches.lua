@@ -1,9 +1,9 @@
--- stages/one/hatches.lua - the wreck of the lamp ship: its hatches open one after the other, and
--- what has made its home in the hold comes out.
+-- stages/one/hatches.lua - the wreck of the lamp ship: its hatches open one after another, and the
+-- creatures that live in the hold come out.
 local habits = require "stages/one/habits"
 local hatches = {}
 
--- Where they are on the deck, from its middle and its stern, and what each lets go.
+-- Each hatch: x from the deck's middle, y from its stern, and what comes out.
 local LIST = {
   { -26, 516, "krill" }, { 32, 492, "krill" }, { 0, 446, "breath" }, { -38, 342, "arrow" },
   { 40, 256, "arrow" }, { -6, 210, "breath" }, { -28, 60, "krill" }, { 26, 24, "krill" },
@@ -18,7 +18,7 @@ local function open(e)
   spark.burst { kind = "fizz", from = e, n = 10, speed = 1.2 }
 end
 
--- Out of the hatch, a turn to its side, and down.
+-- Out of the hatch, to the side, and down.
 local route = {}
 for i, way in ipairs { -1, 1 } do
   route[i] = path.def {
@@ -43,7 +43,7 @@ local function archer(e)
   end
 end
 
--- Breath of the Hold: a ring that opens slowly, and another in its gaps.
+-- Breath of the Hold: slow rings, each through the gaps of the last.
 local function breathe(e)
   for k = 1, by_difficulty { easy = 2, normal = 5, abyss = 7 } do
     if e.y > 190 then return end
@@ -57,7 +57,7 @@ end
 
 local LETS_GO = { krill = swarm, arrow = archer, breath = breathe }
 
--- It goes with the deck that it is in.
+-- Keeps a hatch at its place on the scrolling deck.
 local function ride(e, hull, dy)
   while true do
     e.y = hull.y + dy

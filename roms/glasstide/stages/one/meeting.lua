@@ -1,5 +1,5 @@
--- stages/one/meeting.lua - what is said before the crab, which only clicks. Each pilot hears
--- something else in it.
+-- stages/one/meeting.lua - the dialogue before the crab, which only clicks. Each pilot understands
+-- it differently.
 talk.def("crab", { name = "Chandelier Crab", side = "right", voice = "the_crab",
                    faces = { calm = "crab_face", cross = "crab_cross" } })
 
@@ -11,7 +11,7 @@ local words = {
             "Fine. I like it better dark." },
   petrel = { "Six lamps, and none of them for a harbour.",
              "It says they are heavy. It will not put them down.",
-             "Then we shall help it." },
+             "Then let us unload it." },
   other = { "That is the bell of the Marigold. We cast it.",
             "And those are her lamps.",
             "I will carry them home, then. All of them." },

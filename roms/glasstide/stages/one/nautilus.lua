@@ -1,12 +1,12 @@
--- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp for its own. It
--- comes when the wreck has gone by.
+-- stages/one/nautilus.lua - the Lantern Nautilus, which has taken a ship's lamp. It appears after
+-- the wreck.
 local rank = require "rank"
 
 local RUBY, AMBER, GOLD, MAGENTA = 1, 2, 3, 7
 local LAMP = { dx = -3, dy = 26 } -- where it holds the lamp
 
--- 1. Lamp in hand: its arms let go of orbs that wind out, and the lamp throws needles at you when
--- it flares.
+-- 1. Its arms release rings of orbs that spiral outwards. When the lamp flares, it throws needles
+-- at you.
 local wind_left  = motion.def { { polar = 1.25, spin = 0.5, over = 200 } }
 local wind_right = motion.def { { polar = 1.25, spin = -0.5, over = 200 } }
 
@@ -38,18 +38,18 @@ local function lantern(e)
   end
 end
 
--- 2. Chambered Lamp: it lays its own shell round itself in pearls of light, chamber by chamber, and
--- then unwinds it: what was laid last goes first.
+-- 2. It lays its own shell around itself in pearls of light, chamber by chamber, and then unwinds
+-- it: the last pearls fly first.
 local function unwinding(bank, speed)
   return motion.def { { wait = "rest" }, { bank = bank }, { speed = speed, over = 50 } }
 end
 local unwind = { easy = unwinding(RUBY, 1.5), normal = unwinding(RUBY, 1.7),
                  hard = unwinding(RUBY, 1.5), abyss = unwinding(RUBY, 1.3) }
--- What it lays the other way round looks at you when its turn comes.
+-- Pearls laid in the opposite direction aim at you when they start.
 local moth = motion.def { { wait = "rest" }, { bank = AMBER, aim = true },
                           { speed = 1.5, over = 40 } }
 
--- One pearl of an arm that winds outwards; none where you are.
+-- One pearl of an arm that winds outwards; none in the lower field, where you are.
 local function lay(e, a, r, way, def)
   local x, y = r * angle.cos(a), r * angle.sin(a)
   if e.y + y >= 196 then return end

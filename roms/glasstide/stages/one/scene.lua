@@ -1,6 +1,6 @@
--- stages/one/scene.lua - the shallows as they are seen: a floor of sand, light that the waves bend,
--- the reef at both sides, kelp that is nearly black for it is so near, and shafts of light from
--- above. The wreck of a lamp ship lies in them.
+-- stages/one/scene.lua - the look of the shallows: a floor of sand, rippling light, the reef on both
+-- sides, kelp so near that it is almost black, and shafts of light from above. The wreck of a lamp
+-- ship lies there too.
 local sea = require "sea"
 
 local scene = {}
@@ -9,13 +9,13 @@ local REEF_PART, REEF_TALL = 1.75, 320
 local WRECK_PART, WRECK_X, WRECK_TALL = 1.2, 40, 640
 local WRECK_MIDDLE = WRECK_X + 80
 
-local side = {} -- what flows of the third layer: the reef, or for a while the wreck
+local side = {} -- the third layer and its share of the speed: the reef, or for a while the wreck
 
 local function remove_all(set)
   for _, s in pairs(set) do s:remove() end
 end
 
--- Each shaft sways by itself; what empties the field takes them, and they come again.
+-- Each shaft sways separately. Wiping the field removes the shafts, so this puts them again.
 local function shine()
   local set <close> = setmetatable({}, { __close = remove_all })
   local kinds = { "shaft", "shaft_thin", "shaft" }
@@ -43,11 +43,11 @@ bg.def("shallows", function()
   shine()
 end)
 
--- The reef falls back on both sides, and the wreck comes; found(hull) is called when its bow is
--- about to. Returns when its stern has gone by, and the reef is on its way again.
+-- The reef scrolls away on both sides, and the wreck comes. Calls found(hull, middle) when its bow
+-- is about to appear. Returns when its stern has passed and the reef is coming back.
 function scene.wreck(found)
   local hull = bg.layer(3)
-  wait(2) -- practice that begins here sets the scene first
+  wait(2) -- practice from here sets the scene first
   hull.y, hull.wrap = hull.y % REEF_TALL, false
   wait_until(function() return hull.y >= REEF_TALL end, 300)
   hull.map, hull.x, hull.y = "wreck", WRECK_X, -WRECK_TALL

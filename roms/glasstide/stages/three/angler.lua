@@ -1,15 +1,15 @@
--- stages/three/angler.lua - halfway down, where no light is: the Anglerlamp. What is seen of it are
--- its eyes, its teeth, and the lamp that it holds out.
+-- stages/three/angler.lua - the midboss, in lightless water: the Anglerlamp. Only its eyes, its
+-- teeth, and the lamp that it holds out are visible.
 local kinds = require "kinds"
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
 local scene = require "stages/three/scene"
 local fast, soon = pace.fast, pace.soon
 
-local ROOT <const> = -42  -- where its stalk begins, from its middle
-local FIRST <const>, LAST <const> = 10 * 16 + 1, 13 * 16 + 15 -- colours that light and dark are of
+local ROOT <const> = -42  -- y where its stalk begins, from its centre
+local FIRST <const>, LAST <const> = 10 * 16 + 1, 13 * 16 + 15 -- the colours that light up and go dark
 
--- Its stalk is a row of beads from its brow over to the lamp, wherever that swings.
+-- Its stalk is a row of beads from its brow to the swinging lamp.
 local BEADS <const> = 9
 
 local function stalk(e)
@@ -36,7 +36,7 @@ enemy.def("angler", { sprite = "angler", hit = { box = { 76, 62 } }, hp = 100, s
                       on_death = kinds.huge, drops = { pearl = 10, conch = 1 }, run = stalk,
                       parts = { { kind = "lantern", dx = 0, dy = 44, share = 1, tag = "lamp" } } })
 
--- The lamp flares: all is seen for a moment, and sinks back into the dark.
+-- The lamp flares: everything is visible for a moment, then fades back into the dark.
 local function flare()
   palette.fade { to = "three", over = 6, first = FIRST, last = LAST }
   task.go(function()
@@ -51,8 +51,8 @@ local function swing(e, over)
   e:move { x = rng.int(90, 150), y = rng.int(84, 102), over = over, ease = "both" }
 end
 
--- 1. The bait goes to and fro, and sheds light to both sides that falls in bows, as of a fountain.
--- Whoever looks at that too long is bitten at.
+-- 1. The bait swings to and fro and sheds light that falls on both sides in arcs, like a fountain.
+-- Now and then the Anglerlamp snaps at you.
 local function bow(name, turn, over, speed)
   motion.def { name = name .. " left",  { wait = 8 }, { turn = -turn, over = over },
                { speed = speed, over = 40 } }
@@ -62,7 +62,7 @@ end
 bow("bow", 1.5, 76, 1.8)
 bow("slow bow", 1.0, 114, 1)
 
--- Bows of one moment lie in each other; those of the next lean.
+-- Arcs of one volley nest inside each other; those of the next one lean.
 local function fountain(e)
   local lamp = lamp_of(e)
   local name = by("bow", "bow", "bow", "slow bow")
@@ -90,7 +90,7 @@ local function bait(e)
   end)
   task.go(fountain, e)
   task.go(function()
-    for k = 1, by(0, 0, forever, forever) do -- what it breathes meanwhile
+    for k = 1, by(0, 0, forever, forever) do -- rings from its mouth
       wait(by(104, 58, 73, 50))
       pattern.ring { from = e, dy = 18, kind = "orb", bank = 0, dir = 7.5 * k, n = by(8, 8, 14, 26),
                      speed = by(1, 1, 1.1, 0.8) }
@@ -108,8 +108,8 @@ local function bait(e)
   end
 end
 
--- 2. It breathes out pearls, slow, in the dark. Then the lamp is struck: pearls that its light
--- falls on stand, catch fire, and fly away from it.
+-- 2. It breathes slow pearls into the dark. When the lamp is struck, pearls in its light stop,
+-- catch fire, and fly away from it.
 local LIT <const> = 74 -- px that the light reaches
 
 motion.def { name = "catch fire", { speed = 0, over = 8 }, { bank = 2 }, { wait = 26 },
@@ -154,7 +154,7 @@ local function match(e)
     lamp:move { dx = side * rng.int(30, 78), dy = rng.int(40, 84), over = 64, ease = "both" }
     wait(64)
     sound.play("charge", { from = lamp })
-    for _ = 1, 6 do -- it is seen that it will be struck, and where its light ends
+    for _ = 1, 6 do -- announces the strike and shows the reach of its light
       spark.burst { kind = "ping", from = lamp, n = 10, radius = LIT - 22, speed = 1.4 }
       wait(6)
     end
@@ -164,14 +164,14 @@ local function match(e)
   end
 end
 
--- 3. Teeth come out of the dark at both sides, close but for a gap, and fall. Meanwhile it looks
--- down the gap.
+-- 3. Teeth come out of the dark on both sides, close except for a gap, and fall. Meanwhile it
+-- fires at you through the gap.
 value.def("home_x")
 value.def("home_y")
 motion.def { name = "tooth", { go_to = { "home_x", "home_y" }, over = 84, ease = "both" },
              { wait = 30 }, { dir = 90 }, { speed = 1.5, over = 60 } }
 
--- One tooth of n bullets on each other: its tip reaches to `tip`, its root stands at the wall.
+-- One tooth, a row of n bullets, that goes from the wall to x = `tip`.
 local function tooth(side, y, tip)
   local n = by(3, 3, 4, 6)
   local wall = side < 0 and 4 or 236
@@ -206,7 +206,7 @@ local function teeth(e)
     end
   end)
   task.go(function()
-    for k = 0, by(-1, forever, forever, forever) do -- rain of the lamp; on abyss a curtain
+    for k = 0, by(-1, forever, forever, forever) do -- rain from the lamp, a curtain on abyss
       pattern.ring { from = lamp, kind = "pellet", bank = 3, n = by(5, 7, 10, 18), dir = 8.5 * k,
                      speed = by(0.9, 1.05, 1.15, 0.85) }
       wait(by(69, 66, 45, 22))

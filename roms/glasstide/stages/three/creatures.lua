@@ -1,11 +1,11 @@
--- stages/three/creatures.lua - who lives in the abyss.
+-- stages/three/creatures.lua - the creatures of the abyss.
 local kinds = require "kinds"
 local creature, small, large = kinds.creature, kinds.small, kinds.large
 local by = require "stages/three/by"
 
 local VIOLET = kinds.COLD
 
--- What breaks last throws its splinters at whoever broke it.
+-- The toughest creatures throw splinters at the craft that broke them.
 local function shatter(e, p)
   large(e, p)
   sound.play("shatter", { from = e })

@@ -1,11 +1,11 @@
--- stages/three/habits.lua - what each creature of the abyss does while it swims its route. All are
--- `run` functions: they end with their creature.
+-- stages/three/habits.lua - what each creature of the abyss fires on its path. All are `run`
+-- functions, which end with their creature.
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
 local fast, soon = pace.fast, pace.soon
 local habits = {}
 
-local NEAR = 44 -- px: nobody fires into a face
+local NEAR = 44 -- px: creatures don't fire at a ship this near
 
 local function face_to_face(e)
   local p = player.nearest(e.x, e.y)
@@ -14,7 +14,7 @@ local function face_to_face(e)
   return dx * dx + dy * dy < NEAR * NEAR
 end
 
--- Mites spit a spark of cyan, on abyss a short whip of them.
+-- Mites spit aimed cyan pellets: one on easy, five in a row on abyss.
 function habits.spit(e)
   wait(rng.int(20, 50))
   if face_to_face(e) then return end
@@ -22,7 +22,7 @@ function habits.spit(e)
                   n = by(1, 2, 3, 5), speed = fast(1.6, 1.9, 2.1, 2.2) }
 end
 
--- Those that come in crowds let glass fall behind them.
+-- Mites in crowds drop glass behind them.
 function habits.litter(e)
   wait(26)
   while true do
@@ -31,7 +31,7 @@ function habits.litter(e)
   end
 end
 
--- A viperfish bites: the jaw it was seen with comes flying, both rows of teeth.
+-- A viperfish bites: two rows of teeth fly at you in the shape of its jaw.
 local JAW = { { 0, -16 }, { 9, -12 }, { 15, -5 }, { 15, 5 }, { 9, 12 }, { 0, 16 } }
 local WIDE_JAW = { { -8, -24 }, { 0, -16 }, { 9, -12 }, { 15, -5 }, { 15, 5 }, { 9, 12 }, { 0, 16 },
                    { -8, 24 } }
@@ -48,7 +48,7 @@ function habits.bite(e)
   end
 end
 
--- A squid puffs its ink: pearls that hang in a cloud, sink, and hide the star that comes after.
+-- A squid puffs ink: orbs that hang in a cloud, then sink, and hide the stars that follow.
 motion.def { name = "ink", { speed = 0.25, over = 46 }, { wait = 24 }, { dir = 90 },
              { speed = 1.1, over = 70 } }
 
@@ -66,8 +66,8 @@ function habits.ink(e)
   end
 end
 
--- The lights of a comb jelly run down its sides, and each lets go when it has come to the end: two
--- fans that cross, open and close.
+-- The lights of a comb jelly run down its sides and fire from there: two fans that cross, open and
+-- close.
 function habits.lights(e)
   wait(60)
   for k = 0, forever do
@@ -84,7 +84,7 @@ function habits.lights(e)
   end
 end
 
--- A sea spider hangs up a web, which stands for a while and then comes down, turning.
+-- A sea spider spins a web, which hangs for a while and then comes down.
 motion.def { name = "web", { speed = 0, over = 44 }, { wait = 22 }, { dir = 90 },
              { speed = 0.9, over = 50 } }
 
@@ -102,7 +102,7 @@ function habits.web(e)
   end
 end
 
--- Bells in a row that turns about its head, as a hand about a clock; each sheds drops to one side.
+-- Rows of bells turn around its head like the hands of a clock; each bell sheds drops to one side.
 local function shed(bell)
   wait(50)
   while true do
@@ -139,7 +139,7 @@ end
 
 motion.def { name = "round the back", { wait = 16 }, { home = 2.2, over = 46 } }
 
--- A lantern shark shows its lamp, and lances come along the line of its light.
+-- A lantern shark flashes its lamp, then throws lances along its light.
 function habits.hunt(e)
   wait(64)
   while true do
@@ -157,7 +157,7 @@ function habits.hunt(e)
   end
 end
 
--- A gulper draws water in, swallows, and gives back bubbles that break open.
+-- A gulper draws in water, swallows, and spits out marbles that burst.
 motion.def { name = "gulp", { speed = 0.5, over = 70 },
   { emit = { pattern = "ring", n = 8, kind = "orb", bank = 2, speed = 1.1 } }, { die = true } }
 motion.def { name = "great gulp", { speed = 0.5, over = 70 },

@@ -1,5 +1,5 @@
--- stages/three/meeting.lua - what is said before the queen: six lines, three of them the pilot's
--- own. Nobody has to press anything: a line goes after some seconds.
+-- stages/three/meeting.lua - the dialogue before the queen: six lines, three of them the pilot's.
+-- No button is needed: each line ends after a few seconds.
 talk.def("heron", { name = "Iri", voice = "iri", faces = { calm = "iri", cross = "iri_cross" } })
 talk.def("petrel", { name = "Sen", voice = "sen", faces = { calm = "sen", cross = "sen_cross" } })
 talk.def("queen", { name = "The Queen", side = "right", voice = "the_queen",
@@ -7,7 +7,7 @@ talk.def("queen", { name = "The Queen", side = "right", voice = "the_queen",
 
 local calm, cross = { face = "calm", limit = 150 }, { face = "cross", limit = 150 }
 
--- What each pilot says, and what she answers to each.
+-- Each pilot's lines, and the queen's answer.
 local LINES = {
   heron = { "So this is where the sea went. You kept all of it?",
             "Our boats lie on their sides in the mud. I learned to sail on sand!",
@@ -15,7 +15,7 @@ local LINES = {
             queen = "I kept it clean. Your harbours fed it slag, year upon year." },
   petrel = { "I have sailed over you for thirty years, and never known.",
              "We did. I was there, and I looked away. The children did not.",
-             "Nor shall you alone. I came to take the tide home.",
+             "Then you must learn. I came to take the tide home.",
              queen = "You poured fire and slag into my halls. You called it trade." },
   tern = { "Grandfather's bells came from your sand. He said you would ask.",
            "He cast one for you. It hangs on my boat. It is very loud.",
@@ -23,7 +23,7 @@ local LINES = {
            queen = "Every bell he cast, he cooled in me. It burned." },
 }
 
--- Both forms of a ship have one pilot: heron and heron_lens.
+-- Both forms of a ship have the same pilot: heron and heron_lens.
 local function words(kind) return LINES[kind:match("^%a+")] or LINES.heron end
 
 return function()

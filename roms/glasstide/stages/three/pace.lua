@@ -1,5 +1,5 @@
--- stages/three/pace.lua - numbers for each difficulty as by.lua has them, which the rank presses:
--- speeds, and pauses of frames. For waves, and for what bosses do before their signs.
+-- stages/three/pace.lua - values per difficulty, as in by.lua, adjusted by the rank: speeds, and
+-- pauses in frames. For waves and for the bosses' non-spell phases.
 local by = require "stages/three/by"
 local rank = require "rank"
 local pace = {}

@@ -1,5 +1,5 @@
--- stages/three/queen.lua - the floor of the sea: the Queen of the Glass Tide, five phases and the
--- one she comes back with.
+-- stages/three/queen.lua - the boss on the sea floor: the Queen of the Glass Tide, five phases and
+-- the one she returns with.
 local sea = require "sea"
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
@@ -12,8 +12,8 @@ local function wander(e, over)
   e:move { x = rng.int(80, 160), y = rng.int(74, 98), over = over, ease = "both" }
 end
 
--- 1. Moons circle her and throw orbs outward, rice turns against them; a volley of blades looks for
--- a way between both. On abyss all of it is slow, and a curtain.
+-- 1. Moons circle her and throw orbs outwards, arms of rice turn the other way, and volleys of
+-- blades fly between them. On abyss, all of it forms a slow curtain.
 motion.def { name = "moon",
   { orbit = 0, radius_to = 64, spin = -1.7, over = 50 },
   { orbit = 64, spin = -1.7, over = forever } }
@@ -46,8 +46,8 @@ local function wheels(e)
   end
 end
 
--- 2. The water stands still, and all that is in it. Lances gather round you, which start when it
--- flows again; half of the orbs then look at you, and half go home: each has written on it where.
+-- 2. The water and everything in it stops. Lances gather around you and start when the water flows
+-- again; then half of the orbs aim at you, and the other half fly back to her.
 motion.def { name = "home",
   { go_to = { "home_x", "home_y" }, over = 80, ease = "in" }, { die = true } }
 motion.def { name = "pounce", { speed = 0 }, { speed = 1.8, over = 26 } }
@@ -58,7 +58,7 @@ local function gather(n)
   for i = 1, n do
     player.each(function(p)
       if not p.alive then return end
-      local a = 137.5 * i -- as the seeds of a sunflower lie: never beside the one before
+      local a = 137.5 * i -- like the seeds of a sunflower: never next to the one before
       bullet.fire { kind = "lance", bank = 3, from = p, aim = true,
                     speed = by(2.4, 2.6, 2.8, 3),
                     dx = 88 * angle.cos(a), dy = 88 * angle.sin(a), delay = apart * (n - i) + 30 }
@@ -68,7 +68,7 @@ local function gather(n)
   wait(30)
 end
 
-local NEAR <const> = 44 -- px: what hangs so close to a craft does not look at it
+local NEAR <const> = 44 -- px: bullets this close to a craft don't aim at it
 
 local function let_go(e)
   local odd = false
@@ -79,7 +79,7 @@ local function let_go(e)
     local dx, dy = p and p.x - b.x or 0, p and p.y - b.y or 0
     if odd and dx * dx + dy * dy > NEAR * NEAR then
       b.kind, b.motion = "drop", by("creep", "pounce", "pounce", "creep")
-      b.bank = 1 -- after kind, which brings its own
+      b.bank = 1 -- after kind, which also sets a bank
       b:aim(rng.number(-14, 14))
     else
       b.bank, b.home_x, b.home_y, b.motion = 5, e.x, e.y, "home"
@@ -112,15 +112,15 @@ local function held(e)
   end
 end
 
--- 3. Rain from the surface sways with the tide, all of it as one; walls of water come down, and the
--- gap in them goes to and fro.
-value.def("sway") -- degrees of the tide's to and fro when a drop began to fall
-local TIDE = 160  -- frames of it
+-- 3. Rain from the surface sways with the tide, all drops together. Walls of water come down, and
+-- the gap in them swings to and fro.
+value.def("sway") -- the tide's phase in degrees when a drop starts to fall
+local TIDE = 160  -- frames per period
 motion.def { name = "sway", { wave = 16, every = TIDE, phase = "sway", over = forever } }
 
 local function tide() return 360 * (board.frame() % TIDE) / TIDE end
 
--- Each drop falls as far as may be from those before: steps of the golden section.
+-- Each drop falls as far as possible from those before: steps of the golden ratio.
 local function rain_over(e)
   local drop = { kind = "drop", bank = 5, y = -10, dir = 90, motion = "sway" }
   local every, many = by(19, 6, 4, 4), by(1, 1, 1, 2)
@@ -161,8 +161,8 @@ local function ebb(e)
   end
 end
 
--- 5. A flower a thousand fathoms deep: petals in stacks that open, hang, turn aside to both sides
--- and go on. When she cracks, roses of stars fall out of her.
+-- 5. A flower a thousand fathoms deep: stacks of petals open, hang, turn to both sides and fly on.
+-- Below half of her health, roses of stars join in.
 local function unfold(name, turn, bank, speed)
   motion.def { name = name,
     { speed = 0.5, over = 34 }, { bank = bank }, { wait = 10 }, { turn = turn, over = 40 },
@@ -203,22 +203,22 @@ local function flower(e, full)
   end
 end
 
-local FOAM = { items = "foam", spark = "pop" } -- what is left of her bullets when a phase is beaten
+local FOAM = { items = "foam", spark = "pop" } -- what her bullets become when a phase is beaten
 
 local function window(e)
   figures.window(e)
 end
 
-local returns = 0 -- how often she came back already
+local returns = 0 -- how often she has returned
 
--- Each time she has less left: whoever cannot reach her is not held here for ever.
+-- Channels open between swaying arms of kelp. Each time she returns, she has less health.
 local function again(e)
   e.hp = math.max(60, e.hp - 240 * returns)
   figures.again(e)
 end
 
 boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
-                    epithet = "Who Took Back the Sea", entrance = "bubbles", bg = "court",
+                    epithet = "She Who Took Back the Sea", entrance = "bubbles", bg = "court",
                     portrait = "queen_face", music = "queen", warning = 120, phases = {
   { talk = meeting },
   { id = "wheels", hp = 1000, time = 45 * 60, run = wheels, clear = FOAM,
@@ -232,13 +232,13 @@ boss.def("queen", { title = "Queen of the Glass Tide", kind = "queen", x = 120, 
   { id = "flower", spell = "Last Sign: Fathomless Flower", hp = 1350, time = 60 * 60,
     bonus = 60000, bonus_to = 20000, run = function(e) flower(e, 1350) end, clear = FOAM } } })
 
--- Outlasting her is not enough: she comes back until she breaks.
+-- Outlasting her is not enough: she returns until she breaks.
 boss.def("undertow", { title = "Queen of the Glass Tide", kind = "queen", x = 120, y = 88,
   music = "queen", bg = "court",
   phases = { { id = "again", spell = "The Tide Returns", hp = 800, time = 40 * 60,
                bonus = 30000, bonus_to = 5000, run = again } } })
 
-local broken -- she was, as she came back
+local broken -- was she, in her last return?
 
 on.phase(function(_, id, won)
   if id == "again" then broken, returns = won, won and 0 or returns + 1 end
@@ -246,7 +246,7 @@ end)
 
 local queen = {}
 
--- Returns when she is broken. What breaks the first time is only what she wore.
+-- Returns when she is broken. The first time, only her shell breaks.
 function queen.fight()
   boss.fight("queen")
   if not stage.skipping() then wait(fx.COLLAPSE) end

@@ -1,11 +1,11 @@
--- stages/three/queen_figures.lua - phases of the Queen that stand by themselves: the rose window,
--- and the tide she comes back with.
+-- stages/three/queen_figures.lua - two self-contained phases of the Queen: the rose window, and the
+-- tide she returns with.
 local by = require "stages/three/by"
 local figures = {}
 
--- 4. A window of coloured glass, ring by ring out of her: arches stand over arches, and the way
--- leads through them. It turns; on the harder tides light falls through it.
-local GLASS <const> = { 5, 3, 1, 0 } -- colours of the panes, side by side
+-- 4. A window of coloured glass grows out of her, ring by ring. Arches line up over arches, and the
+-- way leads through them. The window turns; except on easy, light falls through it.
+local GLASS <const> = { 5, 3, 1, 0 } -- colours of adjacent panes
 
 -- One ring of n panes in `arches` pieces, each with an opening of `open` bullets.
 local function ring_of_panes(e, n, arches, open, dir, speed, way)
@@ -37,7 +37,7 @@ local function light_through(e)
   end
 end
 
--- Panes come loose in the middle: daggers of shards fall at you.
+-- Panes come loose in the middle: daggers of shards aimed at you.
 local function loose(e)
   while true do
     wait(by(203, 118, 70, 49))
@@ -65,8 +65,8 @@ function figures.window(e)
   end
 end
 
--- The tide returns: arms of kelp hang from her through all of the field and sway. What flows in
--- them leaves a channel between two, which sways along; now and then an arm has a hole.
+-- The tide returns: arms of kelp hang from her across the field and sway. The channels between
+-- them sway along, and now and then an arm has a hole.
 local function kelp(e)
   local arms = by(12, 18, 22, 28)
   local speed = by(1.3, 1.4, 1.5, 0.95)
@@ -89,7 +89,7 @@ function figures.again(e)
   wait(40)
   task.go(kelp, e)
   task.go(function()
-    while true do -- pearls that roll down the channels
+    while true do -- pearls down the channels
       wait(by(209, 67, 50, 44))
       pattern.fan { from = e, dy = 10, kind = "pearl", bank = 3, aim = true, n = by(1, 2, 3, 5),
                     spread = by(0, 40, 36, 60), speed = by(1.4, 1.7, 1.9, 1.4), delay = 20 }

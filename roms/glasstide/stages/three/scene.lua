@@ -1,8 +1,8 @@
--- stages/three/scene.lua - what the abyss looks like: the way down between columns of basalt, the
--- trench that rushes by, water without light, and the court of the Queen.
+-- stages/three/scene.lua - the look of the abyss: the way down between columns of basalt, the
+-- trench that rushes by, lightless water, and the Queen's court.
 local sea = require "sea"
 
--- Dark water, far below all.
+-- Dark water, far below everything.
 local function depths()
   local water = bg.layer(1)
   water.map, water.x = "depths", -8
@@ -35,7 +35,7 @@ bg.def("trench", function()
   sea.flow { depths(), ground(64, 52, 620), strip(3, "snow", 1.4), strip(4, "chains", 2.4) }
 end)
 
--- Nothing but water here, so that what the lamp shows is its own light.
+-- Only water, so that all light comes from the lamp.
 bg.def("lightless", function()
   palette.load("dark")
   sea.flow { depths() }
@@ -49,7 +49,7 @@ end)
 
 local scene = {}
 
--- Only the lamp gives light: what a phase before it has lit goes dark.
+-- Only the lamp gives light: colours that an earlier phase lit go dark.
 function scene.lightless()
   palette.fade { to = "dark", over = 40, first = 10 * 16 + 1, last = 13 * 16 + 15 }
 end

@@ -5,7 +5,7 @@ local function wander(e, over)
   e:move { x = rng.int(86, 154), y = rng.int(78, 94), over = over, ease = "both" }
 end
 
--- 1. Bubbles: each slows down, stands, and falls apart; in the abyss what is left of it does so
+-- 1. Bubbles slow down, stop, and burst into rings; on abyss, the orbs of the rings burst
 -- again.
 motion.def { name = "crumble", { wait = 70 },
   { emit = { pattern = "fan", n = 2, spread = 60, kind = "pellet", bank = 7, speed = 1.3 } },
@@ -40,8 +40,8 @@ local function breath(e)
   end
 end
 
--- 2. It draws in its breath: what lies along the walls goes home to it. Then it lets go, wave after
--- wave; each has a gap, which swings to and fro from one to the next.
+-- 2. It breathes in, and drops along the walls fly to its mouth. Then it breathes out wave after
+-- wave; each has a gap, which swings to and fro between waves.
 local MOUTH_X <const>, MOUTH_Y <const> = 120, 118
 local drawn = motion.def { { go_to = { MOUTH_X, MOUTH_Y }, over = 70, ease = "in" },
                            { die = true } }
@@ -93,7 +93,7 @@ local function draught(e)
   end
 end
 
--- 3. Wheels come down side by side; the teeth of each go between those of the next.
+-- 3. Wheels come down side by side; their teeth mesh.
 local REACH <const> = 30 -- px from a wheel's hub to its teeth
 
 local function teeth(name, spin)
@@ -131,7 +131,7 @@ local function wheels(e)
   end
 end
 
-local FOAM = { items = "foam", spark = "pop" } -- what is left of its bullets when a phase is beaten
+local FOAM = { items = "foam", spark = "pop" } -- what its bullets become when a phase is beaten
 
 boss.def("bellows", { title = "The Bellows", kind = "bellows", x = 120, y = 86, music = "lantern",
                       entrance = "bubbles", bg = "hearth",

@@ -1,5 +1,5 @@
--- stages/two/creatures.lua - who works in the drowned glassworks, and what they make: gobs, ingots,
--- cogs, steam, panes.
+-- stages/two/creatures.lua - the workers of the drowned glassworks, and their products: gobs,
+-- ingots, cogs, steam, panes.
 local kinds = require "kinds"
 local creature, small, large, burst = kinds.creature, kinds.small, kinds.large, kinds.burst
 local collapse, COPPER, STEEL = kinds.collapse, 0, 1
@@ -14,7 +14,7 @@ creature("gear_ray", COPPER, 46, 28, 84,  2400,  large, { pearl = 4 })
 creature("crucible", STEEL,  32, 32, 100, 2800,  burst, { pearl = 4 })
 creature("kiln",     COPPER, 46, 44, 260, 6000,  large, { pearl = 6, conch = 1 })
 
--- Bosses blink softly: what is as large and is hit all the time would be white.
+-- Bosses blink softly: they are large and under constant fire, so they would stay white.
 local function boss_kind(name, w, h, score, on_death)
   enemy.def(name, { sprite = name, hit = { box = { w, h } }, hp = 100, score = score,
                     spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip,
@@ -30,7 +30,7 @@ glass("gob",   { hit = { circle = 11 },        cloud = "mist_150" })
 glass("steam", { hit = { circle = 6 } })
 glass("ingot", { hit = { capsule = { 7, 3 } }, turns = true })
 
--- A pane stops shots until it breaks; what is left of it hangs a moment before it falls.
+-- A pane stops shots until it breaks; its splinters hang for a moment, then fly off.
 motion.def { name = "splintered", { speed = 0.25, over = 30 }, { speed = 1.5, over = 60 } }
 
 glass("pane", { hit = { box = { 28, 6 } }, hp = 14, score = 200, spark = "splint", order = -1,
@@ -41,7 +41,7 @@ glass("pane", { hit = { box = { 28, 6 } }, hp = 14, score = 200, spark = "splint
                    n = by_difficulty { easy = 4, normal = 6, hard = 8, abyss = 10 } }
   end })
 
--- Glass that is poured: it winds.
+-- Poured glass, a curved laser.
 laser.def("pour", { strip = "ray_of_light", width = 11, hit = { share = 0.5 }, graze = 12,
                     vanish = "glint" })
 

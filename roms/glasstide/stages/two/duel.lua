@@ -1,11 +1,11 @@
--- stages/two/duel.lua - two who fight together, each with a bar of its own: who is left alone is
--- angry, and is seen and heard to be.
+-- stages/two/duel.lua - helpers for two bosses with separate bars. The one that is left alone gets
+-- angry, visibly and audibly.
 
-local pair_of = {} -- the two of them, by name, while a phase runs
+local pair_of = {} -- the two bosses by name, while a phase runs
 
 local function other(e) return e == pair_of.cinder and pair_of.quench or pair_of.cinder end
 
--- Is the other one down? Then by so much less is waited.
+-- Is the other boss down? Then rest() is shorter.
 local function angry(e)
   local o = other(e)
   return o and (not o.alive or o.hp == 0)
@@ -13,7 +13,7 @@ end
 
 local CRIES <const> = { cinder = "cinder_cry", quench = "quench_cry" }
 
--- Who is left alone cries out, and glows.
+-- A boss that is left alone cries out and glows.
 local function mourn(e)
   wait(2)
   wait_until(function() return angry(e) end)
@@ -28,7 +28,7 @@ end
 
 local function rest(e, n) wait(angry(e) and n * 2 // 3 or n) end
 
--- The functions of a phase in which each has a bar.
+-- The run functions for a phase with two bars.
 local function pair(cinder, quench)
   local function alone(name, run)
     return function(e)

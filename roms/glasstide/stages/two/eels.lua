@@ -1,11 +1,11 @@
--- stages/two/eels.lua - the two who run the works: Cinder, who melts, and Quench, who cools. Where
--- each has a bar of its own, the one that is left is angry.
+-- stages/two/eels.lua - the two eels that run the works: Cinder, who melts, and Quench, who cools.
+-- In the last phase each has a bar, and the one that is left gets angry.
 local rank = require "rank"
 local meeting = require "stages/two/meeting"
 local duel = require "stages/two/duel"
 local angry, rest, pair = duel.angry, duel.rest, duel.pair
 
--- 1. Both: Cinder turns and throws sparks, Quench throws bars at the walls.
+-- 1. Cinder turns and throws sparks; Quench throws bars at the walls.
 local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 0 } } }
 
 local function sparks(e)
@@ -41,8 +41,8 @@ local function bars(e)
   end
 end
 
--- 2. Cinder leads: it pours. The glass winds down in streams; in the abyss it drips on its way.
--- Quench only steams.
+-- 2. Cinder pours glass, which winds down in streams; on abyss the streams drip. Quench only
+-- steams.
 local weave = motion.def { { wave = 15, every = 110, over = forever } }
 local weave_back = motion.def { { wave = 15, every = 110, phase = 180, over = forever } }
 
@@ -68,7 +68,7 @@ local function pour(e)
   end
 end
 
--- In the abyss the heads drip on their way.
+-- On abyss, the heads of the streams drip on their way.
 local drop = motion.def { { speed = 0.2, over = 10 }, { accel = 0.01, over = 120 } }
 
 local function leak()
@@ -102,9 +102,9 @@ local function furnace(cinder, quench)
   pour(cinder)
 end
 
--- 3. Quench leads: it casts panes, row by row, with a way through; whoever breaks one has its
--- shards about him. Between
--- the rows hangs steam. Cinder spits from the side, where the way is not.
+-- 3. Quench casts rows of panes, each row with a gap. Panes that are shot
+-- burst into shards. Steam hangs between the rows, and Cinder spits from
+-- the side.
 local function cast(k)
   local count <const>, step <const> = 7, 36
   local wide = by_difficulty { easy = 2, normal = 1, hard = 1, abyss = 1 }
@@ -149,8 +149,8 @@ local function panes(cinder, quench)
   temper(quench)
 end
 
--- 4. Crossing: what the one throws the other throws back, and they change places.
-local FLIGHT <const> = 46 -- frames from the one to the other
+-- 4. Each eel throws back what the other throws, and they change places.
+local FLIGHT <const> = 46 -- frames from one eel to the other
 
 local function throw(from, to, k, back)
   local list, out = {}, 90 + 78 * angle.sin(19 * k + (back and 90 or 0))
@@ -182,7 +182,7 @@ local function volleys(cinder, quench)
   end
 end
 
--- What is spilt of it runs down to you from the one, and spreads out from the other.
+-- One eel fires aimed drops and the other a ring; they swap each time.
 local function spill(cinder, quench)
   wait(100)
   for k = 1, forever do
@@ -218,15 +218,15 @@ local function crossing(cinder, quench)
   end
 end
 
--- 5. Both at last: Cinder shuts the press, out of bars that wait at the walls; a way stays open in
--- it. Quench lets down
--- a slow curtain, through which one has to come there.
+-- 5. Cinder shuts a press of bars that wait at the walls; one gap stays
+-- open. Quench lowers a slow curtain, which you must pass to reach the
+-- gap.
 local STEP <const>, LOW <const> = 13, 312
 local shut = motion.def {
   { speed = 0, over = 1 }, { wait = 30 }, { speed = 1.5, over = 20 }, { wait = 58 },
   { speed = 0, over = 8 }, { wait = 20 }, { turn = 180, speed = 0.6 }, { speed = 3, over = 40 } }
 
--- It spits while the press is open and while it is shut.
+-- Cinder spits whether the press is open or shut.
 local function hammer(e)
   for k = 1, forever do
     rest(e, by_difficulty { easy = 94, normal = 54, hard = 51, abyss = 50 })
@@ -240,7 +240,7 @@ local function press(e)
   task.go(hammer, e)
   wait(90)
   while true do
-    local first = rng.int(2, 7) -- of the bars that are left out
+    local first = rng.int(2, 7) -- row of the gap
     local open = by_difficulty { easy = 6, normal = 5, hard = 4, abyss = 3 }
     sound.play("charge", { from = e })
     for row = 0, 15 do
@@ -264,7 +264,7 @@ local function curtain(e)
   wait(30)
   for k = 1, forever do
     local n = by_difficulty { easy = 15, normal = 31, hard = 34, abyss = 40 }
-    local thick = k % 3 == 0 -- steam: fewer, and wider
+    local thick = k % 3 == 0 -- steam: fewer, wider bullets
     if angry(e) then n = n + 4 end
     pattern.ring { from = e, dy = 8, kind = thick and "steam" or "orb", dir = 137.5 * k,
                    bank = thick and 0 or 5 + k % 2, n = thick and n // 2 or n,
@@ -276,11 +276,11 @@ local function curtain(e)
   end
 end
 
--- What is left of their bullets when a phase is beaten.
+-- What their bullets become when a phase is beaten.
 local FOAM = { items = "foam", spark = "pop" }
 
 boss.def("eels", { title = "Cinder and Quench", music = "furnace", warning = 120,
-  epithet = "Who Kept the Fire In", entrance = "bubbles", bg = "hearth",
+  epithet = "Keepers of the Fire", entrance = "bubbles", bg = "hearth",
   cast = { { name = "cinder", title = "Cinder", kind = "cinder", x = 68, y = 90,
              portrait = "cinder_cross" },
            { name = "quench", title = "Quench", kind = "quench", x = 172, y = 90,

@@ -1,6 +1,6 @@
--- stages/two/habits.lua - what each creature of the works does on its route. All are `run`
--- functions: they end with
--- their creature. Who is close to a craft does not aim at it.
+-- stages/two/habits.lua - what each creature of the works fires on its
+-- path. All are `run` functions, which end with their creature. Creatures
+-- close to a craft don't aim at it.
 local rank = require "rank"
 
 local habits = {}
@@ -9,33 +9,33 @@ local CLOSE <const> = 40 -- px
 
 local function far(e)
   local p = player.nearest(e.x, e.y)
-  if not (p and p.alive) then return true end -- the last craft is lost: nobody is near
+  if not (p and p.alive) then return true end -- the last craft is lost, so none is near
   local dx, dy = p.x - e.x, p.y - e.y
   return dx * dx + dy * dy > CLOSE * CLOSE
 end
 
--- Out, nearly to a stand, and on: a ring that breathes.
+-- Out, almost to a stop, and on: a ring that breathes.
 local breathe = motion.def { { speed = 0.35, over = 40 }, { speed = 1.9, over = 70 } }
 
--- Teeth of a wheel that opens, one way round and the other.
+-- Teeth of a wheel that opens, turning left or right.
 local wheel_left  = motion.def { { polar = 0.95, spin = 0.9, over = 300 } }
 local wheel_right = motion.def { { polar = 0.95, spin = -0.9, over = 300 } }
 
--- What runs over an edge falls faster and faster.
+-- Falls faster and faster.
 local drip = motion.def { { accel = 0.02, over = 70 } }
 
--- Steam goes out to the sides, stands, and sinks.
+-- Steam drifts out to the sides, stops, and sinks.
 local sink = motion.def { { speed = 0.12, over = 54 }, { dir = 90 }, { speed = 1.05, over = 50 } }
 
--- A bar of glass that the walls throw back.
+-- A bar of glass that bounces off the walls.
 local rebound = motion.def { { bounce = 1, walls = "left right", { bank = 7 } } }
 
--- A gob stands still and falls apart.
+-- A gob stops and bursts.
 local halve = motion.def {
   { speed = 0.3, over = 44 }, { wait = 8 },
   { emit = { pattern = "ring", n = 8, kind = "orb", bank = 5, speed = 1.3 } }, { die = true } }
 
--- A drone blinks at whoever is near: a few pellets, a wedge of them.
+-- A drone fires a few aimed pellets.
 function habits.blink(e)
   wait(rng.int(14, 40))
   if not far(e) then return end
@@ -44,7 +44,7 @@ function habits.blink(e)
                 n = by_difficulty { easy = 1, normal = 3, abyss = 5 } }
 end
 
--- Drones of the second half: pellets in a row, as a string of beads.
+-- Drones in the second half fire pellets in a row, like a string of beads.
 function habits.beads(e)
   wait(rng.int(20, 44))
   if not far(e) then return end
@@ -52,7 +52,7 @@ function habits.beads(e)
                   delay = 14, n = by_difficulty { easy = 1, normal = 3, hard = 4, abyss = 6 } }
 end
 
--- A bottle loses its cork, and what is in it, straight ahead.
+-- A bottle fires its cork straight ahead; on abyss its contents follow.
 function habits.cork(e)
   wait(40)
   if not far(e) then return end
@@ -65,7 +65,7 @@ function habits.cork(e)
   end
 end
 
--- In the street they are shaken: the corks fly at whoever is there, one after the other.
+-- Bottles in the street are shaken: they fire one aimed cork after another.
 function habits.shaken(e)
   wait(40)
   for _ = 1, by_difficulty { easy = 1, normal = 3, hard = 4 } do
@@ -76,7 +76,7 @@ function habits.shaken(e)
   end
 end
 
--- The tongs close: two whips that bend towards each other, and cross.
+-- The tongs close: two whips bend towards each other and cross.
 function habits.nip(e)
   wait(56)
   for _ = 1, 2 do
@@ -90,7 +90,7 @@ function habits.nip(e)
   end
 end
 
--- It blows itself up, and breathes out in rings.
+-- A puffer inflates, and breathes out rings.
 function habits.puff(e)
   wait(70)
   for k = 1, forever do
@@ -102,7 +102,7 @@ function habits.puff(e)
   end
 end
 
--- The pot runs over on both sides, and now and then a whole gob goes.
+-- The pot runs over on both sides, and every fifth time a whole gob spills.
 function habits.spill(e)
   wait(60)
   for k = 1, forever do
@@ -118,7 +118,7 @@ function habits.spill(e)
   end
 end
 
--- Steam from both ends of the valve: a bar of it, which sinks.
+-- Steam from both ends of the valve forms a bar, which sinks.
 function habits.vent(e)
   wait(50)
   while true do
@@ -132,7 +132,7 @@ function habits.vent(e)
   end
 end
 
--- Two wheels on its wings let their teeth go; they mesh on the way.
+-- Two wheels on its wings release their teeth, which mesh as they fly.
 function habits.mesh(e)
   wait(50)
   for k = 1, forever do
@@ -147,7 +147,7 @@ function habits.mesh(e)
   end
 end
 
--- The kiln's door opens: bars that come back from the walls, and rings out of the stack.
+-- The kiln opens its door: bars bounce off the walls, and rings come out of the stack.
 function habits.bake(e)
   wait(80)
   task.go(function()

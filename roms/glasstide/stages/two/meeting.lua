@@ -1,4 +1,4 @@
--- stages/two/meeting.lua - what is said before the furnace. A line goes after some seconds by
+-- stages/two/meeting.lua - the dialogue before the furnace. Each line ends after a few seconds by
 -- itself.
 talk.def("cinder", { name = "Cinder", side = "right", voice = "cinder",
                      faces = { calm = "cinder_face", cross = "cinder_cross" } })
@@ -11,7 +11,7 @@ local words = {
   heron = { "A furnace, lit, under water. Who pays for the coal?",
             "We came for the tide, not for work." },
   petrel = { "They sank this place, and it never stopped.",
-             "Then we shall close the works." },
+             "Then we will close this place." },
   other = { "Grandfather bought his bronze here.",
             "The shift is over. Go home." },
 }
@@ -20,7 +20,7 @@ return function()
   local who = player.get(1).kind or player.get(2).kind
   local say_first, say_last = table.unpack(words[who] or words.other)
   say(who, say_first, calm)
-  say("cinder", "Nobody ever let it out. We are the fire that forgot to drown.", calm)
+  say("cinder", "Nobody ever put it out. We are the fire that forgot to drown.", calm)
   say("quench", "And I am what comes after fire. Hold still. It is quicker.", calm)
   say(who, say_last, cross)
   say("cinder", "Everybody works here.", cross)

@@ -1,9 +1,9 @@
--- stages/two/scene.lua - the drowned glassworks: a wall of arches with fires behind it, and the
--- street of the works,
--- which rushes by.
+-- stages/two/scene.lua - the look of the drowned glassworks: a wall of
+-- arches with fires behind it, and the street of the works, which rushes
+-- by.
 local sea = require "sea"
 
--- Embers rise by themselves; where, follows from the frame, so that no chance is drawn for them.
+-- Rising embers. Their place depends on the frame, so that they use no random numbers.
 local function embers(every, top, bottom)
   for k = 1, forever do
     spark.burst { kind = "ember", x = 97 * k % 240, y = top + 61 * k % (bottom - top), dir = 250,
@@ -27,13 +27,13 @@ bg.def("street", function()
   street.map, street.horizon, street.height, street.dir = "street", 74, 46, 270
   street.x = 77 -- between the rails
   skyline.map, skyline.wrap, skyline.y = "skyline", false, -5
-  street.fog = { to = 0x1a0f14, far = 620 } -- where it ends it would glitter
+  street.fog = { to = 0x1a0f14, far = 620 } -- its far end would glitter without fog
   stacks.map, stacks.x = "stacks", -16
   sea.flow { { street, -2.2 }, { stacks, 2.6 } }
   embers(4, 100, 330)
 end)
 
--- Where the bosses are: the wall shimmers in the heat, and there are more sparks.
+-- The scene of the bosses: the wall shimmers in the heat, and more embers rise.
 bg.def("hearth", function()
   palette.load("two")
   bg.layer(1).map = "works"
