@@ -11,8 +11,8 @@ cat <<'END'
 # The Lua API, entry by entry
 
 Made by `tools/apidoc.sh` from the table that checks the arguments (`curtain help lua`). `name{...}` takes a table of
-named arguments, `thing:name()` is a method, `-> what` is what it returns; the words after an argument are its type, its
-range and `=` its default.
+named arguments, `thing:name()` is a method, and return values follow `->`. The brackets after an argument hold its
+type, its range and its default.
 END
 properties() { "$curtain" help lua "$1" | sed -n '/^properties of/,$p'; } # THING
 heading() {

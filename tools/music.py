@@ -507,7 +507,7 @@ PAGE = """# The music of Glass Tide
 `tools/music.py --page roms/glasstide >docs/measured/music.md` writes this page; [music.sh](../../tests/cli/music.sh)
 checks it.
 
-{count} pieces and {sounds} sounds, all written in MML: [music](../../{game}/music) and
+The game has {count} pieces and {sounds} sounds, all written in MML: [music](../../{game}/music) and
 [sfx](../../{game}/sfx). All pieces share one motif, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
 falls back, and rises less.
 
@@ -517,7 +517,7 @@ falls back, and rises less.
 
 ## Declarations and checks
 
-Comments in a piece declare the intended music:
+Comments in a piece declare its musical intent:
 
 ```
 ;= key D minor
@@ -528,17 +528,17 @@ Comments in a piece declare the intended music:
 ;= A      Dm9 | Fmaj7/A | Bbmaj7 | C
 ```
 
-`form` lists the sections. For each section, a line with its name has the chords: `|` separates bars, two chords share a
-bar in halves, and `%` repeats the previous bar. `A'` without its own line has the chords of `A`. Keys are major, minor,
-harmonic minor, melodic minor, dorian, phrygian, lydian and mixolydian. `tools/music.py GAME` reads the notes from the
-packer (`curtain sound GAME NAME --notes`) and compares them:
+`form` lists the sections. For each section, a line with its name has the chords: `|` separates bars, two chords in a
+bar take half of it each, and `%` repeats the previous bar. `A'` without its own line has the chords of `A`. Keys are
+major, minor, harmonic minor, melodic minor, dorian, phrygian, lydian and mixolydian. `tools/music.py GAME` reads the
+notes from the packer (`curtain sound GAME NAME --notes`) and compares them:
 
 | | required |
 |---|---|
 {rules}
 
-A looping piece lasts at least {long:g} seconds before it loops, and its loop starts with a section. A piece that ends
-lasts {short[0]:g} to {short[1]:g} seconds. No two pieces share key, tempo and chords.
+A looping piece lasts at least {long:g} seconds before it loops, and the loop starts at the beginning of a section. A
+piece that ends lasts {short[0]:g} to {short[1]:g} seconds. No two pieces have the same key, tempo and chords.
 
 {notes}
 
@@ -565,15 +565,15 @@ Each sound is measured until it stays below -60 dB. *Loudest* is the root mean s
 RULES = (
     ("notes of melody, second part, harmony and bass in the scale", IN_SCALE),
     ("bass on chord tones", BASS_FITS),
-    ("chords that the bass starts with their root or the note after `/`", ROOTS),
+    ("chords on which the bass starts with the root or the note after `/`", ROOTS),
     ("harmony on chord tones", HARMONY_FITS),
     ("melody notes on strong beats that are chord tones", STRONG_FITS),
     ("melody moves of at most a whole tone", STEPS), ("bars in which the melody sounds", SINGS),
 )
 LIMITS = (
-    ("long melody notes a semitone above a chord tone", percent(CLASHES) + " at most"),
-    ("bars that repeat an earlier one, in all parts or in the melody", percent(REPEATED) + " at most"),
-    ("the melody's longest rest", f"{RESTS:g} bars at most"),
+    ("long melody notes a semitone above a chord tone", "at most " + percent(CLASHES)),
+    ("bars that repeat an earlier one, in all parts or in the melody", "at most " + percent(REPEATED)),
+    ("the melody's longest rest", f"at most {RESTS:g} bars"),
     ("melody, second part and harmony a semitone apart in one octave", "less than a beat"),
 )
 
@@ -605,7 +605,7 @@ def page(curtain, game):
     (notes, bad), (levels, worse) = check_notes(curtain, game, pieces), check_levels(curtain, game, pieces)
     heard_rows, worst = check_sounds(curtain, game, sounds)
     seconds = {name: dict(row).get("seconds", "-") for name, row in notes.items()}
-    rules = [f"| {what} | {percent(least)} at least |" for what, least in RULES]
+    rules = [f"| {what} | at least {percent(least)} |" for what, least in RULES]
     rules += [f"| {what} | {most} |" for what, most in LIMITS]
     sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", listing(curtain, game), re.M))
     print(PAGE.format(
@@ -620,10 +620,11 @@ def page(curtain, game):
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
 Rendering the sound of a frame takes 0.68 million instructions on the title screen, 1.35 million in a stage while the
-ship fires, and 1.42 million in the queen's last phase: 70 microseconds on the machine of [speed.md](speed.md), 0.4 %
-of a frame. callgrind counts them as the difference of `curtain render roms/glasstide --press fire --invincible
---stage one` with and without `--wav`, frames 600 to 1200; with `--stage queen/flower` for the queen, and with only
-the ROM for the title. Sound is not part of the game state: a run has the same hashes with and without it."""
+ship fires, and 1.42 million in the queen's last phase. On the machine of [speed.md](speed.md) the last takes 70
+microseconds, 0.4 % of a frame. The counts are callgrind's: the difference between `curtain render roms/glasstide
+--press fire --invincible --stage one` with and without `--wav`, for frames 600 to 1200. The count for the queen uses
+`--stage queen/flower`, and the one for the title only the ROM. Sound is not part of the game state: a run has the same
+hashes with and without it."""
 
 # ---- the command ----
 

@@ -25,7 +25,7 @@ python3 tools/pictures.py 2 docs/images/start.png "$at"/start/*.png "$at"/start2
 tests/cli/start.sh --made "$at/mygame"
 "$curtain" render "$at/mygame" --stage keeper/mine --press fire --invincible --frames 100,210,320 -o "$at/mine"
 python3 tools/pictures.py 2 docs/images/mine.png "$at"/mine/*.png
-tests/cli/start.sh --made "$at/boss" 2
+tests/cli/start.sh --made "$at/boss" 3
 "$curtain" render "$at/boss" --stage keeper/moths --press fire --register power=4 --invincible --frames 280 \
     -o "$at/boss1"
 "$curtain" render "$at/boss" --stage keeper/dawn --press focus,bomb@260 --frames 330 -o "$at/boss2"

@@ -102,10 +102,10 @@ def holding(folder, game):
 def survive_page(folder):
     yield """# Clearable sections
 
-`make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase of *Glass
-Tide* at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the
-columns and their limits. Each run found is a demo that passes `curtain verify`; those of phases are in
-`tests/demos/phases`. [game.md](game.md) has the curves.
+`make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase in *Glass
+Tide* at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the columns
+and their limits. Each run it found is a demo that passes `curtain verify`; the demos for phases are in
+`tests/demos/phases`. [game.md](game.md) shows the difficulty as curves.
 
 `gap px` is the width of the widest ship that still gets through, tested up to 36 px; `last` is the average number of
 seconds that sixteen simple bots last; `reaction` is in frames.
@@ -114,7 +114,7 @@ seconds that sixteen simple bots last; `reaction` is in frames.
 """
     told, sections, difficulties = read(folder, "glasstide")
     yield from table(told, sections, difficulties)
-    yield "\n%s\n\nSections that are harder at the easier difficulty:\n" % holding(folder, "glasstide")
+    yield "\n%s\n\nThese sections are harder at the easier difficulty:\n" % holding(folder, "glasstide")
     worse = ["* %s: %s is harder than %s: %s" % (section, a, b, why) for section, a, b, one, two in
              pairs(told, sections, difficulties) for why in [harder(one, two)] if why]
     yield from worse or ["None."]
@@ -249,19 +249,19 @@ def game_page(folder):
     write("docs/images/game-curve.svg", curve(told, whole, difficulties))
     yield """# Difficulty of Glass Tide
 
-`make survive` writes this page together with [survive.md](survive.md). The sections of *Glass Tide* are in the order of
-play, with one curve per difficulty. Dots on solid lines are boss phases; dots on dotted lines are the stage sections
-between them.
+`make survive` writes this page together with [survive.md](survive.md). The picture shows the sections of *Glass Tide*
+in the order of play, with one curve per difficulty. Dots on solid lines are boss phases; dots on dotted lines are the
+stage sections between them.
 
 ![Hits per minute over the sections of the game, one curve per difficulty](../images/game-curve.svg)
 
 **The measure is hits per minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`):
-eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A hit costs nothing, and
-the next 90 frames do not count. So the figure measures how much of the field is in danger, and how often. It is stable,
-because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their first hit, so they
-measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but not how often;
-bullets per second do not measure where they fly. Bots neither learn nor fear a pattern, so a pattern that is hard to
-read is easier for them than for you. Hits per minute of the dodging bots are in parentheses.
+eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A hit has no effect, and
+hits in the next 90 frames are ignored. The result shows how much of the field is in danger, and how often. It is
+stable, because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their first hit, so
+they measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but not how
+often. Bullets per second don't measure where the bullets fly. Bots neither learn nor fear a pattern, so a pattern that
+is hard to read is easier for them than for you. Numbers in parentheses are for the dodging bots only.
 """
     yield "| section |%s" % "".join(" %s |" % d for d in difficulties)
     yield "|---|%s" % ("---:|" * len(difficulties))
@@ -269,9 +269,9 @@ read is easier for them than for you. Hits per minute of the dodging bots are in
         yield "| %s |%s" % (s, "".join(" %.1f (%.1f) |" % (rate(told[s][d]), rate(told[s][d], ["dodge"]))
                                        for d in difficulties))
     yield """
-The figure must rise in each section from one difficulty to the next, within a stage from section to section, and
-within a boss from phase to phase. The averages must rise from a stage's first boss to its last and from stage to
-stage. A stage may start easier than the previous one ended. The caravan and the boss rush are separate and must rise
+Hits per minute must rise in each section from one difficulty to the next, within a stage from section to section, and
+within a boss from phase to phase. The averages must rise from a stage's first boss to its last, and from stage to
+stage. A stage can start easier than the previous stage ended. The caravan and the boss rush are separate and must rise
 only with the difficulty.
 
 **Exceptions:**

@@ -110,13 +110,13 @@ void section_battle(void)
 
     double us = (samples_median(&ns[0]) - samples_median(&ns[1])) / 1e3;
     report_section("Shots against enemies");
-    report_text("%s shots fly at 8 px/frame among %s enemies with boxes so large that of %s pairs per frame %s touch "
-                "(%s). Each shot that touches hits the nearest enemy, and a new shot replaces it. Hits take %s µs per "
-                "frame, and %s without enemies: **%s µs** for the pairs. In %s frames every pair was checked again by "
-                "comparing boxes in doubles, and each shot had hit the right enemy.",
+    report_text("%s shots fly at 8 px/frame among %s enemies with boxes so large that %s of the %s pairs touch in each "
+                "frame (%s). Each shot that touches hits the nearest enemy, and a new shot replaces it. Hits take %s "
+                "µs per frame, or %s µs without enemies, so the pairs cost **%s µs**. In %s frames every pair was "
+                "checked again by comparing boxes in doubles, and each shot had hit the right enemy.",
                 report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),
-                report_count((int64_t)(counted.pairs / counted.frames)),
                 report_count((int64_t)(counted.touching / counted.frames)),
+                report_count((int64_t)(counted.pairs / counted.frames)),
                 report_percent((double)counted.touching / (double)counted.pairs), samples_figure(&ns[0], 1e3),
                 samples_figure(&ns[1], 1e3), report_figure(us), report_count(CHECKED));
     bench_claim(counted.shots == (uint64_t)SHOTS * counted.frames ? NULL : "there are too few shots", "the battle");

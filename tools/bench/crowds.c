@@ -273,8 +273,8 @@ static const char *beside(struct size *s, int r)
 
 static void parts_table(void)
 {
-    report_table("The parts in nanoseconds per bullet and frame: engine drawing all / (a) / (b) / (c); the last "
-                 "columns give the engine's tick plus draw relative to (b) and (c)",
+    report_table("Nanoseconds per bullet and frame for each part. Each cell lists the engine drawing all / (a) / (b) / "
+                 "(c); the last two columns divide the engine's tick plus draw by that of (b) and (c)",
                  "n> | tick> | draw> | present> | vs (b)> | vs (c)>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
@@ -301,12 +301,12 @@ static void rivals_table(void)
         "with the player on the same path: (a) an *array of structs of doubles*, which tests every bullet in full and "
         "branches per pixel; (b) *columns of int32*, tested 64 at a time and drawn with masked 8-byte words that are "
         "prepared once per kind; (c) *the minimum*, the same columns with two rows per vector and a kind's masks in "
-        "registers, without everything this scene does not need: no graze, no leaving the field, every sprite 8x8 in "
-        "one bank. All three store bullets grouped by kind and so need no sorting. None has scripts, motion programs, "
+        "registers, without anything this scene does not need: no graze, no leaving the field, every sprite 8x8 in one "
+        "bank. All three store bullets grouped by kind, so they need no sorting. None has scripts, motion programs, "
         "handles, deaths, or a state that can be saved. Each presents with one table look-up per pixel.");
-    report_text(
-        "The references draw every bullet. In the largest crowds the engine draws only the visible ones, which is a "
-        "different task. *Drawing all* is its frame when it also draws every bullet; the ratios use that column.");
+    report_text("The references draw every bullet. In the largest crowds the engine draws only the visible ones, which "
+                "is a different task. *Drawing all* is the engine's frame when it also draws every bullet; the ratios "
+                "use that column.");
     report_table("Microseconds per frame, and ratio to the engine drawing everything",
                  "n> | engine> | drawing all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
                  "minimum> | ratio>");
@@ -348,10 +348,10 @@ static void counts_table(void)
                    report_count((int64_t)c->drawn), NULL);
     }
     report_table_end();
-    report_text(
-        "*Tested* counts the bullets whose path in the frame, as a box, comes within reach of the player; each bullet "
-        "grazes a player once. At the end of each n all programs have every bullet at the same position and show the "
-        "same pixels, and the picture equals that of a reference renderer that copies byte by byte without batches.");
+    report_text("*Tested* counts the bullets whose path in the frame, as a box, comes within reach of the player; each "
+                "bullet grazes a player once. At the end of the run for each n, all programs have every bullet at the "
+                "same position and show the same pixels, and the picture equals that of a reference renderer that "
+                "copies byte by byte without batches.");
 }
 
 static void limits_table(void)
@@ -469,7 +469,7 @@ static void without_programs(void)
     report_text("**Without programs.** With %s bullets that fly straight forever all over the field and a player among "
                 "them, motion, keep box, swept hit test and graze take %s ns per bullet and frame.",
                 report_count(N), samples_figure(&ns, N));
-    bench_target("motion, keep box, swept hit and graze of one of 16,384 bullets without programs", "0.5 ns",
+    bench_target("motion, keep box, swept hit and graze for one of 16,384 bullets without programs", "0.5 ns",
                  report_string("%s ns", report_figure(samples_median(&ns) / N)), samples_median(&ns) / N <= 0.5);
     samples_free(&ns);
     scene_close(&s);
@@ -480,11 +480,12 @@ void section_crowd(void)
     static const int USUAL[] = { K1, 4096, K16, 65536, 262144, M1 };
 
     report_section("The crowd");
-    report_text("n bullets of 8x8 px, 16 kinds and 8 banks, with a hit circle of 3 px, fly all over a field of 320x240 "
-                "px at 0.5 to 3 px/frame. Each flies for 60 frames, then turns around and comes back, so in every "
-                "frame a sixtieth of them runs a step of its motion program and the others fly straight. A player with "
-                "a hit circle of 2 px and a graze ring of 12 px wanders among them. The sprites' pixels are reshuffled "
-                "for each n. The scene is `roms/bench` with DIP `does=crowd`, on the board that runs any game.");
+    report_text(
+        "n bullets of 8x8 px, in 16 kinds and 8 banks and with a hit circle of 3 px, fly all over a field of 320x240 "
+        "px at 0.5 to 3 px/frame. Each flies for 60 frames, then turns around and comes back. In every frame, a "
+        "sixtieth of them runs a step of its motion program and the others fly straight. A player with a hit circle of "
+        "2 px and a graze ring of 12 px wanders among them. The sprites' pixels are reshuffled for each n. The scene "
+        "is `roms/bench` with the DIP switch `does=crowd`, on the board that runs any game.");
     for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
         run(USUAL[i]);
     const int n = find_60(total, 2500032), n_all = find_60(painted, M1);
@@ -494,14 +495,15 @@ void section_crowd(void)
     counts_table();
     limits_table();
     struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n), *all = size_of(n_all);
-    report_text("**Growth.** One bullet among %s costs %s ns, among %s %s ns, among %s %s ns: %s times as much from %s "
-                "to %s, a range in which the fixed cost of a frame (an empty picture, presenting) is negligible.",
+    report_text("**Growth.** A bullet in a crowd of %s costs %s ns, in a crowd of %s it costs %s ns, and in a crowd of "
+                "%s it costs %s ns. The cost changes by a factor of %s from %s to %s, a range in which the fixed cost "
+                "of a frame (an empty picture, presenting) is negligible.",
                 report_count(k1->n), per_bullet(&k1->total[0], k1->n), report_count(k16->n),
                 per_bullet(&k16->total[0], k16->n), report_count(m1->n), per_bullet(&m1->total[0], m1->n),
                 report_figure(total(m1) / m1->n / (total(k16) / k16->n)), report_count(k16->n), report_count(m1->n));
-    report_text("**Sixty frames a second.** By measurement, one core reaches 60 frames a second with **%s bullets**: "
-                "%s ms of 16.67, with %s of the bullets hidden and skipped. Drawing all, it reaches 60 frames a second "
-                "with **%s**: %s ms. The chip's maximum is %s.",
+    report_text("**Sixty frames a second.** One core reaches 60 frames a second with **%s bullets**. A frame then "
+                "takes %s of the 16.67 ms, and %s of the bullets are hidden and skipped. When it draws all of them, it "
+                "reaches 60 frames a second with **%s bullets**, at %s ms per frame. The chip's maximum is %s.",
                 report_count(found->n), samples_figure(&found->total[0], 1e6),
                 report_percent((double)found->hidden / found->n), report_count(all->n),
                 report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));

@@ -158,8 +158,9 @@ void floor_prices(void)
         for (int i = 0; i < COUNT; i++)
             slice(&runs[i], round >= 0);
     bench_own_clock(false);
-    report_text("**Lua's minimum.** Nanoseconds for each of %s, compared with the same lines in plain Lua, where "
-                "functions and properties do nothing; both are interleaved. No binding can be faster than Lua itself.",
+    report_text("**Lua's minimum.** The table shows the nanoseconds for each of %s calls or tasks, compared with the "
+                "same lines in plain Lua, where functions and properties do nothing; the two run alternately. No "
+                "binding can be faster than Lua itself.",
                 report_count(N));
     report_table(NULL, "script | engine> | Lua only> | ratio>");
     for (int i = 0; i < COUNT; i++) {

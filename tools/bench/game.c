@@ -165,8 +165,9 @@ void section_game(void)
 
     struct pace tick = pace_of(ns, demo.frames, 0), both = pace_of(ns, demo.frames, 1);
     report_section("The built-in game");
-    report_text("Its whole-run demo (`%s`): %s frames, %s minutes. Each frame's time is the median of %d runs. At the "
-                "end of each run the hashes equal the recorded ones.",
+    report_text("The demo of a complete run (`%s`) has %s frames (%s minutes). Each frame's time is the median of %d "
+                "runs. At the "
+                "end of each run, the hashes equal the recorded hashes.",
                 BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
     report_table(NULL, "| frames a second> | in the slowest 600 frames> | starting at second>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),
@@ -269,11 +270,11 @@ void section_memory(void)
     double usual = (double)ram_of("examples/first") / (1 << 20), game = (double)ram_of(BENCH_GAME) / (1 << 20);
 
     report_section("Memory");
-    report_text(
-        "A bullet slot takes **%s bytes** of RAM: its columns and the events it can raise in one frame. A snapshot "
-        "copies %s bytes for each live bullet and nothing for free slots. A board with the default capacities "
-        "(`examples/first`, which sets none) has **%s MiB** of RAM, 4 of them for Lua; the built-in game's has %s.",
-        report_figure(reserved), report_figure(live_bytes()), report_figure(usual), report_figure(game));
+    report_text("A bullet slot takes **%s bytes** of RAM: its columns and the events it can raise in one frame. A "
+                "snapshot copies %s bytes for each live bullet and nothing for free slots. A board with the default "
+                "capacities (`examples/first`, which sets none) has **%s MiB** of RAM, 4 of them for Lua; the built-in "
+                "game's board has %s MiB.",
+                report_figure(reserved), report_figure(live_bytes()), report_figure(usual), report_figure(game));
     bench_target("RAM of a board with the default capacities", "8 MiB", report_string("%s MiB", report_figure(usual)),
                  usual < 8);
 }

@@ -87,10 +87,11 @@ void section_guards(void)
     const char *what = "";
 
     report_section("Endless loops");
-    report_text("A frame that runs forever ends in a fault after %s instructions. Some operations take long relative "
-                "to their count; the table lists the slowest known ones, with the seconds until the fault.",
-                report_count(WORK_LIMIT));
-    report_table(NULL, "a loop of | seconds> | instructions counted for each>");
+    report_text(
+        "A frame that runs forever ends in a fault after %s instructions. Some operations take a long time for the "
+        "instructions they count. The table lists the slowest known operations, with the seconds until the fault.",
+        report_count(WORK_LIMIT));
+    report_table(NULL, "a loop of | seconds> | instructions counted per operation>");
     bench_own_clock(true);
     for (int i = 0; i < WORST_COUNT; i++) {
         uint64_t rounds;

@@ -47,8 +47,8 @@ void section_lasers(void)
     measure(&s, &still, &empty);
     scene_close(&s);
     report_section("Lasers");
-    report_text("Microseconds per frame of %s circling curves of 64 points, 8 px wide, at 2.5 px/frame, beyond a frame "
-                "without them. The player stands among them, so the tick includes grazes and hits.",
+    report_text("The table shows the microseconds that %s circling curves add to a frame. Each has 64 points, is 8 px "
+                "wide and moves at 2.5 px/frame. The player stands among them, so the tick includes grazes and hits.",
                 report_count(CURVES));
     report_table(NULL, "drawn with | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {

@@ -163,10 +163,10 @@ void section_machine(void)
     static const size_t SIZES[] = { 16 << 10, 512 << 10, 8 << 20, 64 << 20, 256 << 20 };
 
     report_section("The machine");
-    report_text("Memory bandwidth in GB/s for repeated passes over a block of the given size: the smallest fits in the "
-                "first-level cache, the largest in no cache. *Copy* counts bytes read and bytes written; it uses the C "
-                "library. *Update* is `x[i] += v[i]`, which is how bullets move: two reads and one write. *Read* and "
-                "*update* are plain C with the flags above.");
+    report_text("The table shows memory bandwidth in GB/s for repeated passes over a block of the given size. The "
+                "smallest block fits in the first-level cache, the largest in no cache. *Copy* counts bytes read and "
+                "bytes written; it uses the C library. *Update* is `x[i] += v[i]`, as bullets move: two reads and one "
+                "write. *Read* and *update* are plain C with the flags above.");
     report_table(NULL, "memory> | copy> | read> | update>");
     for (size_t i = 0; i < sizeof SIZES / sizeof *SIZES; i++)
         report_row(0, size_name(SIZES[i]), rate(copy, SIZES[i], 1), rate(read_all, SIZES[i], 1),

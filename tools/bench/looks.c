@@ -52,7 +52,8 @@ void looks_prices(void)
         bench_scene(&runs[i].scene,
                     &(struct scene_want){ .does = "looks", .price = LOOKS[i].dip, .n = N, .bullets = N, .sparks = N });
     measure();
-    report_text("Nanoseconds for each of %s visual effects, beyond a board without them.", report_count(N));
+    report_text("The next table shows the nanoseconds that each of %s visual effects adds to a board without them.",
+                report_count(N));
     report_table(NULL, "an effect | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {
         struct run *r = &runs[i], *b = &runs[LOOKS[i].beyond];

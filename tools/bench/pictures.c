@@ -97,8 +97,8 @@ void section_pictures(void)
     for (int i = 0; i < SIZES; i++)
         measure(SIDES[i], how_many(SIDES[i]), ns[i]);
     report_section("Pictures");
-    report_text("Nanoseconds per sprite by size; 13 of 16 pixels are opaque, at random positions. The time of an empty "
-                "picture, %s µs, is subtracted.",
+    report_text("The table shows the nanoseconds per sprite by size. In each sprite 13 of 16 pixels, at random "
+                "positions, are opaque. The time of an empty picture, %s µs, is subtracted.",
                 samples_figure(&empty[0], 1e3));
     report_table(NULL, "| 8x8> | 16x16> | 32x32> | 64x64> | 128x128>");
     for (int w = 0; w < COUNT; w++) {

@@ -30,7 +30,7 @@ static const struct price MOTION[] = {
     { "orbit", "runs `orbit` around a point", PLAIN },
     { "around", "runs `orbit` around its `around`", GROUPS },
     { "wave", "runs `wave`", PLAIN },
-    { "bounce", "runs `bounce`, with no wall near", PLAIN },
+    { "bounce", "runs `bounce`, with no wall nearby", PLAIN },
     { "path", "runs `path`", PLAIN },
     { "await", "runs `wait_for` with `near`", PLAIN },
     { "signal", "runs `wait_for` with `tag`", PLAIN },
@@ -167,8 +167,8 @@ static void print_motion(void)
     struct run *runs = print_prices(MOTION, COUNT, "a bullet that | total> | beyond straight> | ratio>");
     double half = samples_median(&runs[HALF].ns) / 1e3;
 
-    report_text("When every other one of %s bullets runs one of those ten programs, in equal numbers and with an op "
-                "active in every frame, the tick takes **%s µs**.",
+    report_text("With %s bullets, half of which run those ten programs (in equal numbers, with an op active in every "
+                "frame), the tick takes **%s µs**.",
                 report_count(N), samples_figure(&runs[HALF].ns, 1e3));
     bench_target("the tick of 4,096 bullets, half of them running programs, all ops equally often", "60 µs",
                  report_string("%s µs", report_figure(half)), half < 60);
@@ -202,8 +202,8 @@ static void fire_in_c(void)
         slots_trim(&s.b->bullets.s);
     }
     report_text("**C only.** `bullets_fire`, the C function behind a script's call, takes %s ns: it finds a free slot, "
-                "computes the velocity from the direction and writes all columns. The rest of a table's figure is Lua, "
-                "reading and checking the arguments, the digest of the call, and the bullet's one frame.",
+                "computes the velocity from the direction and writes all columns. With a table, the rest of the time "
+                "goes to Lua, to reading and checking arguments, to the call's digest, and to the bullet's one frame.",
                 samples_figure(&ns, N));
     samples_free(&ns);
     scene_close(&s);
@@ -235,7 +235,8 @@ static void item_prices(void)
                 samples_add(&tick[i], ticked - from);
                 samples_add(&draw[i], bench_now() - ticked);
             }
-    report_text("Nanoseconds for each of %s items of 12 px, beyond a board without items.", report_count(ITEMS));
+    report_text("The next table shows the nanoseconds that each of %s items of 12 px adds to a board without items.",
+                report_count(ITEMS));
     report_table(NULL, "an item that | tick> | draw>");
     for (int i = 1; i < ROWS; i++)
         report_row(i == 1, rows[i].what, report_figure((samples_median(&tick[i]) - samples_median(&tick[0])) / ITEMS),
@@ -251,16 +252,17 @@ static void item_prices(void)
 void section_prices(void)
 {
     report_section("Cost per bullet");
-    report_text("Nanoseconds of a tick for each of %s bullets that all do the same in every frame, the difference from "
-                "a straight bullet, and the ratio to it, measured interleaved. Nothing is drawn, and no bullet comes "
-                "near the player unless stated.",
+    report_text("The table shows the nanoseconds of a tick for each of %s bullets that all do the same in every frame, "
+                "the difference from a straight bullet, and the ratio to it. The measurements are interleaved. Nothing "
+                "is drawn, and no bullet comes near the player unless stated.",
                 report_count(N));
     print_motion();
-    report_text("Hits: a bullet is close if it needs the exact test in every frame; it touches nothing.");
+    report_text("Hits. A *close* bullet needs the exact test in every frame but never touches anything.");
     print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | total> | beyond straight> | ratio>");
     report_text("A script acts on all of them once a frame:");
     print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | total> | beyond straight> | ratio>");
-    report_text("Cost of firing one bullet, in patterns of 64; it despawns in the same frame.");
+    report_text("The next table shows the nanoseconds it takes to fire one bullet, in patterns of 64. Each bullet "
+                "despawns in the same frame.");
     print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | total> | beyond the first> | ratio>");
     fire_in_c();
     floor_prices();

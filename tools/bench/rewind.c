@@ -200,10 +200,11 @@ static void report_snapshots(struct past_run *r)
 {
     double us = samples_median(&r->again) / 1e3, key_us = samples_median(&r->key) / 1e3;
 
-    report_text("**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. It takes **%s µs** into "
-                "recently used memory (%s at the 99th percentile). The host stores the rewind history in %d MiB, so a "
-                "key frame goes to cold memory: **%s µs** (%s at the 99th percentile), where the C library copies the "
-                "same number of bytes in one block in %s. The host takes one every few frames: %s µs per frame.",
+    report_text("**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. Saving it to recently "
+                "used memory takes **%s µs** (%s at the 99th percentile). The host stores the rewind history in %d "
+                "MiB, so a key frame goes to cold memory, which takes **%s µs** (%s at the 99th percentile); the C "
+                "library copies the same number of bytes there, in one block, in %s µs. The host takes a key frame "
+                "every few frames, which costs %s µs per frame.",
                 report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
                 samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3),
                 REWIND_BYTES >> 20, samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
@@ -219,7 +220,7 @@ static void report_late(struct past_run *r)
     double worst = samples_quantile(&r->late, 1) / 1e6;
     const char *median = report_figure(samples_median(&r->late) / 1e6);
 
-    report_text("At frame %s a step back takes %s ms (the median of %d consecutive steps), %s at worst.",
+    report_text("At frame %s a step back takes %s ms (the median of %d consecutive steps), and %s ms at worst.",
                 report_count(LATE), median, LATE_STEPS, report_figure(worst));
     bench_target("a step back at frame 36,000", "16 ms", report_string("%s ms, worst %s", median, report_figure(worst)),
                  worst < STEP_MS);

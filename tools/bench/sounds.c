@@ -226,7 +226,7 @@ static struct band bands[] = {
       .kinds = 4 },
     { .what = "24 FM of 4 operators with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
     { .what = "24 FM of 4 operators", .notes = 24, .of = { FM4 }, .kinds = 1 },
-    { .what = "24 of FM of 2 operators, waves, pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
+    { .what = "24 of 2-operator FM, waves, pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
     { .what = "16 samples an octave up, 8 FM",
       .recorded = 16,
       .recording = &rom.exact,
@@ -253,12 +253,13 @@ void section_sound(void)
     }
     measure_seq(&seq);
     report_section("Sound");
-    report_text("Microseconds for the 800 stereo samples of a frame, and for the tick that advances all voices by a "
-                "frame. With a piece of 16 tracks, 12 notes a second each, the tick takes %s µs, including note starts "
-                "and ends. The target of 100 µs is for the row with 16 samples and 8 FM voices with feedback. 24 FM "
-                "voices take longer, and so do samples far above their original pitch, which pass a 64-tap filter. The "
-                "plain loop only adds up 24 voices of 16 bits times a gain, left and right.",
-                samples_figure(&seq, 1e3));
+    report_text(
+        "The table shows the microseconds for the 800 stereo samples of a frame, and for the tick that advances all "
+        "voices by a frame. With a piece of 16 tracks, each with 12 notes a second, the tick takes %s µs, including "
+        "note starts and ends. The target of 100 µs is for the row with 16 samples and 8 FM voices with feedback. 24 "
+        "FM voices take longer, and so do samples far above their original pitch, which pass a 64-tap filter. The "
+        "plain loop only multiplies 24 voices of 16 bits by a gain and adds them up, left and right.",
+        samples_figure(&seq, 1e3));
     table(bands, N, &plain);
     report_text("A game without sound has no voices and no sequencer, and no sound code runs in its frames. Compared "
                 "with the engine before sound was added (`make compare BASE=ed089444 GAME=examples/first START= "

@@ -210,7 +210,7 @@ static void free_flock(struct flock *f)
 
 static const char *from_on(int n)
 {
-    return n ? report_string("from %s bullets on", report_count(n)) : "for none of these crowds";
+    return n ? report_string("with %s bullets or more", report_count(n)) : "for none of these crowds";
 }
 
 static void table(void)
@@ -231,10 +231,10 @@ static void table(void)
         free_flock(&f);
     }
     report_table_end();
-    report_text(
-        "A thread that is woken pays off here %s; one that spins, and so occupies a whole core all the time, %s. "
-        "Fights have 500 to 10,000 bullets, whose actions must happen in slot order, so the engine uses one thread.",
-        from_on(least[SLEEPS]), from_on(least[SPINS]));
+    report_text("A thread that is woken pays off here %s. One that spins pays off %s, but it occupies a full core all "
+                "the time. Fights have 500 to 10,000 bullets, whose actions must happen in slot order. The engine "
+                "therefore uses one thread.",
+                from_on(least[SLEEPS]), from_on(least[SPINS]));
 }
 
 void section_threads(void)
@@ -242,11 +242,11 @@ void section_threads(void)
     pthread_t thread;
 
     report_section("Threads");
-    report_text("Would a second thread help? Microseconds for the cheapest work of a frame, motion and keep box of n "
-                "bullets in columns, without the engine. *Halves*: the second thread processes one half, and the frame "
-                "continues when both are done; the thread waits by spinning, or sleeps until it is woken. "
-                "*Alternating*: the threads take turns, one moving all bullets in one frame and the other in the next, "
-                "so every column comes from the other core's cache.");
+    report_text("Would a second thread help? The table shows microseconds for the cheapest work of a frame, motion and "
+                "keep box of n bullets in columns, without the engine. *Halves*: the second thread processes one half, "
+                "and the frame continues when both are done; the thread waits by spinning, or sleeps until it is "
+                "woken. *Alternating*: the threads take turns, one moving all bullets in one frame and the other in "
+                "the next, so every column comes from the other core's cache.");
     if (sysconf(_SC_NPROCESSORS_ONLN) < 2) {
         report_text("Not measured: this machine has one core.");
         return;

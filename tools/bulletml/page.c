@@ -27,8 +27,8 @@ static const char ABOUT[] =
     "on both sides, because documents do not define borders.\n"
     "\n"
     "The list of documents is `tools/bulletml/documents.list`; the same folder has the runner, the comparison and the "
-    "board's\n"
-    "side. `tests/bulletml` covers single elements with libbulletml's answers, which `make test` checks.\n"
+    "code\n"
+    "for the board. `tests/bulletml` covers single elements with libbulletml's answers, which `make test` checks.\n"
     "\n";
 
 static const char CONCLUSIONS[] = "| | |\n|---|---:|\n";
@@ -146,8 +146,8 @@ static void section_documents(void)
         document_row(documents.path[i], &r[i]);
     report_table_end();
     report_text("%s bullets left the area and were removed at libbulletml's position. By the board's own position, %s "
-                "of them would have left in another frame: no two arithmetics agree on every bullet that ends a frame "
-                "next to a border.",
+                "of them would have left in a different frame: no two ways to calculate agree on every bullet that "
+                "ends a frame next to a border.",
                 report_count(s.left), report_count(s.otherwise));
     all_free(r, documents.n);
 }
@@ -162,9 +162,9 @@ static void section_loop(void)
     for (int i = 0; i < documents.n; i++)
         add(&s, &r[i]);
     report_section("Restarted");
-    report_text("Most documents end before 1,500 frames. With `loop = true` a root that has ended restarts, like the "
-                "bosses of these games: then %d of %d documents are also within 1/16 px, in %s positions of %s "
-                "bullets, with a greatest distance of %.5f px.",
+    report_text("Most documents end before 1,500 frames. With `loop = true`, a root that has ended restarts, as the "
+                "bosses of these games do. Then, too, %d of %d documents are within 1/16 px. This compares %s "
+                "positions of %s bullets; the greatest distance within the limit is %.5f px.",
                 s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
     if (s.alike < s.documents) {
         report_text("When a bullet aims from within a pixel of the player, the accumulated rounding error of a few "
@@ -208,12 +208,12 @@ static void section_rounding(void)
     int n = 0;
 
     report_section("Decided by the last bit");
-    report_text("Doubles round to nearest, but no document requires it: rounding downward, upward and towards zero is "
-                "equally valid. These documents behave differently in libbulletml itself under another rounding mode, "
-                "because `0.35 * 20` is then slightly less than 7 rounds of a `repeat`. Only such documents may be on "
-                "the list of excused ones, `%s`.",
-                TOOL_EXCEPTIONS);
-    report_table(NULL, "document|rank>|rounding|to nearest (first) and with this rounding (second)");
+    report_text(
+        "Doubles round to nearest, but no document requires it: rounding downward, upward and towards zero is equally "
+        "valid. These documents behave differently in libbulletml itself under a different rounding mode, because "
+        "`0.35 * 20` is then slightly less than 7 rounds of a `repeat`. Only such documents can be excused, in `%s`.",
+        TOOL_EXCEPTIONS);
+    report_table(NULL, "document|rank>|rounding|to nearest (first side) compared with this rounding (second side)");
     for (int i = 0; i < documents.n; i++) {
         bool any = false;
         for (int k = 0; k < ALL_RANKS; k++)
@@ -221,12 +221,11 @@ static void section_rounding(void)
         n += any;
     }
     report_table_end();
-    report_text(
-        "%s",
-        exceptions.n
-            ? ""
-            : "For all of them the board does the same as libbulletml rounding to nearest, so the list is empty.");
-    conclude("documents in which libbulletml differs from itself with another rounding mode", report_string("%d", n));
+    report_text("%s", exceptions.n ? ""
+                                   : "For all of them, the board matches libbulletml when libbulletml rounds to "
+                                     "nearest, so the list is empty.");
+    conclude("documents in which libbulletml differs from itself with a different rounding mode",
+             report_string("%d", n));
     all_free(r, documents.n);
 }
 
@@ -250,9 +249,9 @@ static void section_sheet(void)
 {
     failed |= !tool_sheet(&documents, TOOL_SHEET);
     report_section("Pictures");
-    report_text(
-        "The 64 documents with the most bullets in the field at once, in that frame, at rank 1 and restarted when they "
-        "end. The colour of a bullet follows its number. Only bullets are shown; the documents belong to their games.");
+    report_text("These are the 64 documents with the most bullets in the field at the same time, at rank 1 and "
+                "restarted when they end. Each is shown in its frame with the most bullets. A bullet's colour depends "
+                "on its number. Only bullets are shown; the documents belong to their games.");
     report_text("![Eight rows of eight small black fields with patterns of coloured dots, each with the name of its "
                 "document under it](../images/bulletml.png)");
 }

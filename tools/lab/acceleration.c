@@ -201,7 +201,7 @@ static const struct method {
     { "Euler, speed first", "half a frame's acceleration", euler_speed_first, time_euler, false, false, false,
       "the engine's method, without its rounding" },
     { "Euler, position first", "the same, in the other direction", euler_place_first, time_euler, false, false, false,
-      "nothing: no better, and a bullet fired at rest stays there for a frame" },
+      "nothing: no better, and a bullet fired at rest stays still for a frame" },
     { "trapezoid", "one more addition", trapezoid, time_trapezoid, false, false, false, "a simulation of physics" },
     { "closed form", "aiming, turning and later changes", closed_form, time_closed, false, false, false,
       "fixed paths: nothing can act on the bullet" },
@@ -259,7 +259,7 @@ static void time_methods(struct lab_rival *rivals)
 
 static void print_methods(const struct lab_rival *rivals)
 {
-    report_table(NULL, "method | trade-off | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | 1 to 3 in "
+    report_table(NULL, "method | gives up | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | 1 to 3 in "
                        "600> | 0 to 8 in 60> | rms of all> | use it for");
     for (int k = 0; k < COUNT; k++) {
         const char *cell[SCENES];
@@ -310,11 +310,11 @@ void section_acceleration(void)
     }
 
     report_section("5. Changing speed");
-    report_text("Errors are relative to the continuous motion x₀ + v₀t + at²/2 of a bullet that flies straight: the "
-                "largest error in any frame. In each frame the engine first changes the speed, then moves the bullet. "
-                "This puts it ahead of the continuous motion by half the change of speed: 1 px from 1 to 3 px/frame, "
-                "however long the change takes. This offset follows from the definition and is always the same; the "
-                "rest is rounding. No method is the default; ▶ marks the recommended one.");
+    report_text("An error is the largest distance, in any frame, from the continuous motion x₀ + v₀t + at²/2 of a "
+                "bullet that flies straight. In each frame the engine first changes the speed, then moves the bullet. "
+                "This puts it ahead of the continuous motion by half the change of speed, which is 1 px for a change "
+                "from 1 to 3 px/frame, however long the change takes. This offset follows from the definition and is "
+                "always the same; the rest is rounding. No method is the default; ▶ marks the recommended one.");
     print_methods(rivals);
     plot_flights();
     report_text(

@@ -191,8 +191,9 @@ static const struct format {
     void (*turn)(void *data);
     const char *who;
 } FORMATS[] = {
-    { "8 bits", "1.4°", "24 bits for 3 bytes", 8, after_8, ring_8, turn_u8, "a machine with a 256-entry sine table" },
-    { "16 bits", "0.0055°", "16 bits for 2 bytes", 16, after_16, ring_16, turn_u16,
+    { "8 bits", "1.4°", "24 bits, to save 3 bytes", 8, after_8, ring_8, turn_u8,
+      "a machine with a 256-entry sine table" },
+    { "16 bits", "0.0055°", "16 bits, to save 2 bytes", 16, after_16, ring_16, turn_u16,
       "headings that are set but never turned" },
     { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everything" },
     { "float32 degrees", "to 3.1e-5°", "8 bits; wrap-around; time", 0, after_float, NULL, turn_f32,
@@ -228,7 +229,7 @@ static const char *error_cell(int k, int s)
 
 static void print_formats(const struct lab_rival *rivals)
 {
-    report_table(NULL, "heading | unit> | trade-off | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | time "
+    report_table(NULL, "heading | unit> | gives up | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | time "
                        "per turn> | ratio> | use it for");
     for (int k = 0; k < COUNT; k++)
         report_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
@@ -263,7 +264,7 @@ static void plot_turns(void)
         .title = "A heading turned by a constant step, worst of 64 steps",
         .x_name = "turns",
         .y_name = "distance from the true heading, degrees",
-        .described = "Heading error by number of turns: 8 bits fail at once, 16 bits are off by a degree after "
+        .described = "Heading error by number of turns: 8 bits fail immediately, 16 bits are off by a degree after "
                      "hundreds of turns, 32 bits by 0.004 degrees after 100,000",
     });
     for (int s = 0; s < SPANS; s++)

@@ -204,7 +204,7 @@ static void measure(const struct way *ways, int n, bool circular, struct lab_riv
     lab_time(time, n, 0);
     report_table(
         circular ? "angles" : "positions",
-        report_string("%s|trade-off|values|changed by a round trip>|worst, %s>|round-trip time>|ratio>|use it for",
+        report_string("%s|gives up|values|changed by a round trip>|worst, %s>|round-trip time>|ratio>|use it for",
                       circular ? "angle passed as" : "position passed as", circular ? "2⁻³² of a turn" : "ulp"));
     for (int i = 0; i < n; i++) {
         int count = ways[i].slow ? TEXTS : VALUES;
@@ -260,21 +260,20 @@ void section_border(void)
     for (int i = 0; i < VALUES; i++)
         values[i] = i < 7 ? FIRST[i] : (int32_t)(uint32_t)(rng_next(&rng) >> 32);
     report_section("7. The script interface");
-    report_text(
-        "A script reads and writes a position as pixels and an angle as degrees. Both are Lua numbers, which are "
-        "doubles. The\n"
-        "tables test a round trip of random values over the whole range, including its ends. For the engine's own "
-        "method\n"
-        "`make accuracy` tries all 2³² values of each type (the test that compares this page tries %s of them).",
-        report_count(VALUES));
+    report_text("A script reads and writes a position as pixels and an angle as degrees. Both are Lua numbers, which "
+                "are doubles. The\n"
+                "tables test a round trip of random values over the complete range, including its ends. For the "
+                "engine's own method `make\n"
+                "accuracy` tries all 2³² values of each type (the test that compares this page tries %s of them).",
+                report_count(VALUES));
     measure(POSITIONS, N_POSITIONS, false, time, most, values);
     bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));
     measure(ANGLES, N_ANGLES, true, time, most, values);
     draw(time, most, N_ANGLES);
-    report_text(
-        "In the other direction, no multiple of 0.1° returns to a script more than %s° off, half of 2⁻³² of a turn;\n"
-        "multiples of 360°/2ⁿ return unchanged.",
-        report_figure(degrees_back()));
+    report_text("In the other direction, every multiple of 0.1° returns to a script at most %s° off, which is half of "
+                "2⁻³² of a turn;\n"
+                "multiples of 360°/2ⁿ return unchanged.",
+                report_figure(degrees_back()));
     lab_conclude("positions in scripts", "pixels as a double", "all 2³² values survive a round trip",
                  "text with 14 digits in files", positions);
     lab_conclude("angles in scripts", "degrees as a double",

@@ -572,12 +572,12 @@ static void print_ways(void)
         { "scan with rejection in blocks of 64", "nothing", "everything" },
         { "scan that tests each bullet exactly", "the rejection", "nothing" },
         { "grid of 16 px", "a sort in every frame", "four or more players against the same bullets" },
-        { "tree of boxes", "a longer sort", "stationary bullets, or a world many fields large" },
+        { "tree of boxes", "a longer sort", "stationary bullets, or a world many times larger than the field" },
     };
     const struct result *r = &results[2];
 
     report_table(report_string("One player against %s bullets: one frame", report_count(SIZE[2])),
-                 "method | trade-off | pairs found> | looked at> | tested exactly> | time> | ratio> | use it for");
+                 "method | gives up | pairs found> | looked at> | tested exactly> | time> | ratio> | use it for");
     for (int w = 0; w < WAYS; w++)
         report_row(w == ENGINE, NAMES[w].name, NAMES[w].trade, report_count(r->hits),
                    report_count((int64_t)r->looked[w]), report_count((int64_t)r->tested[w]), lab_us(&r->times[w]),
@@ -587,8 +587,9 @@ static void print_ways(void)
 
 static void print_sizes(void)
 {
-    report_table("The same for n bullets; in parentheses, the time without building the grid or tree",
-                 "n> | pairs> | scan, engine> | exact scan> | grid> | tree> | grid pays from> | tree pays from>");
+    report_table(
+        "The same for n bullets; in parentheses, the time without building the grid or tree",
+        "n> | pairs> | scan, engine> | exact scan> | grid> | tree> | grid pays off from> | tree pays off from>");
     for (int i = 0; i < SIZES; i++) {
         const struct result *r = &results[i];
         report_row(false, report_count(SIZE[i]), report_count(r->hits),
@@ -639,14 +640,15 @@ static const char *ratios_of(int way)
 static void print_shots(void)
 {
     print_crowds();
-    report_text("The engine sorts the enemies into a grid with about one enemy per cell. Each enemy is in one cell, at "
-                "its position before it moved. A shot searches for the nearest enemy first in four cells, then in "
-                "rings. In the last row, where a tenth of all pairs touch, it tests few pairs, because the nearest "
-                "enemy is hit. The grid of 32 px puts each enemy into every cell in which it can be hit, so it suits "
-                "small enemies; larger enemies need larger cells. Relative to the engine, a frame takes %s times as "
-                "long with this grid, %s times with the rejection and %s times with every pair. The engine also looks "
-                "up kinds and shapes and raises events; the other methods here do not.",
-                ratios_of(2), ratios_of(1), ratios_of(3));
+    report_text(
+        "The engine sorts the enemies into a grid with about one enemy per cell. Each enemy is in one cell, at its "
+        "position before it moved. A shot searches for the nearest enemy first in four cells, then in rings. In the "
+        "last row, a tenth of all pairs touch, but it still tests few pairs, because the search stops at the nearest "
+        "enemy that is hit. The grid of 32 px puts each enemy into every cell in which it can be hit, so it suits "
+        "small enemies; larger enemies need larger cells. Compared with the engine, a frame takes %s times as long "
+        "with this grid, %s times with rejection, and %s times when it tests every pair. The engine also looks up "
+        "kinds and shapes and raises events; the other methods here do not.",
+        ratios_of(2), ratios_of(1), ratios_of(3));
 }
 
 static void plot_sizes(void)
@@ -713,21 +715,22 @@ void section_broad(void)
     print_ways();
     plot_sizes();
     print_sizes();
-    report_text(
-        "Building the grid for %s bullets costs as much as %s scans, the tree %s. Both copy every bullet to another "
-        "place in memory, while the scan reads columns sequentially with a branch-free test. For one player the scan "
-        "is fastest at every size. A grid breaks even at %s players; the engine has at most %d.",
-        report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(),
-        PADS);
+    report_text("Building the grid for %s bullets costs as much as %s scans, and building the tree as much as %s. Both "
+                "copy every bullet to a different place in memory, while the scan reads columns sequentially with a "
+                "branch-free test. For one player the scan is fastest at every size. A grid breaks even at %s players; "
+                "the engine has at most %d.",
+                report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)),
+                grid_pays(), PADS);
     print_shots();
-    lab_conclude("bullets against players", "a scan of all bullets",
-                 report_string("fastest for one player at every n from %s to %s; a grid would pay from %s players on",
-                               report_count(SIZE[0]), report_count(SIZE[SIZES - 1]),
-                               lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
-                 "nothing", lab_exact() || scan_wins());
+    lab_conclude(
+        "bullets against players", "a scan of all bullets",
+        report_string(
+            "fastest for one player at every n from %s to %s; a grid would pay off only with %s players or more",
+            report_count(SIZE[0]), report_count(SIZE[SIZES - 1]), lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
+        "nothing", lab_exact() || scan_wins());
     lab_conclude("shots against enemies", "a grid of the enemies' positions, searched from the shot outwards",
-                 report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies; %s µs where %s shots and %s "
-                               "enemies overlap in a tenth of all pairs",
+                 report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies; %s µs with %s shots and %s "
+                               "enemies when a tenth of all pairs overlap",
                                lab_about(crowds[3].times[0].ns), report_count(FRAME_US),
                                lab_about(crowds[8].times[0].ns), report_count(CROWD[8][0]), report_count(CROWD[8][1])),
                  "a scan: no grid to build in every frame, less code",

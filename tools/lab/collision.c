@@ -185,13 +185,14 @@ static const struct rival {
     { "circle, swept", "nothing: exact along the whole path", swept_circle, swept_circle_loop, "everything" },
     { "circle", "the path between two frames", circle, circle_loop,
       "bullets slower than half a contact (r) per frame" },
-    { "circle, 2 substeps", "half of it", two_parts, two_parts_loop,
+    { "circle, 2 substeps", "half of that path", two_parts, two_parts_loop,
       "nothing: slower than swept for distant bullets, and not exact" },
-    { "circle, 4 substeps", "three quarters of it", four_parts, four_parts_loop,
+    { "circle, 4 substeps", "three quarters of that path", four_parts, four_parts_loop,
       "nothing: slower than swept for distant bullets, and not exact" },
     { "box around the circle", "false hits in the corners", box_around, box_around_loop, "objects drawn as boxes" },
     { "box inside the circle", "hits at the rim", box_inside, box_inside_loop, "a lenient game, at the same cost" },
-    { "box of equal area", "half of each", box_equal, box_equal_loop, "nothing" },
+    { "box of equal area", "some hits at the rim, and false hits in the corners", box_equal, box_equal_loop,
+      "nothing" },
     { "circle, Q15.16 squares", "overflow beyond 181 px", fx_squares, fx_squares_loop, "nothing" },
     { "circle, float32", "the last bits of the rim", float_circle, float_circle_loop, "a game without replays" },
     { "circle, float32 and a root", "the same, plus a root", root_circle, root_circle_loop, "nothing" },
@@ -453,8 +454,7 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
     const int r4 = radius_index(4), r160 = radius_index(160), s16 = speed_index(16);
 
     report_table(
-        NULL,
-        "test | trade-off | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | use it for");
+        NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | use it for");
     for (int i = 0; i < COUNT; i++) {
         const struct area *a = &areas[i][r160];
         report_row(is_standard(i), RIVALS[i].name, RIVALS[i].trade,
@@ -521,8 +521,8 @@ static void plot_misses(void)
         .y_name = "crossings missed",
         .y_linear = true,
         .y_percent = true,
-        .described = "Missed crossings by speed for radii from 2 to 160 px: swept tests miss none at any speed; "
-                     "otherwise faster and smaller bullets miss more",
+        .described = "Missed crossings by speed for radii from 2 to 160 px: swept tests miss none at any speed; the "
+                     "other tests miss more the faster and smaller the bullets are",
     });
     for (int s = 0; s < SPEEDS; s++)
         x[s] = SPEED[s];
@@ -587,19 +587,21 @@ void section_collision(void)
     time_rivals(far, near);
 
     report_section("2. Collision");
-    report_text("Two circles touch when their centres are at most *r* apart, where r is the sum of both radii. *False "
-                "area* and *missed area* are the places where a stationary bullet is judged wrongly, within 384 px to "
-                "either side of the player and 448 px above and below. The circle of r = 160 px has %s px². A "
-                "*crossing* is a bullet's path past the player, at most 1.5 r + 1 px away, in any direction. It is "
-                "missed when no frame finds the touch, and a false hit when a frame finds a touch that never happened. "
-                "Shares are relative to the true crossings (%s paths for each radius and speed). Times are for pairs "
-                "within 12 px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
-                report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
+    report_text(
+        "Two circles touch when their centres are at most *r* apart, where r is the sum of both radii. *False area* "
+        "and *missed area* are the areas in which a stationary bullet is judged wrongly, within 384 px to either side "
+        "of the player and 448 px above and below. A circle of r = 160 px has an area of %s px². A *crossing* is a "
+        "bullet's path past the player, at most 1.5 r + 1 px away, in any direction. It is *missed* if no frame "
+        "detects the touch. A frame that detects a touch that never happened is a *false hit*. Misses and false hits "
+        "are given as shares of the true crossings; each radius and speed has %s paths. Times are for pairs within 12 "
+        "px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
+        report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
     print_rivals(far, near);
     print_shapes();
     plot_misses();
-    print_grid("Crossings missed by a circle tested at the end of the frame / with 2 substeps / with 4 substeps",
-               triple);
+    print_grid(
+        "Crossings missed by a circle; each cell: tested at the end of the frame / with 2 substeps / with 4 substeps",
+        triple);
     report_text("The miss rate depends on the speed in *contacts* (a contact is r, the sum of both radii): a test "
                 "misses %s at half a contact per frame, %s at one, %s at two and %s at four. Doubling the substeps "
                 "only halves the effective speed.",
@@ -610,7 +612,7 @@ void section_collision(void)
     plot_areas();
     print_grid("The box around the circle: missed crossings / false hits", twin);
     report_text("At every size the corners of a box add %s of the circle's area. Players notice the absolute area: %s "
-                "px² around a bullet of r = 8 px, %s px² around one of 160 px. The exact circle needs no root: it "
+                "px² around a bullet of r = 8 px, %s px² around one of r = 160 px. The exact circle needs no root: it "
                 "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
                 report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
                 report_figure(areas[AROUND][radius_index(8)].false_hits),
@@ -620,8 +622,8 @@ void section_collision(void)
     lab_claim(lab_exact() || near[CIRCLE].ns < 1.2 * near[ROOT].ns, "the exact circle costs no more than a root");
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
     lab_conclude("hit test", "circles, swept, exact",
-                 report_string("0 missed and 0 false of %s paths past the player; a circle tested at the end of the "
-                               "frame misses %s at r = 4 px, 16 px/frame",
+                 report_string("0 misses and 0 false hits in %s paths past the player; a circle tested at the end of "
+                               "the frame misses %s at r = 4 px, 16 px/frame",
                                report_count((int64_t)RADII * SPEEDS * TRIALS),
                                report_percent(wrong[CIRCLE][r4][s16].missed)),
                  "`hit = { box = ... }` for objects drawn as boxes; `swept = false` for bullets that move less than "

@@ -334,7 +334,7 @@ static const struct quantity QUANTITIES[] = {
     { "Multiplication", "mul", "a product", "the product rounded half up, where nothing can overflow",
       "a within ±512 px, b within ±1 or ±16", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair, mul_is, false,
       "ab" },
-    { "Division", "div", "a quotient", "a stored inverse, where one number divides many",
+    { "Division", "div", "a quotient", "a stored inverse, to divide many numbers by the same one",
       "a within ±512 px, b from 1/16 to 64, positive and negative", "unit: 1 ulp", &rivals_div, 1, false, draw_div,
       edges_div, div_is, false, "ab" },
     { "Square root", "sqrt", "a square root", "compare squares instead of roots: no error, no cost",
@@ -474,7 +474,7 @@ static void conclude(const struct quantity *q, int engine, const struct found fo
         if (q->rivals->row[i].at && found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.33)
             cheapest = false;
     lab_conclude(q->question, q->rivals->row[engine].name,
-                 report_string("0 misrounded here, none by `make prove`; %s", lab_ns(&time[engine])), q->instead,
+                 report_string("0 misrounded here and in `make prove`; %s", lab_ns(&time[engine])), q->instead,
                  lab_exact() || cheapest);
 }
 
@@ -599,10 +599,10 @@ static void note_edges(const struct quantity *q, int n_edges)
 static void print_edges(void)
 {
     report_text("### The edges");
-    report_text(
-        "*Wrong at edges* tests every combination of the values in these sets, in the order of the function's "
-        "arguments.\n"
-        "Plain numbers are Q15.16 bits (65536 is 1), numbers with 0x are the bits of angles, and degrees are doubles.");
+    report_text("The edge tests use every combination of the values in these sets, which are listed in the order of "
+                "the function's\n"
+                "arguments. Plain numbers are Q15.16 bits (65536 is 1), numbers with 0x are the bits of angles, and "
+                "degrees are doubles.");
     report_table(NULL, "function|sets|inputs>|combinations");
     for (int i = 0; i < n_edge_rows; i++) {
         const char *cell[4];
@@ -644,8 +644,8 @@ static void measure(const struct quantity *q, uint64_t seed)
     }
     lab_time(time, n, engine);
     report_text("### %s", q->title);
-    report_text("%s; %s.", q->arguments, q->unit);
-    report_table(NULL, "method|trade-off|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|use it for");
+    report_text("Arguments: %s; %s.", q->arguments, q->unit);
+    report_table(NULL, "method|gives up|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|use it for");
     for (int i = 0; i < n; i++)
         print_row(&q->rivals->row[i], &found[i], &time[i], n_edges);
     report_table_end();
@@ -662,28 +662,30 @@ void section_functions(void)
     rivals_begin();
     report_section("1. Functions");
     report_text(
-        "Each arithmetic function in src/base, compared with cheaper and more expensive ways to compute it. The true "
-        "results\n"
-        "have 106 bits. Each function gets %s random arguments of the size scenes use, then *edges*: every pair of "
-        "the\n"
-        "largest, the smallest and values around 0, ½ and 1; the angles around each eighth of a turn; both sides of "
-        "the\n"
-        "boundaries between roots; or multiples of 22.5 degrees and their neighbours.\n"
+        "This section compares each arithmetic function in src/base with cheaper and more expensive ways to compute "
+        "it. The true\n"
+        "results are computed with 106 bits. Each function gets %s random arguments of realistic size, then *edges*.\n"
+        "Depending on the function, these are all pairs of the largest value, the smallest and values around 0, ½ and "
+        "1; the\n"
+        "angles around each eighth of a turn; the values on both sides of each boundary between roots; or the "
+        "multiples of 22.5\n"
+        "degrees and their neighbours.\n"
         "\n"
-        "*Misrounded* is the share of results that are not the nearest representable value (the largest error cannot "
-        "be below\n"
-        "0.5 ulp). *Wrong at edges* counts the edges whose result is not the nearest value, clamped to the range\n"
-        "([the edges](#the-edges) are listed below). Rows of the C library are marked ≈ throughout, because libraries "
-        "differ\n"
-        "between systems. Where libm has no such function, the rows float32 and double take its place. The plots omit "
-        "the\n"
-        "106-bit oracle; their line joins the methods that no other method beats in both time and error.\n"
+        "*Misrounded* is the share of results that are not the nearest representable value (correct rounding still has "
+        "errors of\n"
+        "up to 0.5 ulp). *Wrong at edges* counts the edges whose result is not the nearest value, clamped to the range "
+        "([the\n"
+        "edges](#the-edges) are listed below). All numbers for the C library are marked ≈, because libraries differ "
+        "between\n"
+        "systems. Where libm has no such function, the rows float32 and double take its place. The plots omit the "
+        "106-bit\n"
+        "reference; their line joins the methods that no other method beats in both time and error.\n"
         "\n"
-        "For quotients and square roots no method is a fifth cheaper on this processor; storing an inverse and "
-        "comparing\n"
-        "squares are the cheap alternatives. Division by 0, roots of negative numbers and the direction of (0, 0) are "
-        "not\n"
-        "tested here: src/base/fx.h and trig.h define their results. libfixmath is Debian's build.",
+        "For quotients and square roots, no exact method is even a fifth cheaper on this processor. The cheap "
+        "alternatives are\n"
+        "storing an inverse and comparing squares. Division by 0, roots of negative numbers and the direction of (0, "
+        "0) are not\n"
+        "tested here: src/base/fx.h and trig.h define their results. The libfixmath rows use Debian's build.",
         report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);

@@ -202,7 +202,7 @@ static void print_flights(void)
     }
     report_table_end();
     lab_conclude("fine motion", "on request",
-                 report_string("%s px of drift instead of %s in 36,000 frames, at a cost", report_figure(fine),
+                 report_string("%s px of drift in 36,000 frames instead of %s, at a cost", report_figure(fine),
                                report_figure(plain)),
                  "`fine = true` for bullets that creep for minutes",
                  fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));
@@ -235,7 +235,7 @@ static void print_rooms(void)
 
 void section_models(void)
 {
-    report_section("8. Choices of a scene");
+    report_section("8. Choices in a scene");
     report_text("The defaults are the exact models. Each cost is measured on the engine's own code. A bullet that is "
                 "not close to a player needs no hit test, whatever its kind: the motion pass, which finds the close "
                 "bullets, treats all bullets the same (section 6).");

@@ -165,7 +165,7 @@ static const struct rival DIV[] = {
     ROW(CHEAPER, false, div_kept, "times an inverse stored as a double", "ties; computing the inverse",
         "one divisor for many dividends"),
     ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: this is fx_div",
-        "every scene; a quotient that is not a tie is further from one than a double's error"),
+        "every scene; a quotient that is not a tie differs from one by more than a double's error"),
     ROW(ENGINE, false, div_engine, "fx_div", "nothing", "every scene"),
     ROW(DEARER, false, div_float, "float32", "8 bits of 32", "nothing: 24 bits are too few for a position"),
     ROW(DEARER, false, div_cut, "truncated, wraps", "half an ulp towards 0; overflow",
@@ -394,9 +394,10 @@ RIVAL(sin_lfmp, fix16_sin_parabola(s->rad))
 
 static const struct rival SIN[] = {
     ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB, 803 ulp", "an 8-bit look; sparks"),
-    ROW(CHEAPER, false, sin_parabola, "a parabola", "0.06 of 1", "swaying in visual effects"),
+    ROW(CHEAPER, false, sin_parabola, "a parabola", "up to 0.06", "swaying in visual effects"),
     ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "waves that tolerate uneven errors"),
-    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: exact for them"),
+    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp",
+        "16-bit angles, for which it is exact"),
     ROW(ENGINE, false, sin_engine, "trig_sin", "nothing", "every scene"),
     ROW(DEARER, false, sin_11, "Taylor to x¹¹, double", "0.003 ulp; time", "a host with doubles; short code"),
     ROW(DEARER, false, sin_q30, "trig_sin30, rounded again", "a second rounding",
@@ -424,7 +425,8 @@ RIVAL(cos_lfm, fix16_cos(s->rad))
 static const struct rival COS[] = {
     ROW(CHEAPER, false, cos_256, "256 entries, nearest", "1 KiB, 803 ulp", "same as for the sine"),
     ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "same as for the sine"),
-    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp", "16-bit angles: exact for them"),
+    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp",
+        "16-bit angles, for which it is exact"),
     ROW(ENGINE, false, cos_engine, "trig_cos", "nothing", "every scene"),
     ROW(DEARER, false, cos_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(LIBRARY, true, cos_libm, "libm cos", "identical results on all hosts",

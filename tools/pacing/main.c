@@ -15,7 +15,7 @@ static const char ABOUT[] =
     "# Pacing: frames, screens and input latency\n"
     "\n"
     "`make pacing` measures and writes this page; do not edit it. `make test` recomputes and compares the simulated "
-    "figures;\n"
+    "numbers;\n"
     "times depend on the machine.\n"
     "\n"
     "A game always runs at 60 ticks a second, whatever the screen's refresh rate, so a replay takes as long as the "

@@ -31,13 +31,14 @@ static void row(double hz, bool waits, int stalls)
 void section_screens(void)
 {
     report_section("Screens");
-    report_text("Ten minutes are simulated for each screen: 36,000 ticks are due. A frame takes 2 to 5 ms, and the "
-                "host wakes up to 1 ms\n"
-                "late whenever it waits. A refresh shows no new tick, one, or two. *Required* is the number of "
-                "refreshes with none or two\n"
-                "that the two rates require; *extra* is how many more there were. *Off* is the largest distance of the "
-                "ticks from the\n"
-                "clock. *To the screen* is the average time a tick waits for its refresh.");
+    report_text(
+        "Ten minutes, in which 36,000 ticks are due, are simulated for each screen. A frame takes 2 to 5 ms, and the "
+        "host wakes\n"
+        "up to 1 ms late whenever it waits. Each refresh shows no new tick, one, or two. *Required* is the number of "
+        "refreshes\n"
+        "that must show none or two because the rates differ, and *extra* is the number beyond that. *Off* is the "
+        "largest\n"
+        "deviation of the ticks from the clock. *To the screen* is the average time a tick waits for its refresh.");
     report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");
     for (int waits = 1; waits >= 0; waits--)
         for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)

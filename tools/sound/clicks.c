@@ -118,10 +118,11 @@ void section_clicks(void)
 
     sway(&border, &elsewhere);
     report_section("Clicks");
-    report_text("Every voice has two slots, a note and its tail: when another note steals the voice, the old note "
+    report_text("Every voice has two slots, for a note and its tail: when another note steals the voice, the old note "
                 "fades within %d\n"
-                "samples. A click is a second difference that is larger at a transition than elsewhere. For a loud "
-                "sine of note 57:",
+                "samples. A click is a second difference that is larger at a transition than elsewhere. The table is "
+                "for a loud sine at\n"
+                "note 57:",
                 (int)VOICE_FADE);
     report_table(NULL, "transition|largest second difference>|prototype>");
     report_row(1, "vibrato, slides, volume and pan: at frame boundaries", report_string("%d", border), "104", NULL);

@@ -72,12 +72,13 @@ void section_levels(void)
     double most = -999, most_level = -999;
 
     report_section("Envelopes");
-    report_text("A level is a function of the note's age. It is evaluated every %d samples with linear interpolation "
-                "between, and\n"
-                "at each sample of a block that contains a corner. The table shows the largest error of the level at "
-                "all ages, and\n"
-                "of a sine that starts at sample %d of a frame, over %d frames, including its own quantisation:",
-                (int)SND_BLOCK, (int)AT, (int)FRAMES);
+    report_text(
+        "A level is a function of the note's age. It is evaluated every %d samples and interpolated linearly in "
+        "between; in a\n"
+        "block that contains a corner, it is evaluated at every sample. The table shows the largest error of the level "
+        "at all\n"
+        "ages, and of a sine that starts at sample %d of a frame, over %d frames, including its own quantisation:",
+        (int)SND_BLOCK, (int)AT, (int)FRAMES);
     report_table(NULL, "envelope|level, dB of full scale>|prototype, dB>|heard, dB of its full level>");
     for (int k = 0; k < 4; k++) {
         const double db = worst(CASES[k].settings);

@@ -63,8 +63,8 @@ static void plot_limiter(void)
                                        .x_linear = true,
                                        .y_linear = true,
                                        .described =
-                                           "Up to -6 dB the limiter adds nothing above -115 dB; beyond that overtones "
-                                           "rise to -25 dB at full scale and -14 dB at twice full scale." });
+                                           "Up to -6 dB the limiter adds nothing above -115 dB; beyond that, "
+                                           "overtones rise to -25 dB at full scale and -14 dB at twice full scale." });
     report_plot_line("THD", true, in, thd, POINTS);
     report_plot_end();
 }
@@ -104,10 +104,10 @@ void section_mix(void)
 {
     report_section("The mix");
     report_text("There are sixteen voices for music and eight for sounds. A volume of 127 is a third of full scale. "
-                "The mix is\n"
-                "exact up to half of full scale. Above it a memoryless curve reaches full scale at an input of twice "
-                "full scale, so\n"
-                "loud passages saturate softly and never clip. For a sine of 1 kHz:");
+                "The mix is exact up\n"
+                "to half of full scale. Above it a memoryless curve reaches full scale at an input of twice full "
+                "scale, so loud passages\n"
+                "saturate softly and never clip. The table is for a sine of 1 kHz:");
     limiter();
     plot_limiter();
     noise();

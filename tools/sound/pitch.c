@@ -72,12 +72,12 @@ void section_pitch(void)
 
     report_section("Pitch and time");
     report_text(
-        "A step is a 64-bit phase increment, the product of four factors of 2^(1/12) and its fractions. Over notes 12 "
-        "to\n"
-        "120 in steps of 1/256 of a semitone it is at most %.1e cents off (at note %d). The ratio of a sample, from "
+        "A step is a 64-bit phase increment, the product of four factors of 2^(1/12) and its fractions. For notes 12 "
+        "to 120, in\n"
+        "steps of 1/256 of a semitone, it is at most %.1e cents off (at note %d). The speed ratio of a sample, from "
         "four\n"
-        "octaves down to two up, is at most %.1e cents off. %s frames of random slides, 800 steps each, are compared\n"
-        "with a sum over all audio samples: %d differ.",
+        "octaves down to two octaves up, is at most %.1e cents off. %s frames of random slides, 800 steps each, are\n"
+        "compared with a sum over all audio samples: %d differ.",
         cents, at, ratio, report_count(FRAMES), apart);
     report_text("A music tick is 600,000 units. Each audio sample advances by the tempo in hundredths of a quarter "
                 "note per minute,\n"

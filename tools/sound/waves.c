@@ -84,8 +84,8 @@ static void plot(const struct foul *saw, const struct foul *wave, const struct f
                                        .y_name = "dB relative to the fundamental",
                                        .x_linear = true,
                                        .y_linear = true,
-                                       .described = "Aliases of a naive saw rise from -53 to -17 dB with the note; "
-                                                    "those of the engine's waves stay below -84 dB." });
+                                       .described = "Aliases of a naive saw rise from -53 to -17 dB as the note gets "
+                                                    "higher; those of the engine's waves stay below -84 dB." });
     report_plot_line("saw", true, notes, saw->db, NOTES);
     report_plot_line("wave", false, notes, wave->db, NOTES);
     report_plot_line("naive saw", false, notes, naive->db, NOTES);
@@ -97,12 +97,14 @@ void section_waves(void)
     struct foul f[COUNT], naive = measure(NULL);
 
     report_section("Waves");
-    report_text(
-        "A wave is read from a band-limited table with harmonics up to 28 kHz. There are %d versions, half an octave\n"
-        "apart, of 4,096 values each, with linear interpolation. A pulse is the difference of two saws. When a note\n"
-        "needs another version, a frame crossfades from one to the other. Custom waves of a piece have up to 10\n"
-        "versions. Over all notes from %d to %d:",
-        (int)WAVE_MIPS, LOW, HIGH);
+    report_text("A wave is read from a band-limited table with harmonics up to 28 kHz. There are %d versions, half an "
+                "octave apart, with\n"
+                "4,096 values each, which are interpolated linearly. A pulse is the difference of two saws. When a "
+                "note needs a different\n"
+                "version, it crossfades to that one within a frame. A piece's custom waves have up to 10 versions. The "
+                "table covers all\n"
+                "notes from %d to %d:",
+                (int)WAVE_MIPS, LOW, HIGH);
     report_table(NULL, "wave|worst alias, dB>|at note>|below 10 kHz, dB>|prototype, dB>");
     for (int k = 0; k < COUNT; k++) {
         struct ear_inst inst = ear_inst(KINDS[k].settings);
