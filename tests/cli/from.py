@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""from.py - looks up every name of Curtain in the tables of docs/guide/34-coming-from.md: from.py PAGE CURTAIN
+"""from.py - looks up every Curtain name in the tables of the migration pages: from.py CURTAIN PAGE...
 
 A table whose second column is headed Curtain has Curtain's names in the code of that column. A name with a dot or a
 colon is an entry of the API, or a property or verb of the kind of thing that its letter stands for; a word by itself is
@@ -56,7 +56,7 @@ class Known:
 
 
 def cells(page):
-    """Line and text of each cell of a column that is headed Curtain."""
+    """Page, line and text of each cell of a column that is headed Curtain."""
     ours = False
     for number, line in enumerate(open(page, encoding="utf-8"), 1):
         row = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
@@ -65,12 +65,12 @@ def cells(page):
         elif row[1:2] == ["Curtain"]:
             ours = True
         elif ours and not set(row[1]) <= set("-: "):
-            yield number, row[1]
+            yield page, number, row[1]
 
 
 def main():
-    page, known, wrong, count = sys.argv[1], Known(sys.argv[2]), 0, 0
-    for number, cell in cells(page):
+    known, wrong, count = Known(sys.argv[1]), 0, 0
+    for page, number, cell in (found for page in sys.argv[2:] for found in cells(page)):
         for code in re.findall(r"`([^`]*)`", cell):
             code = re.sub(r'"[^"]*"', "", code)
             for name in re.findall(r"--[a-z]+|[A-Za-z_]\w*(?:[.:][A-Za-z_]\w*)?", code):

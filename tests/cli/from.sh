@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# from.sh - docs/guide/34-coming-from.md: its examples run, and every name of Curtain in its tables is one.
+# from.sh - the migration pages, docs/guide/34 and 35: their examples run, and every Curtain name in their tables
+# exists.
 . "$(dirname "$0")/../pages.sh"
 
-blocks docs/guide/34-coming-from.md
-there() { tests/cli/from.py "$1" "$OUT/curtain-null"; }
-check "every name in its tables is Curtain's" there docs/guide/34-coming-from.md
+both=(docs/guide/34-coming-from.md docs/guide/35-coming-from-danmokou.md)
+for page in "${both[@]}"; do blocks "$page"; done
+there() { tests/cli/from.py "$OUT/curtain-null" "$@"; }
+check "every name in the tables is Curtain's" there "${both[@]}"
+cat "${both[@]}" >"$scratch/pages.md"
 planted() { # WORDS IN WHAT
-    sed "s|$2|$3|" docs/guide/34-coming-from.md >"$scratch/from.md"
-    ! cmp -s docs/guide/34-coming-from.md "$scratch/from.md" || { echo "nothing is planted"; return 0; }
+    sed "s|$2|$3|" "$scratch/pages.md" >"$scratch/from.md"
+    ! cmp -s "$scratch/pages.md" "$scratch/from.md" || { echo "nothing is planted"; return 0; }
     there "$scratch/from.md"
 }
 while read -r want was is; do

@@ -2,10 +2,11 @@
 # start.sh - follows the lessons of docs/tutorial as a reader does: runs their commands in order, makes their edits in
 # the game that lesson 1 creates, and compares the error messages they show.
 #
-#     start.sh [--made DIR [LESSON]]   copy the finished game of that lesson, 1 or 2, to DIR, for tools/pictures.sh
+#     start.sh [--made DIR [LESSON]]   copy the finished game of that lesson, 1 to 3, to DIR, for tools/pictures.sh
 . "$(dirname "$0")/../tap.sh"
 first=$repo/docs/tutorial/1-first-game.md
 second=$repo/docs/tutorial/2-boss-fight.md
+third=$repo/docs/tutorial/3-items-and-dialogue.md
 sandbox
 mkdir bin
 cat >bin/curtain <<END
@@ -71,10 +72,18 @@ lesson1() { # PAGE
 lesson2() { # PAGE: continues with a copy of lesson 1's game
     rm -rf mygame out
     cp -r made1 mygame
-    walk "$1" 50
+        walk "$1" 16
+}
+lesson3() { # PAGE: continues with a copy of lesson 2's game
+    rm -rf mygame out
+    cp -r made2 mygame
+    walk "$1" 36
 }
 if [ "${1:-}" = --made ]; then
-    lesson1 "$first" && cp -r mygame made1 && { [ "${3:-1}" = 1 ] || lesson2 "$second"; } && cp -r mygame "$2"
+    last=${3:-1}
+    lesson1 "$first" && cp -r mygame made1 &&
+        { [ "$last" -lt 2 ] || { lesson2 "$second" && cp -r mygame made2; }; } &&
+        { [ "$last" -lt 3 ] || lesson3 "$third"; } && cp -r mygame "$2"
     exit
 fi
 
@@ -98,12 +107,18 @@ refuse "planted: an edit that does not run" "bosses/keeper.lua" lesson1 bad.md
 sed 's/--stage keeper\/mine/--stage keeper\/yours/' "$first" >bad.md
 refuse "planted: a command that fails" "keeper/yours" lesson1 bad.md
 
+pictures() { # SHEET...
+    local sheet
+    for sheet; do check "out/$sheet.png is a picture" grep -q IHDR "out/$sheet.png"; done
+}
 check "lesson 2: every step works, in order" lesson2 "$second"
 check "check finds nothing" "$curtain" check mygame
+pictures entrance portrait moths dawn
+cp -r mygame made2
+check "lesson 3: every step works, in order" lesson3 "$third"
+check "check finds nothing" "$curtain" check mygame
 check "the game's tests hold" "$curtain" test mygame
-for sheet in entrance portrait moths dawn items; do
-    check "out/$sheet.png is a picture" grep -q IHDR "out/$sheet.png"
-done
+pictures items power ward talk
 # The fight from its mark; all phases but the survival are cut short.
 cat >mygame/tests/fight.lua <<'LUA'
 local fight = test.run { stage = "river:keeper", pads = "fire@0:9999:20", invincible = true, seed = 1 }
@@ -122,10 +137,10 @@ check "the fight reaches its four spells by name" "$curtain" test mygame fight
 rm mygame/tests/fight.lua
 
 plant2() { sed "s/$1/$2/; /^curtain survive/d; /way\.demo\$/d" "$second" >bad.md; } # without the slow search
-plant2 'drops = { charm = 1,' 'drops = { charme = 1,'
-refuse "planted: an item that does not exist" 'charme' lesson2 bad.md
 plant2 'if i % 40 > 10 then' 'if i % 40 > 10 the'
 refuse "planted: a spell with a mistake" "bosses/keeper.lua" lesson2 bad.md
-plant2 '--stage keeper\/dawn --press' '--stage keeper\/dusk --press'
-refuse "planted: a command that fails" "keeper/dusk" lesson2 bad.md
+sed 's/drops = { charm = 1,/drops = { charme = 1,/' "$third" >bad.md
+refuse "planted: an item that does not exist" 'charme' lesson3 bad.md
+sed 's/--stage keeper\/dawn --press/--stage keeper\/dusk --press/' "$third" >bad.md
+refuse "planted: a command that fails" "keeper/dusk" lesson3 bad.md
 finish
