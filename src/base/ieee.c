@@ -90,17 +90,17 @@ static bool takes_roots(void)
 const char *ieee_fault(void)
 {
     if (!divides())
-        return BUILT
-            "it multiplies by reciprocals to divide (-freciprocal-math, -funsafe-math-optimizations, -ffast-math)";
+        return BUILT "divisions become multiplications by reciprocals (-freciprocal-math, -funsafe-math-optimizations, "
+                     "-ffast-math)";
     if (!adds())
-        return BUILT "it reorders sums (-fassociative-math, -funsafe-math-optimizations, -ffast-math)";
+        return BUILT "sums are reordered (-fassociative-math, -funsafe-math-optimizations, -ffast-math)";
     if (!multiplies())
-        return BUILT "it fuses multiplications and additions (-ffp-contract=off is missing)";
+        return BUILT "multiplications and additions are fused (-ffp-contract=off is missing)";
     if (!rounds_once())
-        return BUILT "it rounds sums twice (on i386: -msse2 -mfpmath=sse is missing)";
+        return BUILT "sums are rounded twice (on i386: -msse2 -mfpmath=sse is missing)";
     if (!knows_zero_and_beyond())
-        return BUILT "it ignores -0, NaN or infinity (-fno-signed-zeros, -ffinite-math-only, -fno-honor-nans)";
+        return BUILT "-0, NaN or infinity is ignored (-fno-signed-zeros, -ffinite-math-only, -fno-honor-nans)";
     if (!keeps_small())
-        return BUILT "it flushes small numbers to 0 (-fdenormal-fp-math, -ffast-math)";
-    return takes_roots() ? NULL : BUILT "it estimates square roots (-mrecip, -ffast-math)";
+        return BUILT "small numbers are flushed to 0 (-fdenormal-fp-math, -ffast-math)";
+    return takes_roots() ? NULL : BUILT "square roots are estimated (-mrecip, -ffast-math)";
 }

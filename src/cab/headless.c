@@ -100,7 +100,7 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
     if (snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame) >= (int)sizeof path)
         return report_line(RESULT_REFUSED, "-o: path too long");
     if (game_files_have(&s->game, path))
-        return report_line(RESULT_REFUSED, "-o: %s is a file of the game; choose another folder", path);
+        return report_line(RESULT_REFUSED, "-o: %s is one of the game's files; choose another folder", path);
     if (r->a->sheet && plat_same(path, r->a->sheet))
         return report_line(RESULT_REFUSED, "--sheet: %s is also the name of a frame file; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);

@@ -35,7 +35,7 @@ static const struct column columns[] = {
     GROUP_COLUMN(items, frozen, GROUP_FROZEN),
     GROUP_COLUMN(items, stands, GROUP_FROZEN),
     DERIVED_BLOCKS(items, taken, 1, "nothing is held between frames"),
-    DERIVED_REGISTER(items, standing, "the number of standing items, from the column stands"),
+    DERIVED_REGISTER(items, standing, "the number of standing items, counted from the column `stands`"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)

@@ -11,7 +11,7 @@ static const struct column kind_columns[] = {
     COLUMN(player_kinds, focus),
     COLUMN(player_kinds, lives),
     COLUMN(player_kinds, safe),
-    DERIVED(player_kinds, first, "set while scripts load, as names are, and never after"),
+    DERIVED(player_kinds, first, "set only while scripts load, like names"),
     DERIVED(player_kinds, registers, "set while scripts load"),
     DERIVED(player_kinds, deathbomb, "set while scripts load"),
     DERIVED(player_kinds, bomb, "set while scripts load"),

@@ -6,7 +6,7 @@
 #include "../base/int.h"
 
 static const struct column columns[] = {
-    DERIVED_COLUMNS(registers, rule, RULE_FIELDS, "set while scripts load, as names are, and never after"),
+    DERIVED_COLUMNS(registers, rule, RULE_FIELDS, "set only while scripts load, like names"),
     COLUMNS(registers, value, PADS),
     COLUMNS(registers, wait, PADS),
     DERIVED_REGISTER(registers, first, "set while scripts load"),

@@ -202,7 +202,7 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
         return err_set(err, err_size, "state core version: expected %d, got %u", CORE_VERSION,
                        (unsigned)bytes_get32(in + 12));
     if (bytes_get64(in + 16) != c->game_hash)
-        return err_set(err, err_size, "the state belongs to another game or another build of this game");
+        return err_set(err, err_size, "the state belongs to a different game or a different build of this game");
     const size_t start = bytes_get32(in + 28), length = bytes_get32(in + 32);
     if (start > size - HEAD || length > size - HEAD - start)
         return err_set(err, err_size, "the state is truncated");
@@ -260,7 +260,7 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
     swap_logs(c);
     if (go(c, pads, &from, err, err_size) &&
         (board_hash(c->board) == bytes_get64(in + 40) ||
-         err_set(err, err_size, "replaying the state ended in a different hash"))) {
+         err_set(err, err_size, "replaying the state produced a different hash"))) {
         c->saved = hash_of_saves(c, &c->writes) != saves || c->saved;
         return true;
     }

@@ -84,7 +84,7 @@ blend|layer "glow": blend mode "unknown" is not supported: merge the layer with 
 tag|tag "fly" covers frames 1 to 5, but the file ends at frame 1
 tag_back|tag "fly" covers frames 4 to 1, but the file ends at frame 1
 blended|sprite "a": match = "index" needs opaque layers in normal mode
-long|sprite "a": its frame durations make 363 pictures, expected at most 256
+long|sprite "a": its frame durations add up to 363 pictures, expected at most 256
 five|sprite "a": more than 4 slices named "hit"
 two_boxes|sprite "a": slice "box two": too many shapes: expected one box, one capsule, or circles
 mixed|sprite "a": slice "capsule": too many shapes: expected one box, one capsule, or circles
@@ -241,7 +241,7 @@ says_rom() { # NAME SENTENCE SPRITE
     sed "s/gone = { sheet = \"gone\", tag = \"late\" }/gone = { $3 }/" written/rom.lua >hits/rom.lua
     refuse "$1" "$2" "$curtain" pack hits -o hits.rom
 }
-says_rom "a tag that is not there" 'sprite "gone": no tag "fly"; it has "early", "late"' \
+says_rom "a tag that is not there" 'sprite "gone": no tag "fly"; the file has "early", "late"' \
     'sheet = "gone", tag = "fly"'
 says_rom "frames" 'rom.lua: sprites.gone.frames: the frames of an .ase file come from its tag' \
     'sheet = "gone", frames = 2'
@@ -273,7 +273,7 @@ python3 "$repo/tests/cli/png_make.py" retint/art/palette.png 16 16 102030 1 3 ff
 indexed retint/art/all.png 4 4 16 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
 refuse "colours that are not there: the choices" "art/all.png: pixel 1,0: colour #545454 is not in bank 3 (use \
 --nearest for the nearest colour, or match = \"index\" in rom.lua to use the indices" "$curtain" pack retint -o r.rom
-fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (its indices are; use match = "index"'
+fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (the picture'\''s indices are; use match'
 refuse "check says which one fits" "$fits" "$curtain" check retint
 shades() { "$curtain" unpack retint out && python3 -c 'd = open("out/lumps/gfx/dot", "rb").read()[24:]
 print(*[d[y * 8 + x] for y in range(4) for x in range(4)])'; rm -rf out; }

@@ -152,7 +152,7 @@ with 'rom.lua is not Lua' "rom.lua:2: '}' expected (to close '{' at line 1) near
     's/id = "probe"/id "probe"/;s/id "probe"/id = = "probe"/;s/= = "probe"/{} probe/'
 with 'rom.lua gives no table' 'rom.lua: expected `return { ... }`, got 5' 's/.*//;1s/.*/return 5/'
 with 'sprite outside its sheet' \
-    'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit the sheet of 16x16 pixels' \
+    'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit in the sheet of 16x16 pixels' \
     's/w = 8, h = 8 }/w = 99, h = 8 }/'
 with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not in sheets' \
     's/sheet = "all"/sheet = "al"/g'

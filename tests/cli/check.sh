@@ -142,7 +142,7 @@ LUA
 printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
 printf 'Hello = Allo\nWorld = Monde\nWorld = Terre\n' >tongues/lang/fr.txt
 finds 'words that a language lacks, and a text twice' tongues <<'TEXT'
-lang/fr.txt:3: duplicate "World", first in line 2
+lang/fr.txt:3: duplicate "World": line 2 already has it
 main.lua:2: no translation for "World" in lang/de.txt
 main.lua:4: no translation for "World" in lang/de.txt
 main.lua:6: no translation for "World" in lang/de.txt
@@ -497,7 +497,7 @@ rom.lua:7: sheet "gone" has no sprites
 rom.lua:8: art/gone.png does not exist
 rom.lua:11: sprite "dot" is not used by any script
 rom.lua:14: sprite "lonely" is not used by any script
-rom.lua:15: sprite "wide": 3 frames of 8x8 at 8,0 do not fit the sheet of 16x16 pixels
+rom.lua:15: sprite "wide": 3 frames of 8x8 at 8,0 do not fit in the sheet of 16x16 pixels
 rom.lua:15: sprite "wide" is not used by any script
 21 problems; the game was not run because it cannot be packed
 END
@@ -558,7 +558,7 @@ art/font.png: pixel 100,40: colour #010203 is not in bank 0
 END
 png r/art/font.png 120 48 ffffff
 finds 'a font of the wrong size' r <<END
-art/font.png: 120x48 pixels, expected 128 x 8 to 112: cells of 8x8, 16 per row
+art/font.png: 120x48 pixels, expected 128 wide and 8 to 112 high: cells of 8x8, 16 per row
 1 problem$not_run
 END
 rm -rf r

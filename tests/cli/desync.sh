@@ -112,13 +112,13 @@ bisect 'several parts, one of them missing' 1 "first difference: frame 50
 to compare columns and slots, run in both builds: hash ROM --demo DEMO --trace input,pal --frames 49:50" \
     parts other
 head -n 100 whole >short
-bisect 'a shorter track' 2 'curtain: short ends in frame 99; whole is longer, and both are equal up to there' whole \
-    short
-bisect 'a shorter track, first' 2 'curtain: short ends in frame 99; whole is longer, and both are equal up to there' \
+bisect 'a shorter track' 2 'curtain: short ends in frame 99; whole is longer, and the two are equal up to that frame' \
+    whole short
+bisect 'the same, first' 2 'curtain: short ends in frame 99; whole is longer, and the two are equal up to that frame' \
     short whole
 "$curtain" hash game.rom --demo run.demo --frames 2198:2199 --trace input,player,pal >short 2>/dev/null
-bisect 'a shorter trace' 2 'curtain: short ends in frame 2199; trace is longer, and both are equal up to there' trace \
-    short
+bisect 'a shorter trace' 2 \
+    'curtain: short ends in frame 2199; trace is longer, and the two are equal up to that frame' trace short
 sed 1d whole >other
 bisect 'other frames' 2 'curtain: whole:1 has frame 0, other:1 frame 1: the traces cover different frames' whole other
 "$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,pal >other 2>/dev/null

@@ -21,7 +21,7 @@ refuse "planted: an example of no entry" "bullet.fyre is no entry" headings shar
 
 explained() { python3 tests/cli/explained.py "$1"; }
 check "every entry is explained" explained "$api"
-sed 's/speed of flight; negative flies backwards$//' "$api" >"$scratch/api.md"
+sed 's/speed of flight; if negative, it flies backwards$//' "$api" >"$scratch/api.md"
 refuse "planted: no meaning" "bullet.fire: speed has no meaning" explained "$scratch/api.md"
 sed '/^### bullet:turn/,/^  Guide/{/^  Example:/,$d}' "$api" >"$scratch/api.md"
 refuse "planted: no example" "bullet:turn has no example" explained "$scratch/api.md"

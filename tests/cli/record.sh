@@ -88,7 +88,7 @@ finds "clipping" 'music/x.wav: 750 samples clip, the first at 1.001 s: the recor
     "(1.06 if 1 <= t < 1.5 else 0.5) * $sine" ''
 finds "an offset" 'music/x.wav: its mean is 5.0 % of full scale (DC offset)' "0.05 + 0.5 * $sine" ''
 finds "a click at the loop" \
-    "music/x.wav: its loop clicks: from the loop's end (3.000 s) to its start (1.001 s) the signal jumps by" \
+    "music/x.wav: its loop clicks: from the loop's end (3.000 s) to its start (1.001 s), the signal jumps by" \
     "0.5 * $sine" ', loop = { start = 8008 }'
 finds "a loop that is no whole number of beats" \
     'music/x.wav: its loop is 2.97 beats long at tempo 89, so music.beat drifts away' \

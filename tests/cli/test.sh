@@ -348,10 +348,10 @@ test.equal({ f = 1, e = 2, d = 3, c = 4, b = 5, a = 6 }, 1)|expected 1, got { a 
 test.equal({ 1, { a = "x" } }, { 1, { a = "y" } })|expected { 1, { a = "y" } }, got { 1, { a = "x" } }
 test.expect(1 == 2, "sums")|expected: sums
 test.expect(nil)|expected a true value, got nil
-bullet.fire {}|undeclared global "bullet" (a test sees only Lua's library and `test`; \
+bullet.fire {}|undeclared global "bullet" (tests can use only Lua's library and `test`; \
 read the game's globals with run:eval "bullet")
 speed = 3|undeclared global "speed" (scripts cannot create globals; write "local speed")
-os.exit()|undeclared global "os" (a test sees only Lua's library and `test`; \
+os.exit()|undeclared global "os" (tests can use only Lua's library and `test`; \
 read the game's globals with run:eval "os")
 print(2 ^ 3)|operator ^ is not available (results differ between machines); use x*x or math.sqrt
 END

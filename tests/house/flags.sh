@@ -33,29 +33,34 @@ for compiler in gcc clang; do
     check "$compiler -frounding-math is fine" built $compiler -frounding-math
     for flag in -ffast-math -Ofast; do
         refuse "$compiler $flag does not compile" "build without -ffast-math" built $compiler $flag
-        refuse "$compiler $flag, silent, divides" "it divides by reciprocals" built $compiler $flag $silent
+        refuse "$compiler $flag, silent, divides" "divisions become multiplications by reciprocals" \
+            built $compiler $flag $silent
     done
     refuse "$compiler -ffinite-math-only does not compile" "build without -ffast-math" built $compiler \
         -ffinite-math-only
-    refuse "$compiler -ffinite-math-only, silent, knows no nan" "it does not know" built $compiler -ffinite-math-only \
-        $silent
-    refuse "$compiler -funsafe-math-optimizations, silent" "it divides by reciprocals" \
+    refuse "$compiler -ffinite-math-only, silent, knows no nan" "NaN or infinity is ignored" \
+        built $compiler -ffinite-math-only $silent
+    refuse "$compiler -funsafe-math-optimizations, silent" "divisions become multiplications by reciprocals" \
         built $compiler -funsafe-math-optimizations $silent
-    refuse "$compiler -freciprocal-math, silent" "it divides by reciprocals" built $compiler -freciprocal-math $silent
-    refuse "$compiler -fassociative-math, silent" "it adds in another order" \
+    refuse "$compiler -freciprocal-math, silent" "divisions become multiplications by reciprocals" \
+        built $compiler -freciprocal-math $silent
+    refuse "$compiler -fassociative-math, silent" "sums are reordered" \
         built $compiler -fassociative-math -fno-signed-zeros -fno-trapping-math $silent
-    refuse "$compiler -fno-signed-zeros, silent" "it does not know -0" built $compiler -fno-signed-zeros $silent
+    refuse "$compiler -fno-signed-zeros, silent" "NaN or infinity is ignored" built $compiler -fno-signed-zeros $silent
     if fma; then
-        refuse "$compiler -ffp-contract=fast" "it adds to products" built $compiler -mfma -ffp-contract=fast
+        refuse "$compiler -ffp-contract=fast" "multiplications and additions are fused" \
+            built $compiler -mfma -ffp-contract=fast
     fi
 done
 for flag in -freciprocal-math -funsafe-math-optimizations -fno-signed-zeros; do
     refuse "gcc $flag does not compile" "build without -ffast-math" built gcc $flag
     refuse "clang $flag compiles and is refused" "built with flags that change results" built clang $flag
 done
-refuse "clang -fno-honor-nans" "it does not know" built clang -fno-honor-nans
-refuse "clang -fno-honor-infinities" "it does not know" built clang -fno-honor-infinities
-if fma; then refuse "clang -ffp-contract=on" "it adds to products" built clang -mfma -ffp-contract=on; fi
+refuse "clang -fno-honor-nans" "NaN or infinity is ignored" built clang -fno-honor-nans
+refuse "clang -fno-honor-infinities" "NaN or infinity is ignored" built clang -fno-honor-infinities
+if fma; then
+    refuse "clang -ffp-contract=on" "multiplications and additions are fused" built clang -mfma -ffp-contract=on
+fi
 refuse "gcc -fsingle-precision-constant" "build without -fsingle-precision-constant" built gcc \
     -fsingle-precision-constant
 if [ "$(uname -m)" = x86_64 ]; then
@@ -74,8 +79,8 @@ link() {
     clang $flags -freciprocal-math -c src/base/ieee.c -o "$scratch/sums.o" &&
         ${CC:-cc} $(objects) "$scratch/sums.o" $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/curtain"
 }
-said="curtain: built with flags that change results: it divides by reciprocals (-freciprocal-math, \
--funsafe-math-optimizations, -ffast-math)
+said="curtain: built with flags that change results: divisions become multiplications by reciprocals \
+(-freciprocal-math, -funsafe-math-optimizations, -ffast-math)
 exit 3"
 check "a program with such sums links" link
 for command in "hash roms/testcard --frames 1" "pack roms/testcard -o $scratch/x.rom" \
@@ -113,6 +118,6 @@ host() { # OBJECT: the sums
         $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/host" && "$scratch/host"
 }
 check "a board is powered" host "$OUT/src/base/ieee.o"
-refuse "a board with such sums is not" "built with flags that change results: it divides" host "$scratch/sums.o"
+refuse "a board with such sums is not" "built with flags that change results: divisions become" host "$scratch/sums.o"
 check "the program as built is fine" "$OUT/curtain-null" hash roms/testcard --frames 1
 finish

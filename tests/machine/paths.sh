@@ -39,7 +39,7 @@ check 'the example has settings' eval '[ $(grep -c = "$own/curtain.conf") -ge 5 
 check '... and comments' grep -q '^#' "$own/curtain.conf"
 keys 5 | plays
 same 'the example is a file that is taken' '0 ' "$? $(cat err)"
-check 'help config sees that it is there' eval '"$curtain" help config | grep -q "A setting that is not in"'
+check 'help config sees that it is there' eval '"$curtain" help config | grep -q "Settings that are not in"'
 refuse 'help config takes no word' 'help: unexpected argument "volume"' "$curtain" help config volume
 printf 'scale = 2\nvolum = 3\n' >"$own/curtain.conf"
 keys 5 | plays
@@ -74,7 +74,7 @@ curtain: not saved: $picture" "$(cat err)"
 
 # ---- recordings ----
 { keys 30; keys 1 $T; keys 30; } | ./player play g --demo one.demo >out 2>err
-check 'a take-over says where it records' grep -qx "curtain: g: You play from here. Recording: $scratch/probe-1.demo" \
-    err
+check 'a take-over says where it records' grep -qx \
+    "curtain: g: You are playing from here. Recording: $scratch/probe-1.demo" err
 check '... and does' "$curtain" verify g probe-1.demo
 finish

@@ -204,7 +204,7 @@ cp $left later.demo
 exec 3>&-
 wait $first
 same 'two at once: the first says it' \
-    "curtain: Progress is no longer saved: $scratch/$left: another program has changed it" "$(cat first)"
+    "curtain: Progress is no longer being saved: $scratch/$left: another program has changed it" "$(cat first)"
 check '... and the file is the second one'"'"'s' cmp later.demo $left
 same '... both are replays, the first also as the second found it' 3 "$(list | wc -l)"
 

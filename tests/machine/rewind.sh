@@ -155,6 +155,6 @@ same 'the demo is one of its own' "over.demo: holds, 111 frames" "$("$curtain" v
 rm -f probe-*.demo
 { keys 61; keys 1 $T; keys 49 $Z; } | watches shown
 same 'without --record under a name of its own' "probe-1.demo: holds, 111 frames" "$("$curtain" verify g probe-1.demo)"
-same 'which it tells' "curtain: g: You play from here. Recording: $scratch/probe-1.demo" "$(cat err)"
+same 'which it tells' "curtain: g: You are playing from here. Recording: $scratch/probe-1.demo" "$(cat err)"
 same 'the demo that was shown is untouched' "whole.demo: holds, 200 frames" "$("$curtain" verify g whole.demo)"
 finish

@@ -160,7 +160,7 @@ static void test_later(void **state)
     SAYS("sprite.put('dot', 10, 20)",
          "main.lua:2: sprite.put: expected a table of named arguments (sprite.put { ... }), got 3 arguments");
     SAYS("local s = sprite.put { sprite = 'dot', x = 1, y = 2 } s.z = 4", "main.lua:2: a sprite has no property \"z\"");
-    SAYS("bullet.group().clear(7)", "main.lua:2: group:clear: call it with a colon on a thing");
+    SAYS("bullet.group().clear(7)", "main.lua:2: group:clear: call it on a thing with a colon, as in thing:name()");
     SAYS("bullet.group().clear(player.get(1))",
          "main.lua:2: group:clear: self: expected group, got a player (call it with a colon)");
     SAYS("board.difficulty('esay')", "main.lua:2: board.difficulty: unknown difficulty \"esay\" (in rom.lua: normal)");

@@ -390,7 +390,7 @@ static void test_told(void **state)
                   "<action label=\"a\"><wait>$1</wait><repeat><times>$3</times><action/></repeat></action>" TAIL,
              "a.xml:3:21: <actionRef>: \"a\" uses $3, which is 1 because only 1 param is given\n");
     tells_of(TOP("<wait>99999999999</wait>"),
-             "a.xml:3:21: <wait>: numbers above 2147483647 are reduced to 2147483647\n");
+             "a.xml:3:21: <wait>: numbers above 2147483647 are clamped to 2147483647\n");
 }
 
 /* ---- harm ---- */

@@ -76,14 +76,14 @@ static void test_refused(void **state)
     REFUSED("a = b\nHello", "lang/de.txt:2: expected text = translation, got \"Hello\"");
     REFUSED("a\\= b", "lang/de.txt:1: expected text = translation, got \"a\\= b\"");
     REFUSED("a =", "lang/de.txt:1: expected a translation after the =");
-    REFUSED("\n= a", "lang/de.txt:2: expected a text before the =");
+    REFUSED("\n= a", "lang/de.txt:2: expected text before the =");
     REFUSED("a = \\q", "lang/de.txt:1: unknown escape \\q (escapes are \\n \\= \\# \\\\ and \\ before a space)");
     REFUSED("a = b\\", "lang/de.txt:1: unknown escape \\ (escapes are \\n \\= \\# \\\\ and \\ before a space)");
     REFUSED("a = b\xff", "lang/de.txt:1: expected UTF-8, got byte 255");
     REFUSED("a = \xed\xa0\x80", "lang/de.txt:1: expected UTF-8, got byte 237");
     REFUSED("a = b\0c", "lang/de.txt:1: control character U+0000");
     REFUSED("a = \xc2\x85", "lang/de.txt:1: control character U+0085");
-    REFUSED("b = 1\na = 2\n\nb = 3", "lang/de.txt:4: duplicate \"b\", first in line 1");
+    REFUSED("b = 1\na = 2\n\nb = 3", "lang/de.txt:4: duplicate \"b\": line 1 already has it");
     memset(text, 'x', sizeof text);
     memcpy(text, "a = ", 4);
     refused(text, 4 + WORDS_TEXT, "lang/de.txt:1: text of 1024 bytes, expected at most 1023");
@@ -132,9 +132,9 @@ static void test_lump(void **state)
     size = lang_make(&l, &lump);
     bad = malloc(size);
     assert_int_equal(size, 4 + 16 + 2 + 3 + 2 + 2);
-    lump_refused(lump, 3, "3 bytes are not 0 translations");
-    lump_refused(lump, 19, "19 bytes are not 2 translations");
-    lump_refused(lump, size - 1, "28 bytes are not 2 translations");
+    lump_refused(lump, 3, "not a table of 0 translations (3 bytes)");
+    lump_refused(lump, 19, "not a table of 2 translations (19 bytes)");
+    lump_refused(lump, size - 1, "not a table of 2 translations (28 bytes)");
     for (uint32_t k = 0; k < 4; k++) {
         memcpy(bad, lump, size);
         bytes_put32(bad + 4 + 4 * k, (uint32_t)size);

@@ -364,10 +364,10 @@ static void test_numbers(void **state)
                   "sprites.a.sizes[1]: expected a whole number from 1 to 1000, got 1001");
     entry_refused(
         "sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 50, 50 } } }",
-        "sprites: two sprites are named a_50; one of them gets this name from its size");
+        "sprites: two sprites are named a_50; one of these names comes from the sprite's size");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { a_7 = { sheet = 's', w = 1, h = 1 },\n"
                   "  a = { sheet = 's', w = 1, h = 1, sizes = { 7 } } }",
-                  "sprites: two sprites are named a_7; one of them gets this name from its size");
+                  "sprites: two sprites are named a_7; one of these names comes from the sprite's size");
     entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");

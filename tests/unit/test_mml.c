@@ -177,8 +177,8 @@ static void test_mistakes(void **state)
         { "{{c[d]2}}4", "x.mml:1:4: {{ }} can only contain notes, rests and octaves" },
         { "{{cde 4", "x.mml:1:1: {{ without }}" },
         { "c L", "x.mml:1:3: nothing to repeat after L" },
-        { "A c4 L c4\nB L c2",
-          "x.mml:2:3: track B repeats 960 ticks, track A 480 (480 per quarter note): they would drift apart" },
+        { "A c4 L c4\nB L c2", "x.mml:2:3: track B loops every 960 ticks, track A every 480 (480 per quarter note): "
+                               "they would drift apart" },
         { "!a !a\nA !a", "x.mml:1:4: macros nested deeper than 8 (does \"a\" contain itself?)" },
         { "!up c\nA !pu", "x.mml:2:3: unknown macro \"pu\" (did you mean \"up\"?)" },
         { "A \"drop", "x.mml:1:3: \" without a closing \"" },

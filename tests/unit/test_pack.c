@@ -926,9 +926,9 @@ static void test_font(void **state)
     refused("font.png: pixel 3,0: colour #123456 is not in bank 0 (use --nearest for the nearest colour, or match = "
             "\"index\" in rom.lua to use the indices of an indexed picture)");
     put_picture("font.png", argb, 120, 16);
-    refused("font.png: 120x16 pixels, expected 128 x 8 to 112: cells of 8x8, 16 per row");
+    refused("font.png: 120x16 pixels, expected 128 wide and 8 to 112 high: cells of 8x8, 16 per row");
     put_picture("font.png", argb, 128, 12);
-    refused("font.png: 128x12 pixels, expected 128 x 8 to 112: cells of 8x8, 16 per row");
+    refused("font.png: 128x12 pixels, expected 128 wide and 8 to 112 high: cells of 8x8, 16 per row");
 }
 
 static void test_art_errors(void **state)
@@ -949,10 +949,10 @@ static void test_art_errors(void **state)
     put_game("return { sheets = { s = { file = 's.png' } }, sprites = {"
              "  a = { sheet = 's', x = 1, w = 1, h = 1, frames = 2 } } }");
     put_sheet("s.png", (const char *const[]){ ".." }, 2, 1);
-    refused("s.png: sprite \"a\": 2 frames of 1x1 at 1,0 do not fit the sheet of 2x1 pixels");
+    refused("s.png: sprite \"a\": 2 frames of 1x1 at 1,0 do not fit in the sheet of 2x1 pixels");
     put_game("return { sheets = { s = { file = 's.png' } }, sprites = {"
              "  a = { sheet = 's', y = 1, w = 1, h = 1 } } }");
-    refused("s.png: sprite \"a\": 1 frames of 1x1 at 0,1 do not fit the sheet of 2x1 pixels");
+    refused("s.png: sprite \"a\": 1 frames of 1x1 at 0,1 do not fit in the sheet of 2x1 pixels");
 }
 
 static void test_too_large_turned(void **state)
@@ -1063,7 +1063,7 @@ static void test_long_text(void **state)
     rom_image_free(&image);
     text[MAX_TEXT] = 'b';
     put_text("lines.txt", text);
-    refused("lines.txt: expected a text of at most 65536 bytes, got 65537");
+    refused("lines.txt: expected text of at most 65536 bytes, got 65537");
 }
 
 static void test_load(void **state)

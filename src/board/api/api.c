@@ -164,7 +164,7 @@ static int call(lua_State *L)
     if (e->flags & API_LOAD && !b->vm.loading)
         return api_error(L, e->name, "can only be called while scripts load");
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
-        return api_error(L, e->name, "call it with a colon on a thing");
+        return api_error(L, e->name, "call it on a thing with a colon, as in thing:name()");
     const struct api_entry *fire;
     int n = api_arguments_planned(L, f, v, &fire);
     if (e->flags & API_CHANGES) {

@@ -246,7 +246,7 @@ static const struct api_entry entries[] = {
     { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
       HELP("returns the name of the current difficulty; given a name, switches to that difficulty first") },
     { "board.dip", board_dip, PARAMS(dip_req), 1, 0, "value",
-      HELP("returns the setting of a DIP switch, a name or a number") },
+      HELP("returns the setting of a DIP switch as a name or a number") },
     { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL,
       HELP("restarts the board after this frame, as if power had been cut") },
     { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count",
@@ -259,7 +259,8 @@ static const struct api_entry entries[] = {
       HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
            "demo") },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
-      HELP("freezes the field and all tasks after this frame (hit-stop); buttons pressed meanwhile count afterwards") },
+      HELP("freezes the field and all tasks after this frame (hit-stop); buttons pressed during the stop count after "
+           "it") },
     { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL,
       HELP("folds a value into the state hash, so that a demo in which it differs is reported as diverged") },
     { "rom.has", rom_has, PARAMS(file_req), 1, 0, "boolean",

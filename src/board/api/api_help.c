@@ -212,7 +212,7 @@ void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const ch
 static const struct {
     const char *name, *help;
 } values[] = {
-    { "forever", HELP("stands for \"without end\" where a number of frames or times is expected") },
+    { "forever", HELP("means \"without end\" where a number of frames or times is expected") },
     { "print(...)", HELP("writes its arguments to the log") },
     { "require(name)",
       HELP("runs a script of the game once and returns its result: require \"stages/one\"; only while scripts load") },
@@ -224,8 +224,8 @@ static const struct {
       HELP("palette banks of text in the HUD, menus and dialogue, for main.lua to set: plain, bright, faint, alarm") },
     { "hud.low",
       HELP("rows left free below the registers at the lower edge of the field, for main.lua to set; initially 1") },
-    { "hud.shy", HELP("distance in px within which a ship hides the registers at the lower edge, for main.lua to set; "
-                      "initially 0") },
+    { "hud.shy", HELP("the registers at the lower edge are hidden while a ship is within this many px of them; for "
+                      "main.lua to set; initially 0") },
     { "hud.gone", HELP("list by player: true while registers at the lower edge are hidden, so that a game can hide its "
                        "own display too") },
     { "hud.graze", HELP("word before the graze count, for main.lua to set; false shows a star") },

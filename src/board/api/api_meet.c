@@ -17,7 +17,7 @@ const struct api_param api_meet_params[MEET_PARAMS] = {
           "on_meet(a, b): called with the first and the second bullet, before either is removed"),
 };
 
-_Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET are numbered so that they are MEET_ flags");
+_Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET have the values of the MEET_ flags");
 
 /* Raises if a pair of tags cannot be declared so. */
 static void check_meet(lua_State *L, const struct bullets *s, const struct api_value *v)

@@ -298,7 +298,7 @@ static inline void api_push_or_forever(lua_State *L, int32_t n)
 }
 _Static_assert((int)COUNT_FOREVER == FROZEN_FOREVER && (int)COUNT_FOREVER == SAFE_FOREVER &&
                    (int)COUNT_FOREVER == HP_FOREVER,
-               "chips keep forever as -1");
+               "the chips store forever as -1");
 
 /* Has slot i the tag? 0: any. */
 static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
@@ -366,8 +366,8 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
         PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centred on the position; needs `w`")
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
     PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
-          "horizontal end of a line that starts at the position; needs `to_y` and `width`"),                           \
-        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "vertical end of that line"),                             \
+          "x of the end of a line that starts at the position; needs `to_y` and `width`"),                             \
+        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "y of that line's end"),                                  \
         PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
 
 /* Reads REGION_PARAMS values. False: the thing it is placed by is dead, so it is nowhere. */

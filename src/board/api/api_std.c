@@ -25,7 +25,7 @@ static const struct api_param trail[] = {
     PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "thing that leaves them"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one spark to the next"),
     PARAM("over", A_COUNT, OPT, 1, INT32_MAX, "frames", "forever",
-          "frames the trail lasts, unless the thing is gone earlier"),
+          "frames the trail lasts; it ends sooner if the thing despawns"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "horizontal distance from the thing"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "vertical distance from the thing"),
 };
@@ -59,7 +59,7 @@ static const struct api_param ellipse[] = { N, SPEED_TO("speed of bullets that f
                                                   "angle from `dir` to the axis along which bullets fly at `speed`"),
                                             PATTERN };
 static const struct api_param rose[] = {
-    N, PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, "number of petals, the first along `dir`"),
+    N, PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, "number of petals; the first points along `dir`"),
     SPEED_TO("speed between petals; the tips of the petals fly at `speed`"), PATTERN
 };
 static const struct api_param whip[] = { N, SPEED_TO("speed of the last bullet; the first flies at `speed`"),
@@ -101,7 +101,8 @@ static const struct api_param point[] = {
     PARAM("over", A_INT, OPT, 1, 65535, "frames", NULL,
           "frames to get there; required for every point after the first"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", "easing of the movement to the point"),
-    PARAM("wait", A_INT, OPT, 0, 65535, "frames", NULL, "frames to stay; must be a separate entry after the first")
+    PARAM("wait", A_INT, OPT, 0, 65535, "frames", NULL,
+          "frames to stay; must be a separate entry and not the first one")
 };
 static const struct api_param path_run[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, "enemy to move"),
                                              PARAM("route", A_ROUTE, REQ, 0, 0, NULL, NULL, "result of path.def"),
@@ -109,7 +110,7 @@ static const struct api_param path_run[] = { PARAM("e", A_THING, REQ, 1 << H_ENE
 static const struct api_param bg_def[] = {
     NAME("name for bg.show and for bosses"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-          "f(): task that sets the background up; it stops when another one is shown")
+          "f(): task that sets the background up; it stops when another background is shown")
 };
 static const struct api_param stage_def[] = {
     NAME("name for boot.run and --stage"),
@@ -199,7 +200,7 @@ static const struct api_param phase[] = {
           "make the boss invulnerable; the phase is beaten when time runs out"),
     PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false",
           "play this phase only if all phases before it were beaten; a hit ends it without costing a life"),
-    PARAM("safe", A_INT, OPT, 0, 65535, "frames", "0", "frames at the start in which the boss takes no damage"),
+    PARAM("safe", A_INT, OPT, 0, 65535, "frames", "0", "frames at the start during which the boss takes no damage"),
     PARAM("armour", A_INT, OPT, 0, 65535, "frames", "0",
           "frames after `safe` in which the boss takes less damage; needs `board = { bodies = true }`"),
     PARAM("rate", A_NUM, OPT, 0, 1, NULL, "0.25", "fraction of the damage that the boss takes during `armour`"),
@@ -223,7 +224,7 @@ static const struct api_param phase_clear[] = {
 static const struct api_param bg_show[] = {
     PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, "background to show; nil shows none"),
     PARAM("over", A_INT, OPT, 0, 65535, "frames", "30",
-          "length of the fade, black in the middle; 0 changes the background immediately")
+          "length of the fade, which is black in the middle; 0 changes the background immediately")
 };
 static const struct api_param rule[] = {
     PARAM("on", A_STR, OPT, 1, 31, NULL, NULL,
@@ -254,7 +255,7 @@ static const struct api_param tally_line[] = {
           "what to count; f(p) returns a number, or true for 1, or false for no line"),
     PARAM("points", A_INT, REQ, 0, 1e12, "points", NULL, "points for each unit counted"),
     PARAM("stage", A_BOOL, OPT, 0, 0, NULL, "false", "count only what was added in this stage"),
-    PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "show the line after the last stage only")
+    PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "show the line only after the last stage")
 };
 #define UNLOCK_NAME(help) PARAM("name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */, help)
 static const struct api_param unlock_def[] = {
@@ -270,7 +271,8 @@ static const struct api_param unlock_when[] = {
     PARAM("difficulty", A_STR, OPT, 1, 31, NULL, NULL, "lowest difficulty to play"),
     PARAM("ship", A_STR, OPT, 1, 31, NULL, NULL, "ship to play"),
     PARAM("continues", A_INT, OPT, 0, INT32_MAX, NULL, NULL, "maximum number of continues used"),
-    PARAM("score", A_INT, OPT, 1, 1e12, "points", NULL, "score to reach; with `ship`, it must be reached in that ship"),
+    PARAM("score", A_INT, OPT, 1, 1e12, "points", NULL,
+          "score to reach; with `ship`, it must be reached with that ship"),
     PARAM("spell", A_STR, OPT, 1, 63, NULL, NULL, "spell to capture, \"boss/id\", at the difficulty being played"),
     PARAM("heard", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music to hear during a game")
 };
@@ -282,7 +284,7 @@ static const struct api_param mission_def[] = {
     PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "line that says what to do"),
     PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, "stage to play a part of; give `stage` or `boss`"),
     PARAM("mark", A_STR, OPT, 1, 31, NULL, NULL,
-          "mark where the part starts; defaults to the start of the stage; needs `stage`"),
+          "the mark where the part starts; defaults to the start of the stage; needs `stage`"),
     PARAM("to", A_STR, OPT, 1, 31, NULL, NULL,
           "mark where the part ends; defaults to the end of the stage; needs `stage`"),
     PARAM("boss", A_STR, OPT, 1, 31, NULL, NULL, "boss to fight"),
@@ -307,13 +309,14 @@ static const struct api_param mission_best[] = { MISSION_NAME("name given to mis
 static const struct api_param boot_run[] = {
     PARAM("stages", A_TABLE, OPT, 0, 0, NULL, NULL, "names of the stages, in order; give `stages` or `modes`"),
     PARAM("players", A_TABLE, REQ, 0, 0, NULL, NULL, "list of player kinds to choose from"),
-    PARAM("demo", A_STR, OPT, 1, 63, NULL, NULL, "demo that the title shows after ten seconds, from demos/NAME.demo"),
+    PARAM("demo", A_STR, OPT, 1, 63, NULL, NULL,
+          "demo (demos/NAME.demo) that the title screen shows after ten seconds"),
     PARAM("demos", A_TABLE, OPT, 0, 0, NULL, NULL, "list of demos to show in turn, instead of `demo`"),
     PARAM("modes", A_TABLE, OPT, 0, 0, NULL, NULL, "list of modes to choose from, instead of `stages`"),
     PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, "texts for difficulties from rom.lua, { NAME = text }"),
     PARAM("ships", A_TABLE, OPT, 0, 0, NULL, NULL, "what the ship menu shows for each ship, by player kind"),
     PARAM("ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show, music }", NULL,
-          "ending(run), called after the last stage; of a list, the first ending whose `when` holds is shown"),
+          "ending(run), called after the last stage; in a list, the first ending whose `when` holds is shown"),
     PARAM("opening", A_FUNC, OPT, 0, 0, NULL, NULL,
           "opening(): shown before the title, and again when nobody starts a game; START ends it"),
     PARAM("staff", A_TABLE, OPT, 0, 0, NULL, NULL, "list of credits, shown after the ending"),
@@ -322,7 +325,7 @@ static const struct api_param boot_run[] = {
     PARAM("continues", A_INT, OPT, 1, 99, NULL, NULL, "continues for each player; none if omitted"),
     PARAM("pages", A_TABLE, OPT, 0, 0, NULL, NULL, "list of custom pages in the title menu"),
     PARAM("grades", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "grades(stage, p): returns a text that the results of the stage show, such as S"),
+          "grades(stage, p): returns the text to show in the stage results, such as S"),
     PARAM("screens", A_TABLE, OPT, 0, 0, NULL, NULL, "functions that replace the library's screens, by name")
 };
 static const struct api_param boot_music[] = {
@@ -475,7 +478,7 @@ static const struct api_entry entries[] = {
         "one entry of the list: { x, y } to start, then { x, y, over } or { wait }"),
     LUA("path.run", path_run, 3, 0, NULL, "moves an enemy along a route; returns when it arrives at the end"),
     LUA("spark.trail", trail, 0, 0, "task",
-        "leaves afterimages of a thing: a spark every few frames, until the thing or the task's owner is gone"),
+        "leaves afterimages of a thing: a spark every few frames, until the thing despawns or the task's owner ends"),
     LUA("stage.def", stage_def, 2, API_LOAD, NULL,
         "declares a stage: one task that spawns waves and fights bosses in order"),
     LUA("stage.at", stage_at, 1, 0, NULL, "waits for frame `n` of the stage's clock, which stops during boss.fight"),
@@ -484,7 +487,7 @@ static const struct api_entry entries[] = {
     LUA("stage.clear", limit_only, 1, 0, "boolean",
         "waits until all waves are spawned and no enemy is left; returns false if `limit` runs out first"),
     LUA("stage.mark", name_only, 1, 0, NULL,
-        "marks a moment of the stage at which practice and --stage NAME:MARK can start"),
+        "marks a moment in the stage at which practice and --stage NAME:MARK can start"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
       HELP("returns true while the stage skips ahead to the mark it starts at") },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,

@@ -50,7 +50,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
     PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers them"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames they wait in place before they fly"),
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that the orbit steps of their motion revolve around"),
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that they circle in the `orbit` steps of their motion"),
 };
 
 /* What each pattern must have: n, and the word for its size. */

@@ -91,7 +91,7 @@ static const struct api_param def[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
           "name of the value, which is also a property of the thing and an argument of the call that creates it"),
     PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
-    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "value of things created without this argument")
+    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "value if the call that creates the thing doesn't give one")
 };
 
 static const char DEF[] = "value.def";

@@ -59,7 +59,7 @@ static bool glyph_ok(const struct face *f, uint32_t i, size_t size)
 bool face_open(struct face *f, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
     if (size < FACE_HEAD)
-        return err_set(err, err_size, "%zu bytes are not a font", size);
+        return err_set(err, err_size, "not a font (%zu bytes)", size);
     *f = face_of(data);
     if (f->height < 1 || f->height > FACE_HEIGHT || bytes_get16(data + 2) != 0 || f->n > FACE_MAX ||
         size - FACE_HEAD < (size_t)f->n * FACE_GLYPH)

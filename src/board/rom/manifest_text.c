@@ -803,7 +803,7 @@ static void sort_sprites(lua_State *lua, struct art *art, int first)
             s[at] = s[at - 1];
         s[at] = one;
         if (at > 0 && strcmp(s[at - 1].name, one.name) == 0)
-            bad(lua, "sprites", "two sprites are named %s; one of them gets this name from its size", one.name);
+            bad(lua, "sprites", "two sprites are named %s; one of these names comes from the sprite's size", one.name);
     }
 }
 

@@ -31,7 +31,7 @@ bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, si
 {
     *w = (struct words){ data, size >= HEAD ? bytes_get32(data) : 0 };
     if (size < HEAD || w->n > WORDS_MAX || size - HEAD < (size_t)w->n * ENTRY || (size > HEAD && data[size - 1] != 0))
-        return err_set(err, err_size, "%zu bytes are not %" PRIu32 " translations", size, w->n);
+        return err_set(err, err_size, "not a table of %" PRIu32 " translations (%zu bytes)", w->n, size);
     for (uint32_t i = 0; i < w->n; i++) {
         const uint8_t *entry = data + HEAD + (size_t)i * ENTRY;
         if (!string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry)) ||

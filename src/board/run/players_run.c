@@ -6,7 +6,7 @@
 #include "../api.h"
 
 enum { BUTTON_BOMB = 5 }; /* of PAD_NAMES */
-_Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "the button's bit");
+_Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "BUTTON_BOMB is the bit of PAD_BOMB");
 
 /* What the bomb started ends with it. */
 static void count_bomb(struct board *b, uint32_t p)

@@ -25,7 +25,7 @@ static int undeclared(lua_State *L)
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
 
     return vm_fault(L, FAULT_SCRIPT,
-                    "undeclared global \"%s\" (a test sees only Lua's library and `test`; read the game's globals "
+                    "undeclared global \"%s\" (tests can use only Lua's library and `test`; read the game's globals "
                     "with run:eval \"%s\")",
                     name, name);
 }

@@ -46,7 +46,7 @@ static const struct {
       NULL },
     { { "options.dips", "", "table?", "the game's DIP switches: { coins = \"free\" }" }, NULL },
     { { "options.faults", "", "boolean?",
-        "true: an error in the game sets run.fault; otherwise it fails and ends the test" },
+        "true: an error in the game sets run.fault instead of failing and ending the test" },
       NULL },
 
     { { "run:step", "frames: integer?", "", "runs this many frames; default: 1" }, trial_run_step },
@@ -58,9 +58,9 @@ static const struct {
         "buttons to hold from now on, like options.pads; frames count from the start of the run; nil: none" },
       trial_run_press },
     { { "run:eval", "line: string", "any",
-        "runs a line of the game's Lua, like the console, returns its values and undoes its changes" },
+        "runs a line of Lua in the game, as the console does, returns its values and undoes its changes" },
       trial_run_eval },
-    { { "run:exec", "line: string", "any", "like run:eval, but the changes stay" }, trial_run_exec },
+    { { "run:exec", "line: string", "any", "like run:eval, but keeps the changes" }, trial_run_exec },
     { { "run:live", "part: string", "integer", "number of live entities in a part: \"bullets\", \"enemies\"" },
       trial_run_live },
     { { "run:refused", "part: string", "integer",
@@ -80,7 +80,7 @@ static const struct {
     { { "run.difficulty", "", "string?", "the run's difficulty" }, NULL },
     { { "run.log", "", "string[]", "the lines that the game has printed" }, NULL },
     { { "run.moments", "", "test.moment[]",
-        "stages, bosses, deaths and so on up to now: { frame, kind, name, of, title, value }; kinds: stage mark wave "
+        "stages, bosses, deaths and so on, so far: { frame, kind, name, of, title, value }; kinds: stage mark wave "
         "boss phase death clear won lost start game over row" },
       NULL },
 };

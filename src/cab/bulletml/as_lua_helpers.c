@@ -35,7 +35,7 @@ static const struct {
                       "    o.me.dir, o.me.speed = o.dir, o.speed * unit\n"
                       "  end\n"
                       "end\n" },
-    { "update", "-- Updates changing values for this frame.\n"
+    { "update", "-- Updates the values that change in this frame.\n"
                 "local function update(o)\n"
                 "  local now = board.frame()\n"
                 "  for _, name in ipairs { \"dir\", \"speed\", \"x\", \"y\" } do\n"
@@ -63,7 +63,7 @@ static const struct {
                 "  end)\n"
                 "end\n" },
     { "pause",
-      "-- Waits n frames. A bullet that vanishes is removed, with its tasks, after its commands of the frame.\n"
+      "-- Waits n frames. A bullet that vanishes is removed, with its tasks, after its commands for that frame.\n"
       "local function pause(s, n)\n"
       "  if n > 0 and s.o.gone and not s.o.root then s.o.me:remove() end\n"
       "  wait(n)\n"

@@ -210,7 +210,7 @@ static void read_number(struct reader *x, int32_t at)
     }
     node->op = document_keep(x->r, ops, (size_t)node->ops * sizeof *ops);
     if (large)
-        document_told(x->r, at, "numbers above 2147483647 are reduced to 2147483647");
+        document_told(x->r, at, "numbers above 2147483647 are clamped to 2147483647");
 }
 
 static void end_element(void *user, const XML_Char *name)

@@ -292,7 +292,8 @@ static bool apart(struct bisect *s)
     const struct side *a = &s->a, *b = &s->b;
 
     if (a->end || b->end)
-        return err_set(s->err, sizeof s->err, "%s ends in frame %u; %s is longer, and both are equal up to there",
+        return err_set(s->err, sizeof s->err,
+                       "%s ends in frame %u; %s is longer, and the two are equal up to that frame",
                        (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
     if (a->frame == b->frame)
         return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: the traces cover different parts",

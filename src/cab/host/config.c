@@ -26,7 +26,7 @@ static const char *const focus_labels[] = { "Hold", "Toggle" };
 static const char *const hand_labels[] = { "Off", "Left", "Right" };
 static const char *const turn_labels[] = { "Off", "Left", "Right", "Upside Down" };
 static const char *const scaling_labels[] = { "Integer", "Smooth" };
-static const char *const place_labels[] = { "Over Picture", "At the Side" };
+static const char *const place_labels[] = { "Over Picture", "Beside Picture" };
 static const char *const speed_labels[] = { "100%", "50%", "25%" };
 static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
 static const char *const flash_labels[] = { "Full", "Soft" };
@@ -35,7 +35,7 @@ static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan"
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
     { "scale", "Window Size", "Display", AT(scale), 0, 16, 0, NULL, NULL, 1,
-      "pixels per game pixel; 0 picks the largest size that fits", "x", "Auto" },
+      "screen pixels per game pixel; 0 picks the largest size that fits", "x", "Auto" },
     { "fullscreen", "Fullscreen", "Display", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
       NULL },
     { "turn", "Rotate", "Display", AT(turn), 0, 3, 0, turns, turn_labels, 1,

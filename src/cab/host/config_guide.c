@@ -8,10 +8,10 @@
 
 /* A file as it could be; a test reads it. */
 static const char *const example[] = {
-    "    # three window pixels per game pixel, and a lower volume",
+    "    # three screen pixels per game pixel, and a lower volume",
     "    scale = 3",
     "    volume = 60",
-    "    # keep playing when another window has the focus",
+    "    # keep playing when another window has focus",
     "    away = go-on",
     "    # fire with Z, Enter or the bottom face button of a controller",
     "    p1.fire = z enter pad.south",
@@ -27,13 +27,16 @@ void config_guide(void (*line)(const char *))
     snprintf(text, sizeof text, "    %s", files_shown(CONFIG_FILE, path));
     line(text);
     line("");
-    line(plat_size(CONFIG_FILE) < 0
-             ? "The file does not exist yet, so all settings have their defaults. The Settings menu writes it; you can "
-               "edit it, too."
-             : "The Settings menu writes the file; you can edit it, too. A setting that is not in it has its default.");
-    line("");
     line(
-        "A line is NAME = VALUE; # starts a comment. If a line is wrong, its number is reported and the game does not");
+        plat_size(CONFIG_FILE) < 0
+            ? "The file does not exist yet, so all settings are at their defaults. The Settings menu writes it, and "
+              "you "
+              "can also edit it by hand."
+            : "The Settings menu writes the file, and you can also edit it by hand. Settings that are not in it are at "
+              "their defaults.");
+    line("");
+    line("Each line has the form NAME = VALUE; # starts a comment. If a line is wrong, its number is reported and the "
+         "game does not");
     line("start until you fix it. All settings, with their defaults and allowed values:");
     line("");
     config_help(line);

@@ -53,7 +53,7 @@ static const struct action {
     { "quieter", "Volume Down", "minus", "lower the volume by ten percent" },
     { "louder", "Volume Up", "equals", "raise the volume by ten percent" },
     { "screenshot", "Screenshot", "f12", "save a PNG in your pictures folder" },
-    { "capture", "Save Clip", "f6", "save a GIF of the last seconds in the same folder" },
+    { "capture", "Save Clip", "f6", "save the last few seconds as a GIF in the same folder" },
     { "full", "Fullscreen", "f11 alt+enter", "switch between fullscreen and window" },
     { "quit", "Quit", "ctrl+q", "quit without asking" },
     { "menu", "Menu", "escape pad.guide", "open the menu" },

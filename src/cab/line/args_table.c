@@ -108,7 +108,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_START, TEXT(difficulty), "starting difficulty" },
     [OPTION_LANG] = { "--lang", "NAME", FOR_START, TEXT(lang), "the game's language, from lang/NAME.txt" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE, NUMBER(scale, 1, ARGS_MAX_SCALE),
-                       "window or clip pixels per game pixel, 1 to 16" },
+                       "screen or clip pixels per game pixel, 1 to 16" },
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, READ(args_speed),
                        "clip speed: 1 to 16, or 1/2 to 1/16 for slow motion" },
     [OPTION_FORMAT] = { "--format", "WORD", FOR_CAPTURE, TEXT(format),
@@ -118,13 +118,13 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, SWITCH(fullscreen), "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, SWITCH(mute), "turn sound off" },
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS, READ(args_presses),
-                       "buttons that player 1 holds, as in fire or fire,focus; only in some frames, as in bomb@200, "
-                       "left@60:90 or fire@0:600:8; for player 2, as in 2.fire" },
+                       "buttons that player 1 holds, e.g. fire or fire,focus; to hold them only in some frames: "
+                       "bomb@200, "
+                       "left@60:90 or fire@0:600:8; for player 2: 2.fire" },
     [OPTION_FRAMES] = { "--frames", "LIST", FOR_HEADLESS | FOR_SURVIVE, READ(args_frames),
-                        "render: frames to write, as in 600, or 1,60,600, or 0:600:60 (both ends included); capture: a "
-                        "range, as in 60:600 or 60-600; hash: N, the number of frames to run, or, with --trace, the "
-                        "frames to print; survive: N, the most frames to search (default "
-                        "7200)" },
+                        "render: frames to write, e.g. 600, or 1,60,600, or 0:600:60 (both ends included); capture: a "
+                        "range, e.g. 60:600 or 60-600; hash: N, the number of frames to run, or, with --trace, the "
+                        "frames to print; survive: N, the maximum number of frames to search (default 7200)" },
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, NUMBER(every, 1, ARGS_MAX_FRAME), "print only every Nth frame" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, SWITCH(parts), "also print the hash of each part" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH, NAMES(traces, n_traces),
@@ -156,7 +156,7 @@ const struct option_row args_options[OPTIONS] = {
                      "search every stage and boss phase at every difficulty, print a line for each, and report those "
                      "that are harder at an easier difficulty; --stage and --difficulty limit the search" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
-                        "at most N hundred plans, 1 to 1000 (default 4)" },
+                        "maximum number of plans, in hundreds, 1 to 1000 (default 4)" },
     [OPTION_BOTS] = { "--bots", "N", FOR_SURVIVE, NUMBER(bots, 1, ARGS_MAX_BOTS),
                       "do not search: run N simple bots that continue after each hit, and report hits per minute; with "
                       "--all, split stages at their marks" },
@@ -178,8 +178,10 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_RESTAMP] = { "--restamp", NULL, FOR_VERIFY, SWITCH(restamp),
                          "rewrite passing demos in the newest format, for this ROM" },
     [OPTION_RERECORD] = { "--rerecord", NULL, FOR_VERIFY, SWITCH(rerecord),
-                          "replay the buttons of demos from another core version or build to the end and rewrite the "
-                          "demos for this one; report changes in checksums, score, markers and length. Exit code 0: "
+                          "for demos from a different core version or build: replay their buttons to the end and "
+                          "rewrite "
+                          "the demos for this one; report changes in checksums, score, markers and length. Exit code "
+                          "0: "
                           "score, markers and length are known to be unchanged; 1: they changed or are unknown; 2: "
                           "nothing was written" },
     [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH | FOR_SURVIVE, SWITCH(json),
@@ -220,7 +222,7 @@ const struct option_row args_options[OPTIONS] = {
                      "print an equivalent script with motion programs and tasks" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script error; play: also print sound latency; verify: also "
-                         "print where in the game a difference is, its hashes, and the buttons held (also -v, "
+                         "print where in the game a demo differs, the hashes there, and the buttons held (also -v, "
                          "--traceback)" },
     [OPTION_HELP] = { "--help", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "print help for the command (also -h)" },
     [OPTION_VERSION] = { "--version", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "print the version and build" },

@@ -159,7 +159,7 @@ static uint32_t one_length(struct reader *r)
     }
     for (uint32_t dot = ticks; peek(r) == '.'; r->p++) {
         if (dot % 2 != 0)
-            BAD(r, r->p, "no dot: half of %u ticks is not a whole number", (unsigned)dot);
+            BAD(r, r->p, "the length cannot be dotted: half of %u ticks is not a whole number", (unsigned)dot);
         dot /= 2;
         ticks += dot;
     }

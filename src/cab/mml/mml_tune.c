@@ -144,8 +144,9 @@ static void check_loops(struct mml *m)
         const struct mml_track *f = &m->tracks[first];
         if (t->end - t->loop != f->end - f->loop)
             mml_bad(m, t->loop_from,
-                    "track %c repeats %u ticks, track %c %u (%d per quarter note): they would drift apart", 'A' + i,
-                    (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop), (int)TUNE_QUARTER);
+                    "track %c loops every %u ticks, track %c every %u (%d per quarter note): they would drift apart",
+                    'A' + i, (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop),
+                    (int)TUNE_QUARTER);
     }
     if (first >= 0) {
         m->conductor.loop = m->tracks[first].loop;

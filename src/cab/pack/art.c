@@ -149,8 +149,8 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
                    size_t *size, char *err, size_t err_size)
 {
     if (p->w != 128 || p->h % 8 != 0 || p->h < 8 || p->h / 8 * 16 > CART_MAX_GLYPHS)
-        return err_set(err, err_size, "%dx%d pixels, expected 128 x 8 to %d: cells of 8x8, 16 per row", p->w, p->h,
-                       CART_MAX_GLYPHS / 16 * 8);
+        return err_set(err, err_size, "%dx%d pixels, expected 128 wide and 8 to %d high: cells of 8x8, 16 per row",
+                       p->w, p->h, CART_MAX_GLYPHS / 16 * 8);
     *size = (size_t)p->w * (size_t)p->h;
     *out = malloc(*size);
     if (*out == NULL)
@@ -436,7 +436,7 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     struct stack s;
 
     if (sprite->x + (int64_t)sprite->w * sprite->frames > sheet->w || sprite->y + sprite->h > sheet->h)
-        return err_set(err, err_size, "%d frames of %dx%d at %d,%d do not fit the sheet of %dx%d pixels",
+        return err_set(err, err_size, "%d frames of %dx%d at %d,%d do not fit in the sheet of %dx%d pixels",
                        (int)sprite->frames, (int)sprite->w, (int)sprite->h, (int)sprite->x, (int)sprite->y, sheet->w,
                        sheet->h);
     if (!make_stack(&s, sprite->w, sprite->h, sprite->frames, err, err_size))

@@ -41,7 +41,7 @@ static bool refuse_tag(const struct ase *a, const char *name, char *err, size_t 
     list_tags(a, tags, sizeof tags);
     if (a->n_tags == 0)
         return err_set(err, err_size, "no tag \"%s\": the file has no tags", name);
-    return err_set(err, err_size, "no tag \"%s\"; it has %s", name, tags);
+    return err_set(err, err_size, "no tag \"%s\"; the file has %s", name, tags);
 }
 
 /* The frames of a tag in the order they play, from 0 on; returns how many there are, of which `most` are written. Back
@@ -91,7 +91,7 @@ static bool spread(const struct ase *a, uint16_t *order, int *n, int32_t *every,
                 shown[all] = order[i];
     if (all > CART_MAX_FRAMES)
         return err_set(err, err_size,
-                       "its frame durations make %d pictures, expected at most %d (set `every` in rom.lua to give "
+                       "its frame durations add up to %d pictures, expected at most %d (set `every` in rom.lua to give "
                        "every frame the same duration)",
                        all, CART_MAX_FRAMES);
     memcpy(order, shown, (size_t)all * sizeof *shown);

@@ -150,7 +150,7 @@ static bool sort(struct reader *r)
     for (int i = 1; i < l->n; i++) {
         r->line = l->list[i].line;
         if (strcmp(l->list[i - 1].text, l->list[i].text) == 0)
-            return refuse(r, "duplicate \"%.60s\", first in line %d", l->list[i].text, l->list[i - 1].line);
+            return refuse(r, "duplicate \"%.60s\": line %d already has it", l->list[i].text, l->list[i - 1].line);
     }
     return true;
 }

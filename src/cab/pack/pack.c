@@ -842,7 +842,7 @@ static bool add_text(struct packer *p, const char *path)
         return false;
     if (size > MAX_TEXT) {
         free(data);
-        return err_set(p->err, p->err_size, "%s: expected a text of at most %d bytes, got %zu", path, (int)MAX_TEXT,
+        return err_set(p->err, p->err_size, "%s: expected text of at most %d bytes, got %zu", path, (int)MAX_TEXT,
                        size);
     }
     return add(p, "data/", path, data, size);

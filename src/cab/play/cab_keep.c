@@ -272,7 +272,7 @@ static bool spare_failed(struct cab *cab)
     if (w->spare.lost)
         cab_save_failed(cab, w->spare_err);
     else /* it is another program's now */
-        complain(cab, w->spare_err, "Progress is no longer saved");
+        complain(cab, w->spare_err, "Progress is no longer being saved");
     cab->unsaved.spare = w->spare.lost;
     w->spare_err[0] = 0;
     return true;

@@ -317,7 +317,7 @@ void cab_take_over(struct cab *cab)
         cab_check_recording(cab, session_take_over(&cab->session, given ? cab->options.record : cab->took));
         if (given || !plat_path(cab->took, shown, sizeof shown))
             snprintf(shown, sizeof shown, "%s", given ? cab->options.record : cab->took);
-        cab_notice(cab, CAB_NOTICE_FRAMES, "You play from here. Recording: %s", shown);
+        cab_notice(cab, CAB_NOTICE_FRAMES, "You are playing from here. Recording: %s", shown);
         cab_say(cab, "curtain: %s: %s", cab_game(cab), cab->notice);
     }
     cab->paused = false;

@@ -87,7 +87,7 @@ static void draw(struct cab *cab)
     struct canvas canvas;
     struct page page = { title, w->why, w->more,
                          w->settings ? "Fix and save the file to continue. Enter: play with default settings (the file "
-                                       "stays unchanged). Escape: quit."
+                                       "is not changed). Escape: quit."
                          : w->looks  ? "Checking the changes"
                                      : "Fix and save the file to continue. Escape: quit.",
                          .top = w->top };

@@ -127,11 +127,11 @@ enum result licences_run(bool full)
     for (int i = 0; i < n; i++)
         report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
                      all[i].what);
-    puts("When packing, the program loads libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) for samples, music and");
-    puts("libexpat (MIT) for BulletML, if installed. Playing a game needs none of them.");
+    puts("When packing, the program loads libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) for samples and music,");
+    puts("and libexpat (MIT) for BulletML, if installed. Playing a game needs none of them.");
     if (full)
         print_texts(all, n);
     else
-        puts("Include the texts that --full prints when you distribute this program.");
+        puts("When you distribute this program, include the texts that --full prints.");
     return report_stdout(RESULT_DONE);
 }

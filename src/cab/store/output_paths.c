@@ -102,7 +102,7 @@ static bool check_one(const struct game_files *files, const char *game, const ch
     if (demo && plat_same(demo, out->path))
         return err_set(err, err_size, "%s: %s is the demo being played; choose another file", out->option, out->path);
     if (game_files_have(files, out->path) && !(out->ours && is_ours(out->path, out->ours)))
-        return err_set(err, err_size, "%s: %s is a file of the game; choose another one", out->option, out->path);
+        return err_set(err, err_size, "%s: %s is one of the game's files; choose another one", out->option, out->path);
     return true;
 }
 

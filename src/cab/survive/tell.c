@@ -45,7 +45,7 @@ static void tell_cannot(const struct seek *s)
                  (unsigned)s->last);
     report_print("  covered: every position the ship can reach from frame %u on, rounded up; hitboxes rounded down\n",
                  (unsigned)s->begin);
-    report_print("  valid for these bullets; they flew identically in %u more runs with other buttons, with and "
+    report_print("  valid for these bullets; they flew identically in %u more runs with different buttons, with and "
                  "without fire. Not\n  valid if a script reads player positions that none of these runs reached, or if "
                  "a bomb saves the ship\n",
                  (unsigned)s->probes);

@@ -13,7 +13,7 @@ static const struct column columns[] = {
 };
 static const struct column line_columns[] = { COLUMN(bg_lines, px) };
 static const struct column shade_columns[] = {
-    DERIVED(bg_shades, to, "follows from the ROM's palette and from the plane's fog"),
+    DERIVED(bg_shades, to, "computed from the ROM's palette and the plane's fog"),
 };
 
 const struct chip bg_chip = { "bg", columns, sizeof columns / sizeof *columns, true, false };

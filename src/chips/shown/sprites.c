@@ -12,7 +12,7 @@ static const struct column columns[] = {
     COLUMN(sprites, flags),
     COLUMN(sprites, born),
     COLUMN(sprites, owner),
-    DERIVED_REGISTER(sprites, following, "at least the number that follow, from the column flags"),
+    DERIVED_REGISTER(sprites, following, "at least the number of sprites that follow a thing, from the column flags"),
 };
 
 const struct chip sprites_chip = { "sprites", columns, sizeof columns / sizeof *columns, false, false };

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#define FOLLOWS "follows from tune and pos"
+#define FOLLOWS "computed from tune and pos"
 static const struct column seq_columns[] = {
     REGISTER(seq, tune),        REGISTER(seq, next),         REGISTER(seq, fade),         REGISTER(seq, fade_over),
     REGISTER(seq, mark),        REGISTER(seq, marks),        REGISTER(seq, tempo),        REGISTER(seq, pos),

@@ -34,10 +34,12 @@ enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED
 #define SHARED                                                                                                         \
     { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE },        \
         { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "left edge of a layer's map in the field, or position of a plane's eye over the map; grows by `vx`"),  \
+                "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "    \
+                "`vx` every frame"),                                                                                   \
           PROP_WRITE },                                                                                                \
         { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "top edge of a layer's map in the field, or position of a plane's eye over the map; grows by `vy`"),   \
+                "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "     \
+                "`vy` every frame"),                                                                                   \
           PROP_WRITE },                                                                                                \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \

@@ -26,7 +26,8 @@ static const struct api_param line_put[] = {
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
           "string or number to write, up to 240 characters; \\n starts a new row"),
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing it moves with, at a distance of `dx` and `dy`; the line is removed when that thing is; not with `x`, "
+          "thing it moves with, at a distance of `dx` and `dy`; the line is removed together with that thing; not with "
+          "`x`, "
           "`y` or `from`"),
     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
     PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
@@ -57,7 +58,8 @@ static const char *text_at(lua_State *L, const char *entry, int at, size_t *n)
     return s;
 }
 
-_Static_assert((int)ALIGN_CENTER == LINE_CENTER && (int)ALIGN_RIGHT == LINE_RIGHT, "words of align are a line's");
+_Static_assert((int)ALIGN_CENTER == LINE_CENTER && (int)ALIGN_RIGHT == LINE_RIGHT,
+               "the words of `align` have the values of LINE_CENTER and LINE_RIGHT");
 
 static void fill(struct lines *l, uint32_t i, const struct api_value *v, fx x, fx y)
 {

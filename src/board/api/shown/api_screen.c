@@ -45,7 +45,7 @@ static const struct api_param put[] = {
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
     PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL,
-          "thing it moves with; the sprite is removed when that thing is"),
+          "thing it moves with; the sprite is removed together with that thing"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the thing it follows; needs `follow`"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the thing it follows; needs `follow`"),
 };
@@ -390,8 +390,8 @@ static const struct api_param burst[] = {
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of a ring from which they fly outwards, evenly spaced; not with `to_x`"),
     PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
-          "horizontal end of a line along which they start, evenly spaced; needs `to_y`"),
-    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical end of that line; needs `to_x`"),
+          "x of the end of the line along which they start, evenly spaced; needs `to_y`"),
+    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "y of that line's end; needs `to_x`"),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)

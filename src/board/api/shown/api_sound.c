@@ -27,11 +27,11 @@ static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL,
 static const struct api_param music_play_params[] = {
     PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of music from rom.lua"),
     PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
-          "frames in which the current music first fades out; cannot be combined with `at`"),
+          "frames the current music takes to fade out first; cannot be combined with `at`"),
     PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", "restart it if it is already playing; otherwise it continues"),
     PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
-          "set the current music aside, up to three pieces deep, and resume it when this piece ends or music.play "
-          "names it"),
+          "set the current music aside, and resume it when this piece ends or when it is passed to music.play; up to "
+          "three pieces can be set aside"),
     PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL,
           "start on the next \"beat\" or \"bar\" of the current music, or immediately if omitted; cannot be combined "
           "with `fade`"),
@@ -41,7 +41,7 @@ static const struct api_param volume[] = {
     PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "frames the change takes")
 };
 static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
-                                                            "frames in which it fades out") };
+                                                            "frames it takes to fade out") };
 static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
                                                 "number of beats (quarter notes)") };
 static const struct api_param until[] = { PARAM(

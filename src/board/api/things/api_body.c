@@ -323,7 +323,7 @@ static const struct api_param parts_params[] = {
 };
 
 #define NEXT_ENDS                                                                                                      \
-    "; a later `move`, `orbit`, `wander` or write to `x` or `y` ends this; needs `board = { bodies = true }`"
+    "; a later `move`, `orbit`, `wander` or write to `x` or `y` stops the movement; needs `board = { bodies = true }`"
 #define VERBS(thing, it)                                                                                               \
     API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL,                                                              \
              "starts moving " it " in a circle and returns immediately" NEXT_ENDS),                                    \
@@ -334,7 +334,7 @@ static const struct api_entry entries[] = {
     VERBS("enemy", "it"),
     VERBS("enemies", "each enemy"),
     { "enemy:parts", parts_of, PARAMS(parts_params), 2, API_METHOD, "list",
-      HELP("returns a list of its parts in slot order, not including the parts of those; needs `board = { bodies = "
+      HELP("returns a list of its parts in slot order, not including parts of parts; needs `board = { bodies = "
            "true }`") },
     { "enemy.def part", NULL, PARAMS(part_params), 0, API_LUA | API_SYS, NULL,
       HELP("one enemy attached to the body; it spawns, moves and dies with the body") },

@@ -27,7 +27,7 @@ static const struct api_param def[] = {
           "frames it lasts; then `run` stops, and everything it started or spawned is removed"),
     PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
     PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
-          "frames in which nothing can hit the ship; defaults to `over`"),
+          "frames for which nothing can hit the ship; defaults to `over`"),
     PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "register of the ship that pays for it"),
     PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount it takes from `stock`; 0 needs no register"),
 };

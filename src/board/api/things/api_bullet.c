@@ -254,7 +254,7 @@ static const struct api_param bullet_def[] = {
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
           "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check its full path in each frame for hits; false checks only where it is at the end of the frame"),
+          "check its full path in each frame for hits; if false, checks only its position at the end"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
@@ -283,7 +283,7 @@ static const struct api_param shot_def[] = {
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
           "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check its full path in each frame for hits; false checks only where it is at the end of the frame"),
+          "check its full path in each frame for hits; if false, checks only its position at the end"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
@@ -423,7 +423,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         PLACE,                                                                                                         \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
               "direction of flight, clockwise from the right; with `aim`, an offset from the target's direction, "     \
-              "which defaults to 0"),                                                                                  \
+              "0 if omitted"),                                                                                         \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
@@ -432,7 +432,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
 #define AROUND                                                                                                         \
     PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                               \
-          "thing that the orbit steps of its motion revolve around; needs `board = { around = true }`")
+          "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bullet_fire[] = {
     FLIGHT(A_BULLET_KIND, "90"),
@@ -633,7 +633,7 @@ static const struct api_param bullet_sweep[] = {
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program it runs, or nil; a write starts the program from its first step"),                     \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps revolve around, or nil"),   \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"),      \
           PROP_WRITE },                                                                                                \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
                 "frames since it was fired, not counting its delay or frozen frames"),                                 \
@@ -1068,14 +1068,14 @@ static const struct api_param step_keys[M_KEYS] = {
     PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawns"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL,
           "duration of the step; without `over`, the step takes effect immediately"),
-    PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "times to run the steps listed inside this one"),
+    PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "how many times to run the steps listed inside this one"),
     PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "point { x, y } in the field to fly to; needs `over` or `speed`"),
     PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
-          "speed away from a centre, which is `at` or, without `at`, where the step starts; needs `over`"),
+          "speed away from `at`, or from where the step starts if `at` is omitted; needs `over`"),
     PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL,
           "distance it swings to each side of its path; needs `over` and `every`"),
     PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
-          "radius of a circle around the point in `at` or, without `at`, the thing in `around`; needs `over`"),
+          "radius of a circle around `at`, or around the thing in `around` if `at` is omitted; needs `over`"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of `go_to`"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of `polar` or `orbit`, clockwise"),
     PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "centre of `polar` or `orbit`, a point { x, y } in the field"),
@@ -1083,7 +1083,7 @@ static const struct api_param step_keys[M_KEYS] = {
     PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "phase at which `wave` starts; 360 degrees are one period"),
     PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that `orbit` reaches at the end of `over`"),
     PARAM("bounce", A_COUNT, OPT, 1, 65534, "times", NULL,
-          "times to reflect off the edges of the field; steps inside this one run after each bounce"),
+          "number of bounces off the edges of the field; steps inside this one run after each bounce"),
     PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
           "edges to bounce off: any of left, right, top and bottom, separated by spaces; all four if omitted"),
     PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "fires bullets or shots from where it is"),

@@ -37,7 +37,7 @@ static const struct api_param def[] = {
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true", "hits players who touch it; false lets them fly through it"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of the twelve sparks it leaves when it dies; nil leaves none"),
+          "kind of spark: it leaves twelve when it dies; nil leaves none"),
     PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it dies, { NAME = count }"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task started when it spawns; it ends with the enemy"),
     PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL,
@@ -45,7 +45,7 @@ static const struct api_param def[] = {
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check its full path in each frame for players; false checks only where it is at the end of the frame"),
+          "check its full path in each frame for players; if false, checks only its position at the end"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "removes bullets that touch it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -134,7 +134,7 @@ static const struct api_param spawn[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PLACE,
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
-          "route to fly, at whose end the enemy is removed; use it instead of `x` and `y`, or `from`"),
+          "route to fly; the enemy is removed at its end; use it instead of `x` and `y`, or `from`"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
@@ -385,17 +385,17 @@ enum {
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position in the field; a write teleports it and ends its move"),
+            "horizontal position in the field; writing it teleports the thing and ends its move"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position in the field; a write teleports it and ends its move"),
+            "vertical position in the field; writing it teleports the thing and ends its move"),
       PROP_WRITE },
     { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "hit points left, rounded up; writing 0 does not kill it"),
       PROP_WRITE },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
     { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
     { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames in which it takes no damage, or forever; shots still hit it"),
+            "frames for which it takes no damage, or forever; shots still hit it"),
       PROP_WRITE },
     { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
     { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ },
@@ -688,7 +688,7 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \
         API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
-                 "teleports " it " by a distance, along with the rest of its move"),                                   \
+                 "teleports " it " by a distance and shifts the rest of its move, too"),                               \
         API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL, "damages " it " unless it is safe"),                    \
         API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
                  "kills " it ", with its score, sparks, drops and on_death" order),                                    \

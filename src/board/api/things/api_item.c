@@ -107,7 +107,7 @@ static const struct api_param def[] = {
     PARAM("full", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship or the run; while the register is at its max, the item gives only its score"),
     PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04", "downward speed added in each frame"),
-    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "highest falling speed"),
+    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "maximum falling speed"),
     PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true",
           "whether it flies to ships that attract it; if false, it flies only when pulled"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),

@@ -108,8 +108,8 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 #define LASER_PARAMS                                                                                                   \
     PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
-              "direction, clockwise from the right; with `aim`, an offset from the target's direction, which "         \
-              "defaults to 0"),                                                                                        \
+              "direction, clockwise from the right; with `aim`, an offset from the target's direction, "               \
+              "0 if omitted"),                                                                                         \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "point at the nearest target: an enemy if its kind has damage, otherwise a player"),                     \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
@@ -151,7 +151,7 @@ enum {
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
         PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames it waits in place before it flies"),                 \
         PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
-              "thing that the orbit steps of its motion revolve around; needs `board = { around = true }`")
+              "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bolt_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
                                                 PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,
@@ -168,10 +168,11 @@ static const struct api_param beam_params[] = {
     PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from its start to its end"),
     PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames it stays at its full width"),
     PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40",
-          "frames at the start in which it is a dotted line that never hits"),
+          "frames at the start during which it is a dotted line that never hits"),
     PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8",
-          "frames it takes to reach its width; it hits from the first of them"),
-    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12", "frames it takes to fade out; it no longer hits during them"),
+          "frames it takes to reach its width; it already hits from the first of these frames"),
+    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12",
+          "frames it takes to fade out; it no longer hits while it fades"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees it turns per frame once `warn` is over, clockwise"),
 };
 
@@ -322,7 +323,8 @@ enum {
     L_BY,
     L_LAST
 };
-_Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first are those of what flies");
+_Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X,
+               "the first properties are those of all flying things");
 
 #define LASER_PROPS                                                                                                    \
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
@@ -350,7 +352,7 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X, "the first 
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that its orbit steps revolve around, or nil"),   \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"),      \
           PROP_WRITE },                                                                                                \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
           PROP_READ },                                                                                                 \

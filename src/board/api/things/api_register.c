@@ -34,7 +34,7 @@ const struct api_param api_register_settings[REGISTER_SETTINGS] = {
           "how the HUD shows it: none, number, icons, bar or times; a bar needs `max`"),
     PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, "where the HUD shows it: top, or low (at the lower edge of the field)"),
     PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before it; defaults to its name"),
-    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "value from which the HUD shows it bright"),
+    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "value at or above which the HUD shows it bright"),
 };
 
 struct reg {
