@@ -200,8 +200,8 @@ def page(files, games):
     yield """# Patterns of Glass Tide
 
 `make patterns` writes this page. It shows the patterns of *Glass Tide* stage by stage, in the order of play. Each has
-its comment from the script and two pictures, one on normal and one on abyss. They come from the complete games in
-`tests/demos/glasstide`, played by an invincible bot, and show the frame with the most objects. The
+its comment from the script and two pictures, one on normal and one on abyss. The pictures come from the complete games
+in `tests/demos/glasstide`, played by an invincible bot, and show the frame with the most objects. The
 [cookbook](../cookbook.md) shows how to write patterns.
 """
     for stage in stages:

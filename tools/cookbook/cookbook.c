@@ -1,6 +1,6 @@
 /*
- * cookbook.c - runs pages of the cookbook. `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each from
- * power-on and prints one line for it:
+ * cookbook.c - runs pages of the cookbook. `cookbook ROM FRAMES [-o DIR] PAGE[:FRAME[:STEP]]...` plays each page
+ * from power-on and prints one line per page:
  *
  *     PAGE HASH BULLETS LASERS WORK MOST LEAST
  *

@@ -3,7 +3,7 @@
 #
 #     roms/cookbook/book.txt     the text of its window, from the first comment of each recipe
 #     tests/cookbook/table       the results of each recipe, which tests/cli/cookbook.sh compares
-#     docs/images/cookbook       pictures, at the frames in the table (FRAME:STEP), which are preserved
+#     docs/images/cookbook       pictures, taken at the frames in the table (FRAME:STEP), which a rewrite preserves
 #     docs/cookbook.md           text, pictures, code and costs
 #
 # `cookbook.sh --book`, `--table` and `--page` print the first, second and last of them.
@@ -73,9 +73,9 @@ pages, fire restarts a recipe, and START closes the list so that the arrows fly 
 \`curtain play roms/cookbook --stage flower\` starts at one recipe, and
 \`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
 
-Each file returns a task \`f(e, p)\`; \`e\` is an enemy and \`p\` the player. Some files return a table with that task
-as \`run\`, and other fields, such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines kinds for the recipes;
-in your own game, use your own. [The guide](README.md) explains the API.
+Most files return a task \`f(e, p)\`; \`e\` is an enemy and \`p\` the player. Others return a table that holds this task
+as \`run\`, along with other fields such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines kinds for the
+recipes; in your own game, use your own. [The guide](README.md) explains the API.
 
 The line below each recipe shows its cost over the first $frames frames: the most bullets and lasers alive at once, and
 the average and maximum work per frame. A unit of work is about one Lua instruction; an engine call costs 100 or more. A

@@ -1,4 +1,4 @@
--- arrows.lua - Arrows: A list of points makes any formation, and turns = true points it where it
+-- arrows.lua - Arrows: A list of points makes any formation, and `turns = true` points it where it
 -- flies. Three arrows are fired one after another, one of them at the player.
 local head = { { 0, 0 }, { -9, 7 }, { -9, -7 }, { -18, 14 }, { -18, -14 }, { -14, 0 }, { -26, 0 },
                { -38, 0 } }

@@ -1,5 +1,5 @@
 -- fireworks.lua - Fireworks: Rockets rise and burst into rings of two sizes; their sparks slow down
--- and fall. A motion program makes gravity by pointing the sparks down and accelerating them.
+-- and fall. A motion program simulates gravity by pointing the sparks down and accelerating them.
 local fall = motion.def { { speed = 0.3, over = 36 }, { dir = 90, bank = 6 },
                           { accel = 0.025, over = 80 } }
 local rocket = motion.def { { speed = 0.5, over = 55 },

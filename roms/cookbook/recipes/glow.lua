@@ -1,5 +1,5 @@
--- glow.lua - Bullets of light: With blend = "glow" a sprite adds its colours to the pixels below,
--- so bullets are brightest where they overlap. rom.lua declares the blend, and the kind uses it.
+-- glow.lua - Bullets of light: With `blend = "glow"`, a sprite adds its colours to the pixels
+-- below, so bullets are brightest where they overlap. rom.lua declares the blend; the kind uses it.
 bullet.def("ember", { sprite = "ember", hit = { circle = 5 }, blend = "glow" })
 
 return function(e)

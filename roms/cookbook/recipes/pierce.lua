@@ -1,6 +1,6 @@
--- pierce.lua - Piercing spear: A spear survives three hits on its way; the next one uses it up. It
--- can hit the same enemy again after six frames. Its kind declares this, and enemies don't stop
--- it.
+-- pierce.lua - Piercing spear: A spear passes through enemies: it survives three hits, and the next
+-- one uses it up. It can hit the same enemy again after six frames. Its kind's `pierce` and `every`
+-- set this.
 shot.def("spear", { sprite = "dart", hit = { capsule = { 8, 3 } }, damage = 4, turns = true,
                     bank = 2, pierce = 3, every = 6 })
 

@@ -1,6 +1,6 @@
--- reflect.lua - Reflection: For a third of a second, fire opens a bubble that
--- turns the bullets in it into shots. Each bullet is replaced by a shot flying
--- the opposite way.
+-- reflect.lua - Reflection: Pressing fire opens a bubble for a third of a
+-- second. Each bullet in it is replaced by a shot flying the opposite
+-- way.
 shot.def("returned", { sprite = "orb", hit = { circle = 4 }, damage = 1, bank = 4 })
 
 local function parry(p)

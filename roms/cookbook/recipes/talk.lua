@@ -1,6 +1,6 @@
 -- talk.lua - Dialogue: Two speakers with names and faces talk before the fight. Each `say` is a
--- line of dialogue; `choose` asks a question, and the answer sets the pace of the phase. Fire
--- continues; holding special skips.
+-- line of dialogue; `choose` asks a question, and the answer sets the pace of the phase. Press fire
+-- to continue, or hold special to skip.
 talk.def("heron", { name = "Heron", faces = { calm = "ship_200" }, bank = 0 })
 talk.def("jelly", { name = "Old Jelly", faces = { calm = "jelly_200" }, side = "right" })
 local pace = 40

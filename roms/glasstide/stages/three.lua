@@ -50,7 +50,7 @@ local function pair(w)
   both(w)
 end
 
--- The descent between the columns.
+-- You descend between the columns.
 local function descent()
   stage.at(70)   wave { kind = "mite", n = 8, every = 13, path = swoop, run = habits.spit }
   stage.at(200)  wave { kind = "mite", n = 8, every = 13, path = swoop, mirror = true,
@@ -81,7 +81,7 @@ local function trench()
   stage.clear(150)
 end
 
--- After the Anglerlamp, all creatures come in groups.
+-- After the Anglerlamp, all creatures appear in groups.
 local function deep()
   stage.at(2790) both { kind = "mite", n = 9, every = 11, path = helix, run = habits.litter }
   stage.at(2940) lone { kind = "gulper", path = hang, run = habits.gulp }

@@ -79,7 +79,7 @@ local function street()
   stage.clear(200)
 end
 
--- After the Bellows, all creatures come together.
+-- After the Bellows, all creatures appear together.
 local function halls()
   stage.at(2820) both { kind = "drone", n = 7, every = 10, path = sweep, run = habits.beads }
   stage.at(2960) both { kind = "worm", n = 1, every = 1, path = wind, run = habits.vent }

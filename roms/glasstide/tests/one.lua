@@ -30,4 +30,4 @@ fight:exec "enemy.group('left claw'):hurt(400)"
 fight:step(5)
 test.equal(fight:eval "enemy.count('left claw')", 0, "the left claw is gone")
 test.equal(fight:eval "enemy.count('right claw')", 1, "the right claw is left")
-test.equal(fight:moment("won"), nil, "the phase continues")
+test.equal(fight:moment("won"), nil, "the phase is not won yet")

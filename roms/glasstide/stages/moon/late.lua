@@ -55,8 +55,8 @@ function late.new(e)
   end
 end
 
--- 5. The moon comes down and throws everything it has: bullets like the seeds of a sunflower, none
--- next to the one before. Rings of large bubbles spread between them.
+-- 5. The moon comes down and throws everything it has: bullets placed like the seeds of a
+-- sunflower, none next to the previous one. Rings of large bubbles spread between them.
 local GOLDEN <const> = 137.508
 
 function late.full(e)

@@ -164,8 +164,8 @@ local function match(e)
   end
 end
 
--- 3. Teeth come out of the dark on both sides, close except for a gap, and fall. Meanwhile it
--- fires at you through the gap.
+-- 3. Teeth come out of the dark on both sides, shut except for a gap, and fall. Meanwhile the
+-- Anglerlamp fires at you through the gap.
 value.def("home_x")
 value.def("home_y")
 motion.def { name = "tooth", { go_to = { "home_x", "home_y" }, over = 84, ease = "both" },

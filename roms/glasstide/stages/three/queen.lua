@@ -13,7 +13,7 @@ local function wander(e, over)
 end
 
 -- 1. Moons circle her and throw orbs outwards, arms of rice turn the other way, and volleys of
--- blades fly between them. On abyss, all of it forms a slow curtain.
+-- blades fly between them. On abyss, all of this forms a slow curtain.
 motion.def { name = "moon",
   { orbit = 0, radius_to = 64, spin = -1.7, over = 50 },
   { orbit = 64, spin = -1.7, over = forever } }

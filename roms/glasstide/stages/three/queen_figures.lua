@@ -3,8 +3,8 @@
 local by = require "stages/three/by"
 local figures = {}
 
--- 4. A window of coloured glass grows out of her, ring by ring. Arches line up over arches, and the
--- way leads through them. The window turns; except on easy, light falls through it.
+-- 4. A window of coloured glass grows out of her, ring by ring. Arches line up above arches, and
+-- your way leads through them. The window turns; except on easy, light falls through it.
 local GLASS <const> = { 5, 3, 1, 0 } -- colours of adjacent panes
 
 -- One ring of n panes in `arches` pieces, each with an opening of `open` bullets.

@@ -41,7 +41,7 @@ local function breath(e)
 end
 
 -- 2. It breathes in, and drops along the walls fly to its mouth. Then it breathes out wave after
--- wave; each has a gap, which swings to and fro between waves.
+-- wave; each has a gap, which moves to and fro from wave to wave.
 local MOUTH_X <const>, MOUTH_Y <const> = 120, 118
 local drawn = motion.def { { go_to = { MOUTH_X, MOUTH_Y }, over = 70, ease = "in" },
                            { die = true } }
