@@ -528,17 +528,18 @@ Comments in a piece declare its musical intent:
 ;= A      Dm9 | Fmaj7/A | Bbmaj7 | C
 ```
 
-`form` lists the sections. For each section, a line with its name has the chords: `|` separates bars, two chords in a
-bar take half of it each, and `%` repeats the previous bar. `A'` without its own line has the chords of `A`. Keys are
-major, minor, harmonic minor, melodic minor, dorian, phrygian, lydian and mixolydian. `tools/music.py GAME` reads the
-notes from the packer (`curtain sound GAME NAME --notes`) and compares them:
+`form` lists the sections. For each section, a line that starts with the section's name lists the chords: `|` separates
+bars, two chords in a bar take half of it each, and `%` repeats the previous bar. `A'` without its own line uses the
+chords of `A`. Keys are major, minor, harmonic minor, melodic minor, dorian, phrygian, lydian and mixolydian.
+`tools/music.py GAME` reads the notes from the packer (`curtain sound GAME NAME --notes`) and checks them against these
+rules:
 
 | | required |
 |---|---|
 {rules}
 
 A looping piece lasts at least {long:g} seconds before it loops, and the loop starts at the beginning of a section. A
-piece that ends lasts {short[0]:g} to {short[1]:g} seconds. No two pieces have the same key, tempo and chords.
+piece that does not loop lasts {short[0]:g} to {short[1]:g} seconds. No two pieces have the same key, tempo and chords.
 
 {notes}
 
@@ -623,8 +624,8 @@ Rendering the sound of a frame takes 0.68 million instructions on the title scre
 ship fires, and 1.42 million in the queen's last phase. On the machine of [speed.md](speed.md) the last takes 70
 microseconds, 0.4 % of a frame. The counts are callgrind's: the difference between `curtain render roms/glasstide
 --press fire --invincible --stage one` with and without `--wav`, for frames 600 to 1200. The count for the queen uses
-`--stage queen/flower`, and the one for the title only the ROM. Sound is not part of the game state: a run has the same
-hashes with and without it."""
+`--stage queen/flower`, and the command for the title screen names only the ROM. Sound is not part of the game state: a
+run has the same hashes with and without it."""
 
 # ---- the command ----
 

@@ -104,11 +104,11 @@ def survive_page(folder):
 
 `make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase in *Glass
 Tide* at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the columns
-and their limits. Each run it found is a demo that passes `curtain verify`; the demos for phases are in
+and their limits. Each run that the command found is a demo that passes `curtain verify`; the demos for phases are in
 `tests/demos/phases`. [game.md](game.md) shows the difficulty as curves.
 
 `gap px` is the width of the widest ship that still gets through, tested up to 36 px; `last` is the average number of
-seconds that sixteen simple bots last; `reaction` is in frames.
+seconds that sixteen simple bots survive; `reaction` is in frames.
 
 ## Glass Tide
 """
@@ -257,9 +257,9 @@ stage sections between them.
 
 **The measure is hits per minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`):
 eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A hit has no effect, and
-hits in the next 90 frames are ignored. The result shows how much of the field is in danger, and how often. It is
-stable, because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their first hit, so
-they measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but not how
+hits in the next 90 frames are ignored. The result shows how much of the field is dangerous, and how often. The measure
+is stable, because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their first hit,
+so they measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but not how
 often. Bullets per second don't measure where the bullets fly. Bots neither learn nor fear a pattern, so a pattern that
 is hard to read is easier for them than for you. Numbers in parentheses are for the dodging bots only.
 """

@@ -17,7 +17,7 @@ refuse "planted: another latency" "0.10" same_figures "$scratch/a.md"
 # On a screen that is waited for there are 60 ticks a second, to a frame or two of ten minutes, and next to no refresh
 # that the rates do not ask for.
 even() {
-    awk -F'|' '/^## Screens/ { on = 1 } /^With one frame/ { on = 0 }
+    awk -F'|' '/^## Screens/ { on = 1 } /^In the next table/ { on = 0 }
         on && $3 ~ /yes/ {
             rows++
             ticks = $4; gsub(/[ ,]/, "", ticks)

@@ -110,8 +110,8 @@ void section_battle(void)
 
     double us = (samples_median(&ns[0]) - samples_median(&ns[1])) / 1e3;
     report_section("Shots against enemies");
-    report_text("%s shots fly at 8 px/frame among %s enemies with boxes so large that %s of the %s pairs touch in each "
-                "frame (%s). Each shot that touches hits the nearest enemy, and a new shot replaces it. Hits take %s "
+    report_text("%s shots fly at 8 px/frame among %s enemies with large boxes. In each frame, %s of the %s pairs touch "
+                "(%s). Each shot that touches enemies hits the nearest one and is replaced by a new shot. Hits take %s "
                 "µs per frame, or %s µs without enemies, so the pairs cost **%s µs**. In %s frames every pair was "
                 "checked again by comparing boxes in doubles, and each shot had hit the right enemy.",
                 report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),

@@ -296,17 +296,17 @@ static void rivals_table(void)
 {
     static const char *const names[RIVALS] = { "the engine", "doubles, byte loop", "columns, words", "the minimum" };
 
-    report_text(
-        "**Compared with plain C.** Three programs without an engine run the same crowd from the same first frame, "
-        "with the player on the same path: (a) an *array of structs of doubles*, which tests every bullet in full and "
-        "branches per pixel; (b) *columns of int32*, tested 64 at a time and drawn with masked 8-byte words that are "
-        "prepared once per kind; (c) *the minimum*, the same columns with two rows per vector and a kind's masks in "
-        "registers, without anything this scene does not need: no graze, no leaving the field, every sprite 8x8 in one "
-        "bank. All three store bullets grouped by kind, so they need no sorting. None has scripts, motion programs, "
-        "handles, deaths, or a state that can be saved. Each presents with one table look-up per pixel.");
+    report_text("**Compared with plain C.** Three programs without an engine run the same crowd from the same first "
+                "frame, with the player on the same path: (a) an *array of structs of doubles*, which tests every "
+                "bullet in full and branches per pixel; (b) *columns of int32*, tested 64 at a time and drawn with "
+                "masked 8-byte words that are prepared once per kind; (c) *the minimum*, the same columns with two "
+                "rows per vector and a kind's masks in registers, reduced to what this scene needs: no graze, no check "
+                "for leaving the field, every sprite 8x8 in one bank. All three store bullets grouped by kind, so they "
+                "need no sorting. None has scripts, motion programs, handles, deaths, or a state that can be saved. "
+                "Each converts its picture with one table lookup per pixel.");
     report_text("The references draw every bullet. In the largest crowds the engine draws only the visible ones, which "
-                "is a different task. *Drawing all* is the engine's frame when it also draws every bullet; the ratios "
-                "use that column.");
+                "is a different task. *Drawing all* is the engine's frame time when it, too, draws every bullet; the "
+                "ratios use that column.");
     report_table("Microseconds per frame, and ratio to the engine drawing everything",
                  "n> | engine> | drawing all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
                  "minimum> | ratio>");
@@ -348,22 +348,22 @@ static void counts_table(void)
                    report_count((int64_t)c->drawn), NULL);
     }
     report_table_end();
-    report_text("*Tested* counts the bullets whose path in the frame, as a box, comes within reach of the player; each "
-                "bullet grazes a player once. At the end of the run for each n, all programs have every bullet at the "
-                "same position and show the same pixels, and the picture equals that of a reference renderer that "
-                "copies byte by byte without batches.");
+    report_text("*Tested* counts the bullets whose path in the frame, taken as a box, comes within reach of the "
+                "player; each bullet can graze a player only once. At the end of the run for each n, all programs have "
+                "every bullet at the same position and show the same pixels, and the picture equals that of a "
+                "reference renderer that copies byte by byte without batches.");
 }
 
 static void limits_table(void)
 {
     report_text("**Limits of the machine.** Moving a bullet reads 16 bytes and writes 8. The memory's limit is the "
-                "bandwidth of `x[i] += v[i]` over the memory of that many bullets. Motion and hits together visit "
-                "every bullet once or twice, so they can approach this limit. A sprite of 8x8 needs 8 stores to 8 "
-                "lines, which is the limit for drawing all.");
+                "bandwidth of `x[i] += v[i]` over as much memory as that many bullets take. Motion and hits together "
+                "visit every bullet once or twice, so at best they come close to this limit. An 8x8 sprite needs 8 "
+                "stores to 8 lines, which sets the limit for drawing all.");
     report_text(
         "When the bullets would cover the field %d times, the engine draws them front to back and skips *hidden* ones; "
-        "the column shows their share in the last picture. They count as drawn but cause no stores, so the last "
-        "column, the draw time per bullet when skipping them, has no limit to compare with.",
+        "the column *hidden* shows their share in the last picture. They count as drawn but cause no stores, so the "
+        "last column, the draw time per bullet when skipping them, has no limit to compare with.",
         VIDEO_OVERDRAW);
     report_table(NULL, "n> | motion + hits> | of memory's limit> | drawing all> | of the stores' limit> | hidden> | "
                        "draw, skipping them>");
@@ -442,12 +442,12 @@ static void targets(void)
                  report_string("%s ms", report_figure(total(m1) / 1e6)), total(m1) <= 6e6);
     bench_target("... drawing all", "6 ms", report_string("%s ms", report_figure(painted(m1) / 1e6)),
                  painted(m1) <= 6e6);
-    bench_target("16,384 bullets, compared with columns and words", "1.3 times as fast",
+    bench_target("16,384 bullets, compared with plain C on columns of int32", "1.3 times as fast",
                  report_string("%s times", report_figure(words)), words >= 1.3);
-    bench_target("16,384 bullets, compared with structs of doubles and bytes", "4 times as fast",
+    bench_target("16,384 bullets, compared with plain C on structs of doubles", "4 times as fast",
                  report_string("%s times", report_figure(bytes)), bytes >= 4);
-    bench_target("growth of the cost per bullet from 16,384 to 1,048,576, skipping hidden ones", "less than 2 times",
-                 report_string("%s times", report_figure(growth)), growth < 2);
+    bench_target("growth of the cost per bullet from 16,384 to 1,048,576 bullets, skipping hidden ones",
+                 "less than 2 times", report_string("%s times", report_figure(growth)), growth < 2);
 }
 
 /* 16,384 bullets without programs: what the move, the keep box, the swept hit and the graze of one cost. */
@@ -482,10 +482,10 @@ void section_crowd(void)
     report_section("The crowd");
     report_text(
         "n bullets of 8x8 px, in 16 kinds and 8 banks and with a hit circle of 3 px, fly all over a field of 320x240 "
-        "px at 0.5 to 3 px/frame. Each flies for 60 frames, then turns around and comes back. In every frame, a "
-        "sixtieth of them runs a step of its motion program and the others fly straight. A player with a hit circle of "
-        "2 px and a graze ring of 12 px wanders among them. The sprites' pixels are reshuffled for each n. The scene "
-        "is `roms/bench` with the DIP switch `does=crowd`, on the board that runs any game.");
+        "px at 0.5 to 3 px/frame. Each flies for 60 frames, then turns around and comes back. In every frame, one in "
+        "sixty runs a step of its motion program and the others fly straight. A player with a hit circle of 2 px and a "
+        "graze ring of 12 px wanders among them. The sprites' pixels are reshuffled for each n. The scene is "
+        "`roms/bench` with the DIP switch `does=crowd`, on the same board that runs every game.");
     for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
         run(USUAL[i]);
     const int n = find_60(total, 2500032), n_all = find_60(painted, M1);
@@ -495,18 +495,18 @@ void section_crowd(void)
     counts_table();
     limits_table();
     struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n), *all = size_of(n_all);
-    report_text("**Growth.** A bullet in a crowd of %s costs %s ns, in a crowd of %s it costs %s ns, and in a crowd of "
-                "%s it costs %s ns. The cost changes by a factor of %s from %s to %s, a range in which the fixed cost "
-                "of a frame (an empty picture, presenting) is negligible.",
-                report_count(k1->n), per_bullet(&k1->total[0], k1->n), report_count(k16->n),
-                per_bullet(&k16->total[0], k16->n), report_count(m1->n), per_bullet(&m1->total[0], m1->n),
+    report_text("**Growth.** A bullet costs %s ns in a crowd of %s, %s ns in a crowd of %s, and %s ns in a crowd of "
+                "%s. The cost changes by a factor of %s from %s to %s, a range in which the fixed cost of a frame (an "
+                "empty picture, presenting) is negligible.",
+                per_bullet(&k1->total[0], k1->n), report_count(k1->n), per_bullet(&k16->total[0], k16->n),
+                report_count(k16->n), per_bullet(&m1->total[0], m1->n), report_count(m1->n),
                 report_figure(total(m1) / m1->n / (total(k16) / k16->n)), report_count(k16->n), report_count(m1->n));
-    report_text("**Sixty frames a second.** One core reaches 60 frames a second with **%s bullets**. A frame then "
-                "takes %s of the 16.67 ms, and %s of the bullets are hidden and skipped. When it draws all of them, it "
-                "reaches 60 frames a second with **%s bullets**, at %s ms per frame. The chip's maximum is %s.",
-                report_count(found->n), samples_figure(&found->total[0], 1e6),
-                report_percent((double)found->hidden / found->n), report_count(all->n),
-                report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));
+    report_text(
+        "**Sixty frames a second.** One core reaches 60 frames a second with **%s bullets**. A frame then takes %s of "
+        "the 16.67 ms, and %s of the bullets are hidden and skipped. When the engine draws all of them, it reaches 60 "
+        "frames a second with **%s bullets**, at %s ms per frame. The chip's maximum is %s.",
+        report_count(found->n), samples_figure(&found->total[0], 1e6), report_percent((double)found->hidden / found->n),
+        report_count(all->n), report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));
     without_programs();
     target_60(found, all);
     targets();

@@ -88,8 +88,8 @@ void section_guards(void)
 
     report_section("Endless loops");
     report_text(
-        "A frame that runs forever ends in a fault after %s instructions. Some operations take a long time for the "
-        "instructions they count. The table lists the slowest known operations, with the seconds until the fault.",
+        "A frame that runs forever ends in a fault after %s instructions. Some operations take longer than their "
+        "instruction count suggests. The table lists the slowest known operations, with the seconds until the fault.",
         report_count(WORK_LIMIT));
     report_table(NULL, "a loop of | seconds> | instructions counted per operation>");
     bench_own_clock(true);
@@ -103,7 +103,7 @@ void section_guards(void)
     }
     bench_own_clock(false);
     report_table_end();
-    bench_target("the slowest endless loop until it is stopped", "30 s",
+    bench_target("time until the slowest endless loop is stopped", "30 s",
                  report_string("%s s: %s", report_figure(worst), what), worst < 30);
     dearest_frames();
 }

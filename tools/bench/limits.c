@@ -164,9 +164,9 @@ void section_machine(void)
 
     report_section("The machine");
     report_text("The table shows memory bandwidth in GB/s for repeated passes over a block of the given size. The "
-                "smallest block fits in the first-level cache, the largest in no cache. *Copy* counts bytes read and "
-                "bytes written; it uses the C library. *Update* is `x[i] += v[i]`, as bullets move: two reads and one "
-                "write. *Read* and *update* are plain C with the flags above.");
+                "smallest block fits in the first-level cache, the largest exceeds every cache. *Copy* counts bytes "
+                "read and bytes written; it uses the C library. *Update* is `x[i] += v[i]`, which is how bullets move: "
+                "two reads and one write. *Read* and *update* are plain C with the flags above.");
     report_table(NULL, "memory> | copy> | read> | update>");
     for (size_t i = 0; i < sizeof SIZES / sizeof *SIZES; i++)
         report_row(0, size_name(SIZES[i]), rate(copy, SIZES[i], 1), rate(read_all, SIZES[i], 1),
@@ -175,8 +175,8 @@ void section_machine(void)
 
     size_t l1 = 16 << 10;
     double in_turn = time_of(&(struct work){ store_in_turn, l1 }) / (double)(l1 / 8);
-    report_text("An 8-byte store takes %s ns when stores are sequential, and **%s ns** when 8 of them go to 8 "
-                "different lines, like the rows of a sprite in a picture of 320x240. The latter limits drawing: a "
-                "bullet of 8x8 needs 8 such stores, %s ns.",
+    report_text("An 8-byte store takes %s ns when stores are sequential, and **%s ns** when each group of 8 goes to 8 "
+                "different lines, as the rows of a sprite in a 320x240 picture do. The latter limits drawing: an 8x8 "
+                "bullet needs 8 such stores, which take %s ns.",
                 report_figure(in_turn), report_figure(limit_store()), report_figure(SIDE * limit_store()));
 }

@@ -13,7 +13,7 @@ static const struct way {
 } WAYS[] = {
     { "plain", "bullets of one kind" },
     { "banks", "each in its own bank" },
-    { "turned", "rotated, each one of 16 pictures" },
+    { "turned", "rotated, each showing one of 16 pictures" },
     { "clipped", "half outside the left edge" },
     { "sprite", "free sprites" },
     { "flipped", "free sprites, flipped" },
@@ -82,7 +82,8 @@ static void presenting(void)
     double us = samples_median(&ns) / 1e3;
     report_text("**Presenting**: converting 320x240 px from palette indices to 32-bit pixels takes **%s µs**.",
                 samples_figure(&ns, 1e3));
-    bench_target("320x240 px through the palette", "20 µs", report_string("%s µs", report_figure(us)), us < PRESENT_US);
+    bench_target("converting 320x240 px through the palette", "20 µs", report_string("%s µs", report_figure(us)),
+                 us < PRESENT_US);
     samples_free(&ns);
     scene_close(&s);
     free(out);

@@ -91,7 +91,7 @@ static const struct price FIRING[] = {
     { "scatter", "`pattern.scatter`", PLAIN },
     { "points", "`pattern.points`", PLAIN },
     { "dots", "`pattern.picture`", PLAIN },
-    { "emit", "the step `emit`, with a ring", PLAIN },
+    { "emit", "the `emit` step, with a ring", PLAIN },
 };
 
 /* A price being measured. */
@@ -202,8 +202,9 @@ static void fire_in_c(void)
         slots_trim(&s.b->bullets.s);
     }
     report_text("**C only.** `bullets_fire`, the C function behind a script's call, takes %s ns: it finds a free slot, "
-                "computes the velocity from the direction and writes all columns. With a table, the rest of the time "
-                "goes to Lua, to reading and checking arguments, to the call's digest, and to the bullet's one frame.",
+                "computes the velocity from the direction and writes all columns. When a script passes a table, the "
+                "rest of the time goes to Lua, to reading and checking arguments, to the call's digest, and to the "
+                "single frame the bullet lives.",
                 samples_figure(&ns, N));
     samples_free(&ns);
     scene_close(&s);
@@ -252,9 +253,9 @@ static void item_prices(void)
 void section_prices(void)
 {
     report_section("Cost per bullet");
-    report_text("The table shows the nanoseconds of a tick for each of %s bullets that all do the same in every frame, "
-                "the difference from a straight bullet, and the ratio to it. The measurements are interleaved. Nothing "
-                "is drawn, and no bullet comes near the player unless stated.",
+    report_text("The table shows the nanoseconds of a tick for each of %s bullets that all do the same thing in every "
+                "frame, the difference from a straight bullet, and the ratio to it. The measurements are interleaved. "
+                "Nothing is drawn, and no bullet comes near the player unless stated.",
                 report_count(N));
     print_motion();
     report_text("Hits. A *close* bullet needs the exact test in every frame but never touches anything.");

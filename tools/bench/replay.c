@@ -100,9 +100,8 @@ void section_replay(void)
 
     double median = samples_median(&rate);
     report_section("Replay and reload");
-    report_text("**Verifying** the demo of the complete run, with every part's checksum after every frame and every "
-                "row of hashes, runs "
-                "at **%s frames a second** on one core (the median of %d runs).",
+    report_text("**Verifying** a demo of the whole run processes **%s frames a second** on one core (the median of %d "
+                "runs). It compares every part's checksum after every frame, and every row of hashes.",
                 report_count((int64_t)median), ROUNDS);
     report_text("**Reloading.** When a script of the game changes after five minutes of play (%s frames), the changed "
                 "game reaches the same frame **%s s** later, including packing the folder; a minute after the start of "

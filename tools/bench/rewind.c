@@ -232,10 +232,10 @@ static void report_steps(struct past_run *r, double kept, int keys, uint64_t aga
     const char *median = report_figure(samples_median(&r->step) / 1e6);
     const char *slow = report_figure(samples_quantile(&r->step, 0.99) / 1e6);
 
-    report_text("**Rewind.** The densest minute of the run ends at second %s and has %s bullets on average. There the "
-                "history covers %s seconds in %d key frames. Stepping back through that minute frame by frame takes %s "
-                "ms per step, %s at the 99th percentile, and %s at worst. A step replays %s frames on average, %s at "
-                "most. Each restored frame has its original hash.",
+    report_text("**Rewind.** The densest minute of the run ends at second %s and has %s bullets on average. At that "
+                "point the history covers %s seconds in %d key frames. Stepping back through that minute frame by "
+                "frame takes %s ms per step, %s at the 99th percentile, and %s at worst. A step replays %s frames on "
+                "average, %s at most. Each restored frame has its original hash.",
                 report_count(r->end / SECOND), report_count((int64_t)(r->bullets + 0.5)), report_figure(kept), keys,
                 median, slow, report_figure(worst), report_figure((double)again / MINUTE),
                 report_count((int64_t)r->most_ticks));

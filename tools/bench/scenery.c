@@ -148,7 +148,7 @@ static const struct look {
     { "100 letters in cells", letters },
     { "the same with outlines", rims },
     { "a flash", flash },
-    { "a shake without background: edges are mirrored", bare_shaken },
+    { "a shake without a background: edges are mirrored", bare_shaken },
     { "a shake of a layer without holes", layer_shaken },
 };
 enum { LOOK_COUNT = sizeof LOOKS / sizeof *LOOKS };
@@ -194,7 +194,7 @@ void scenery_prices(void)
                 samples_add(&draw[i], bench_since(from));
         }
     report_text("The next table is for backgrounds over a field of 240 x 320 px, in microseconds for a picture with "
-                "little else:");
+                "little else in it:");
     report_table(NULL, "background | total> | beyond the first>");
     for (int i = 0; i < COUNT; i++)
         report_row(i == 0, VIEWS[i].what, samples_figure(&draw[i], 1e3),

@@ -206,28 +206,28 @@ static void table(struct band *bands, int n, struct samples *plain)
 }
 
 static struct band bands[] = {
-    { .what = "16 samples, 8 of pulse, saw, triangle, noise",
+    { .what = "16 samples, 8 voices of pulse, saw, triangle and noise",
       .recorded = 16,
       .recording = &rom.exact,
       .notes = 8,
       .of = { PULSE, SAW, TRIANGLE, NOISE },
       .kinds = 4 },
-    { .what = "16 samples, 8 FM of 4 operators with feedback",
+    { .what = "16 samples, 8 voices of 4-operator FM with feedback",
       .recorded = 16,
       .recording = &rom.exact,
       .notes = 8,
       .of = { FM4_BACK },
       .kinds = 1 },
-    { .what = "16 ADPCM samples, 8 of pulse, saw, triangle, noise",
+    { .what = "16 ADPCM samples, 8 voices of pulse, saw, triangle and noise",
       .recorded = 16,
       .recording = &rom.packed,
       .notes = 8,
       .of = { PULSE, SAW, TRIANGLE, NOISE },
       .kinds = 4 },
-    { .what = "24 FM of 4 operators with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
-    { .what = "24 FM of 4 operators", .notes = 24, .of = { FM4 }, .kinds = 1 },
-    { .what = "24 of 2-operator FM, waves, pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
-    { .what = "16 samples an octave up, 8 FM",
+    { .what = "24 voices of 4-operator FM with feedback", .notes = 24, .of = { FM4_BACK }, .kinds = 1 },
+    { .what = "24 voices of 4-operator FM", .notes = 24, .of = { FM4 }, .kinds = 1 },
+    { .what = "24 voices of 2-operator FM, waves and pulses", .notes = 24, .of = { FM2, WAVE, PULSE }, .kinds = 3 },
+    { .what = "16 samples an octave up, 8 FM voices",
       .recorded = 16,
       .recording = &rom.exact,
       .higher = 12,
@@ -253,21 +253,21 @@ void section_sound(void)
     }
     measure_seq(&seq);
     report_section("Sound");
-    report_text(
-        "The table shows the microseconds for the 800 stereo samples of a frame, and for the tick that advances all "
-        "voices by a frame. With a piece of 16 tracks, each with 12 notes a second, the tick takes %s µs, including "
-        "note starts and ends. The target of 100 µs is for the row with 16 samples and 8 FM voices with feedback. 24 "
-        "FM voices take longer, and so do samples far above their original pitch, which pass a 64-tap filter. The "
-        "plain loop only multiplies 24 voices of 16 bits by a gain and adds them up, left and right.",
-        samples_figure(&seq, 1e3));
+    report_text("The table shows the microseconds for the 800 stereo samples of a frame, and for the tick that "
+                "advances all voices by a frame. With a piece of 16 tracks, each with 12 notes a second, the tick "
+                "takes %s µs, including note starts and ends. The target of 100 µs is for the row with 16 samples and "
+                "8 FM voices with feedback. 24 FM voices take longer, and so do samples far above their original "
+                "pitch, which pass through a 64-tap filter. The plain loop only multiplies 24 voices of 16-bit samples "
+                "by a gain and adds them up for the left and right channels.",
+                samples_figure(&seq, 1e3));
     table(bands, N, &plain);
     report_text("A game without sound has no voices and no sequencer, and no sound code runs in its frames. Compared "
                 "with the engine before sound was added (`make compare BASE=ed089444 GAME=examples/first START= "
                 "FRAMES=600` on the commit that added it, interleaved), a frame takes 1.01 times the time and 1.000 "
-                "times the instructions, and loading takes 1.00 and 1.002 times. The Lua heap is the same; RAM is 448 "
-                "bytes larger at 6,075,008, a snapshot 512 bytes larger at 315,904.");
+                "times the instructions, and loading takes 1.00 times the time and 1.002 times the instructions. The "
+                "Lua heap is the same; RAM grew by 448 bytes to 6,075,008, a snapshot by 512 bytes to 315,904.");
     const double most = samples_median(&bands[1].mix) / 1e3, tick = mean(&seq) / 1e3;
-    bench_target("a frame of 24 voices: 16 samples, 8 FM of 4 operators with feedback", "100 µs",
+    bench_target("a frame of 24 voices: 16 samples, 8 voices of 4-operator FM with feedback", "100 µs",
                  report_string("%s µs", report_figure(most)), most <= 100);
     bench_target("the sound tick of a piece with 16 tracks, on average", "0.5 µs",
                  report_string("%s µs", report_figure(tick)), tick <= 0.5);

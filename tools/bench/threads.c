@@ -242,7 +242,7 @@ void section_threads(void)
     pthread_t thread;
 
     report_section("Threads");
-    report_text("Would a second thread help? The table shows microseconds for the cheapest work of a frame, motion and "
+    report_text("Would a second thread help? The table shows microseconds for the cheapest work in a frame: motion and "
                 "keep box of n bullets in columns, without the engine. *Halves*: the second thread processes one half, "
                 "and the frame continues when both are done; the thread waits by spinning, or sleeps until it is "
                 "woken. *Alternating*: the threads take turns, one moving all bullets in one frame and the other in "

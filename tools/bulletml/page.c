@@ -15,16 +15,16 @@ static const char ABOUT[] =
     "# BulletML compared with libbulletml\n"
     "\n"
     "`make bulletml` measures and writes this page; do not edit it. It runs the BulletML documents of seven Debian "
-    "packages in\n"
-    "a test game on a board, and in libbulletml 0.0.6, the library their games use. Both get the same random numbers, "
-    "the\n"
+    "packages\n"
+    "in a test game on a board, and in libbulletml 0.0.6, the library their games use. Both get the same random "
+    "numbers, the\n"
     "same rank and the same player, who circles the lower half of a field of 320 x 240 px. Every bullet is compared in "
     "each\n"
-    "of 1,500 frames, at ranks 0, 0.35, 0.5 and 1: it must appear and vanish in the same frame and stay within 1/16 "
-    "px.\n"
-    "Otherwise the command fails. When libbulletml's bullet is more than 192.4 px or 152.4 px from the centre, it is "
-    "removed\n"
-    "on both sides, because documents do not define borders.\n"
+    "of 1,500 frames, at ranks 0, 0.35, 0.5 and 1: it must appear and vanish in the same frame and stay within 1/16 px "
+    "of\n"
+    "libbulletml's. Otherwise the command fails. When libbulletml's bullet is more than 192.4 px horizontally or 152.4 "
+    "px\n"
+    "vertically from the centre, it is removed on both sides, because documents do not define borders.\n"
     "\n"
     "The list of documents is `tools/bulletml/documents.list`; the same folder has the runner, the comparison and the "
     "code\n"
@@ -145,9 +145,10 @@ static void section_documents(void)
     for (int i = 0; i < documents.n; i++)
         document_row(documents.path[i], &r[i]);
     report_table_end();
-    report_text("%s bullets left the area and were removed at libbulletml's position. By the board's own position, %s "
-                "of them would have left in a different frame: no two ways to calculate agree on every bullet that "
-                "ends a frame next to a border.",
+    report_text("%s bullets left the area and were removed at the position that libbulletml gives. By the board's own "
+                "position, %s "
+                "of them would have left in a different frame: no two methods of calculation agree on every bullet "
+                "that ends a frame next to a border.",
                 report_count(s.left), report_count(s.otherwise));
     all_free(r, documents.n);
 }
@@ -162,8 +163,8 @@ static void section_loop(void)
     for (int i = 0; i < documents.n; i++)
         add(&s, &r[i]);
     report_section("Restarted");
-    report_text("Most documents end before 1,500 frames. With `loop = true`, a root that has ended restarts, as the "
-                "bosses of these games do. Then, too, %d of %d documents are within 1/16 px. This compares %s "
+    report_text("Most documents end within 1,500 frames. With `loop = true`, a root that has ended restarts, as the "
+                "bosses of these games do. Even then, %d of %d documents are within 1/16 px. This compares %s "
                 "positions of %s bullets; the greatest distance within the limit is %.5f px.",
                 s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
     if (s.alike < s.documents) {
@@ -208,11 +209,11 @@ static void section_rounding(void)
     int n = 0;
 
     report_section("Decided by the last bit");
-    report_text(
-        "Doubles round to nearest, but no document requires it: rounding downward, upward and towards zero is equally "
-        "valid. These documents behave differently in libbulletml itself under a different rounding mode, because "
-        "`0.35 * 20` is then slightly less than 7 rounds of a `repeat`. Only such documents can be excused, in `%s`.",
-        TOOL_EXCEPTIONS);
+    report_text("Doubles round to nearest, but no document requires it: rounding down, up or towards zero is "
+                "equally valid. These documents behave differently in libbulletml itself under a different rounding "
+                "mode, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. Only "
+                "such documents can be excused, in `%s`.",
+                TOOL_EXCEPTIONS);
     report_table(NULL, "document|rank>|rounding|to nearest (first side) compared with this rounding (second side)");
     for (int i = 0; i < documents.n; i++) {
         bool any = false;
@@ -224,8 +225,7 @@ static void section_rounding(void)
     report_text("%s", exceptions.n ? ""
                                    : "For all of them, the board matches libbulletml when libbulletml rounds to "
                                      "nearest, so the list is empty.");
-    conclude("documents in which libbulletml differs from itself with a different rounding mode",
-             report_string("%d", n));
+    conclude("documents that libbulletml itself runs differently in another rounding mode", report_string("%d", n));
     all_free(r, documents.n);
 }
 

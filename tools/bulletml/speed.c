@@ -221,13 +221,13 @@ bool tool_speed(struct tool_times *out)
 
     report_section("Speed");
     report_text("%s", report_machine());
-    report_text("The same documents run from the same positions in one process, as many times as needed for 1,000 to "
-                "64,000 active bullets. Ten frames of the board alternate with ten of each host; the table shows "
-                "medians of 100. A frame of the board is its complete tick, including hits and leaving the field. A "
-                "frame of libbulletml runs its runners, moves the bullets, and tests them against a box. libbulletml "
-                "returns a bullet's direction and speed, and its host computes the velocity: the plain host does so in "
-                "every frame, the fast host only when they change. Both hosts delete runners that have ended. A host "
-                "with far more bullets than fit into its caches waits for memory.");
+    report_text("The same documents run from the same positions in one process, in as many copies as needed for 1,000 "
+                "to 64,000 active bullets. Ten frames of the board alternate with ten of each host; the table shows "
+                "medians of 100. A frame of the board is a whole tick, including hits and leaving the field. A frame "
+                "of libbulletml runs its runners, moves the bullets, and tests them against a box. libbulletml returns "
+                "a bullet's direction and speed, and its host computes the velocity: the plain host does so in every "
+                "frame, the fast host only when they change. Both hosts delete runners that have ended. A host with "
+                "far more bullets than fit into its caches waits for memory.");
     if (!scripted(ratio) || !straight(line))
         return false;
     *out = (struct tool_times){ median(ratio, DOCUMENTS * SIZES, PLAIN), median(ratio, DOCUMENTS * SIZES, QUICK),

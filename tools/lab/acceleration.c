@@ -195,14 +195,14 @@ static const struct method {
     { "`accel = a`", "a rounding error of the acceleration in every frame", engine_accel, time_engine, true, true,
       false, "changes that take less than ten seconds or never end" },
     { "`speed = v, over = n`, fine", "half a frame's acceleration", engine_over_fine, time_engine, true, false, true,
-      "positions that must agree to 1e-9 px" },
+      "positions that must agree to within 1e-9 px" },
     { "`accel = a`, fine", "half a frame's acceleration", engine_accel_fine, time_engine, true, true, true,
       "slow changes over minutes" },
     { "Euler, speed first", "half a frame's acceleration", euler_speed_first, time_euler, false, false, false,
       "the engine's method, without its rounding" },
     { "Euler, position first", "the same, in the other direction", euler_place_first, time_euler, false, false, false,
       "nothing: no better, and a bullet fired at rest stays still for a frame" },
-    { "trapezoid", "one more addition", trapezoid, time_trapezoid, false, false, false, "a simulation of physics" },
+    { "trapezoid", "one more addition", trapezoid, time_trapezoid, false, false, false, "physics simulations" },
     { "closed form", "aiming, turning and later changes", closed_form, time_closed, false, false, false,
       "fixed paths: nothing can act on the bullet" },
 };
@@ -310,11 +310,12 @@ void section_acceleration(void)
     }
 
     report_section("5. Changing speed");
-    report_text("An error is the largest distance, in any frame, from the continuous motion x₀ + v₀t + at²/2 of a "
-                "bullet that flies straight. In each frame the engine first changes the speed, then moves the bullet. "
-                "This puts it ahead of the continuous motion by half the change of speed, which is 1 px for a change "
-                "from 1 to 3 px/frame, however long the change takes. This offset follows from the definition and is "
-                "always the same; the rest is rounding. No method is the default; ▶ marks the recommended one.");
+    report_text(
+        "Each error is the largest distance, over all frames, between a bullet that flies straight and its continuous "
+        "motion x₀ + v₀t + at²/2. In each frame the engine first changes the speed, then moves the bullet. This puts "
+        "the bullet ahead of the continuous motion by half the change in speed, which is 1 px for a change from 1 to 3 "
+        "px/frame, however long the change takes. This offset follows from the definition and is always the same; the "
+        "rest is rounding. No method is the default; ▶ marks the recommended one.");
     print_methods(rivals);
     plot_flights();
     report_text(

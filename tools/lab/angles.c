@@ -196,9 +196,9 @@ static const struct format {
     { "16 bits", "0.0055°", "16 bits, to save 2 bytes", 16, after_16, ring_16, turn_u16,
       "headings that are set but never turned" },
     { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everything" },
-    { "float32 degrees", "to 3.1e-5°", "8 bits; wrap-around; time", 0, after_float, NULL, turn_f32,
+    { "float32 degrees", "up to 3.1e-5°", "8 bits; wrap-around; time", 0, after_float, NULL, turn_f32,
       "nothing: not finer, and needs an explicit wrap at 360" },
-    { "double degrees", "to 5.7e-14°", "4 bytes; wrap-around; time", 0, after_double, NULL, turn_f64,
+    { "double degrees", "up to 5.7e-14°", "4 bytes; wrap-around; time", 0, after_double, NULL, turn_f64,
       "calculations in scripts" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, BITS16 = 1, FLOAT = 3 };
@@ -290,14 +290,15 @@ void section_angles(void)
 
     report_section("4. Direction format");
     report_text("A spiral adds the same step to its heading repeatedly, so a rounding error in the step accumulates. "
-                "The error is over %d steps between 0° and 180°, including the golden angle; a motion program turns "
-                "the engine's bullets.",
+                "The table shows the error over %d step sizes between 0° and 180°, including the golden angle; a "
+                "motion program turns the engine's bullets.",
                 STEPS);
     print_formats(rivals);
     plot_turns();
     print_rings();
-    report_text("At 400 px from the source, half a unit of a 16-bit angle is 0.02 px: 16 bits are enough for aiming. "
-                "They are not enough for turning. 32 bits cost 2 bytes more, and a full turn wraps automatically.");
+    report_text(
+        "At 400 px from the source, an error of half a unit in a 16-bit angle amounts to 0.02 px, so 16 bits are "
+        "enough for aiming, but not for turning. 32 bits cost 2 bytes more, and a full turn wraps automatically.");
     lab_conclude("directions", "32-bit binary angles",
                  report_string("%s° off after 10,000 turns; 16 bits are %s° off", report_figure(most[me][2]),
                                report_figure(most[BITS16][2])),

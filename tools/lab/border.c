@@ -262,17 +262,17 @@ void section_border(void)
     report_section("7. The script interface");
     report_text("A script reads and writes a position as pixels and an angle as degrees. Both are Lua numbers, which "
                 "are doubles. The\n"
-                "tables test a round trip of random values over the complete range, including its ends. For the "
-                "engine's own method `make\n"
-                "accuracy` tries all 2³² values of each type (the test that compares this page tries %s of them).",
+                "tables show round trips of random values over the whole range, including its ends. For the engine's "
+                "own method, `make\n"
+                "accuracy` tries all 2³² values of each type (the test that checks this page tries %s of them).",
                 report_count(VALUES));
     measure(POSITIONS, N_POSITIONS, false, time, most, values);
     bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));
     measure(ANGLES, N_ANGLES, true, time, most, values);
     draw(time, most, N_ANGLES);
-    report_text("In the other direction, every multiple of 0.1° returns to a script at most %s° off, which is half of "
-                "2⁻³² of a turn;\n"
-                "multiples of 360°/2ⁿ return unchanged.",
+    report_text("In the other direction, a script that writes a multiple of 0.1° reads back a value at most %s° off "
+                "(half of 2⁻³² of\n"
+                "a turn); multiples of 360°/2ⁿ return unchanged.",
                 report_figure(degrees_back()));
     lab_conclude("positions in scripts", "pixels as a double", "all 2³² values survive a round trip",
                  "text with 14 digits in files", positions);

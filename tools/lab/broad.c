@@ -604,7 +604,8 @@ static void print_sizes(void)
 
 static void print_crowds(void)
 {
-    report_table("Exact tests of m shots against k enemies of h px; each shot hits the nearest enemy it touches",
+    report_table("Number of exact tests for m shots and k enemies that are h px across; each shot hits the nearest "
+                 "enemy it touches",
                  "m> | k> | h> | shots that hit> | rejection in blocks of 64> | grid of 32 px> | every pair>");
     for (int i = 0; i < CROWDS; i++) {
         const struct crowd_result *r = &crowds[i];
@@ -642,12 +643,12 @@ static void print_shots(void)
     print_crowds();
     report_text(
         "The engine sorts the enemies into a grid with about one enemy per cell. Each enemy is in one cell, at its "
-        "position before it moved. A shot searches for the nearest enemy first in four cells, then in rings. In the "
-        "last row, a tenth of all pairs touch, but it still tests few pairs, because the search stops at the nearest "
-        "enemy that is hit. The grid of 32 px puts each enemy into every cell in which it can be hit, so it suits "
-        "small enemies; larger enemies need larger cells. Compared with the engine, a frame takes %s times as long "
-        "with this grid, %s times with rejection, and %s times when it tests every pair. The engine also looks up "
-        "kinds and shapes and raises events; the other methods here do not.",
+        "position before it moved. To find the nearest enemy, a shot looks in four cells first, then in rings around "
+        "them. In the last row, a tenth of all pairs touch, but the engine still tests few of them, because the search "
+        "stops at the nearest enemy that is hit. The grid of 32 px puts each enemy into every cell in which it can be "
+        "hit, so it suits small enemies; larger enemies need larger cells. Compared with the engine, a frame takes %s "
+        "times as long with this grid, %s times with rejection, and %s times when every pair is tested. The engine "
+        "also looks up kinds and shapes and raises events; the other methods here do not.",
         ratios_of(2), ratios_of(1), ratios_of(3));
 }
 
@@ -708,9 +709,9 @@ void section_broad(void)
         measure_crowd(&crowds[i], CROWD[i]);
 
     report_section("6. Finding the pairs");
-    report_text("Bullets of r = 4 px move at up to 3 px/frame all over a field of %d x %d px; the player has a radius "
-                "of 2 px. Everything moves, so a grid or tree is rebuilt in every frame. A scan is O(n); a tree is O(n "
-                "log n) to build and O(log n) to query. All methods find the same pairs.",
+    report_text("Bullets with r = 4 px move at up to 3 px/frame all over a field of %d x %d px; the player has a "
+                "radius of 2 px. Everything moves, so a grid or tree is rebuilt in every frame. A scan is O(n); a tree "
+                "is O(n log n) to build and O(log n) to query. All methods find the same pairs.",
                 FIELD_W, FIELD_H);
     print_ways();
     plot_sizes();
@@ -722,12 +723,12 @@ void section_broad(void)
                 report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)),
                 grid_pays(), PADS);
     print_shots();
-    lab_conclude(
-        "bullets against players", "a scan of all bullets",
-        report_string(
-            "fastest for one player at every n from %s to %s; a grid would pay off only with %s players or more",
-            report_count(SIZE[0]), report_count(SIZE[SIZES - 1]), lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
-        "nothing", lab_exact() || scan_wins());
+    lab_conclude("bullets against players", "a scan of all bullets",
+                 report_string("fastest for one player and any number of bullets from %s to %s; a grid would pay off "
+                               "only with %s players or more",
+                               report_count(SIZE[0]), report_count(SIZE[SIZES - 1]),
+                               lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
+                 "nothing", lab_exact() || scan_wins());
     lab_conclude("shots against enemies", "a grid of the enemies' positions, searched from the shot outwards",
                  report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies; %s µs with %s shots and %s "
                                "enemies when a tenth of all pairs overlap",

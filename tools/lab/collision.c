@@ -183,14 +183,14 @@ static const struct rival {
     const char *who;
 } RIVALS[] = {
     { "circle, swept", "nothing: exact along the whole path", swept_circle, swept_circle_loop, "everything" },
-    { "circle", "the path between two frames", circle, circle_loop,
-      "bullets slower than half a contact (r) per frame" },
+    { "circle", "the path between two frames", circle, circle_loop, "bullets that move less than r/2 per frame" },
     { "circle, 2 substeps", "half of that path", two_parts, two_parts_loop,
       "nothing: slower than swept for distant bullets, and not exact" },
     { "circle, 4 substeps", "three quarters of that path", four_parts, four_parts_loop,
       "nothing: slower than swept for distant bullets, and not exact" },
     { "box around the circle", "false hits in the corners", box_around, box_around_loop, "objects drawn as boxes" },
-    { "box inside the circle", "hits at the rim", box_inside, box_inside_loop, "a lenient game, at the same cost" },
+    { "box inside the circle", "hits at the rim", box_inside, box_inside_loop,
+      "a lenient game; costs as little as the box around the circle" },
     { "box of equal area", "some hits at the rim, and false hits in the corners", box_equal, box_equal_loop,
       "nothing" },
     { "circle, Q15.16 squares", "overflow beyond 181 px", fx_squares, fx_squares_loop, "nothing" },
@@ -418,7 +418,7 @@ static void print_shapes(void)
     for (int i = 0; i < N_SHAPES; i++)
         far[i] = (struct lab_rival){ .run = SHAPES[i].loop, .ops = LAB_VALUES };
     time_both(far, near, N_SHAPES);
-    report_table("Cost per pair of each of the engine's shapes", "shapes | near> | ratio> | far> | ratio>");
+    report_table("Cost per pair for the engine's shapes", "shapes | near> | ratio> | far> | ratio>");
     for (int i = 0; i < N_SHAPES; i++)
         report_row(false, SHAPES[i].name, lab_ns(&near[i]), lab_ratio(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
                    NULL);
@@ -587,15 +587,15 @@ void section_collision(void)
     time_rivals(far, near);
 
     report_section("2. Collision");
-    report_text(
-        "Two circles touch when their centres are at most *r* apart, where r is the sum of both radii. *False area* "
-        "and *missed area* are the areas in which a stationary bullet is judged wrongly, within 384 px to either side "
-        "of the player and 448 px above and below. A circle of r = 160 px has an area of %s px². A *crossing* is a "
-        "bullet's path past the player, at most 1.5 r + 1 px away, in any direction. It is *missed* if no frame "
-        "detects the touch. A frame that detects a touch that never happened is a *false hit*. Misses and false hits "
-        "are given as shares of the true crossings; each radius and speed has %s paths. Times are for pairs within 12 "
-        "px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
-        report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
+    report_text("Two circles touch when their centres are at most *r* apart, where r is the sum of both radii. *False "
+                "area* and *missed area* are the areas in which a stationary bullet is wrongly reported as a hit or a "
+                "miss, within 384 px to either side of the player and 448 px above and below. A circle of r = 160 px "
+                "has an area of %s px². A *crossing* is a bullet's path past the player, at most 1.5 r + 1 px away, in "
+                "any direction. It is *missed* if it touches the player but no frame detects this. A frame that "
+                "detects a touch that never happened is a *false hit*. Misses and false hits are given as shares of "
+                "the crossings that touch the player; each radius and speed has %s paths. Times are for pairs within "
+                "12 px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
+                report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
     print_rivals(far, near);
     print_shapes();
     plot_misses();
@@ -611,23 +611,23 @@ void section_collision(void)
     leaving_report();
     plot_areas();
     print_grid("The box around the circle: missed crossings / false hits", twin);
-    report_text("At every size the corners of a box add %s of the circle's area. Players notice the absolute area: %s "
-                "px² around a bullet of r = 8 px, %s px² around one of r = 160 px. The exact circle needs no root: it "
-                "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
-                report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
-                report_figure(areas[AROUND][radius_index(8)].false_hits),
-                report_figure(areas[AROUND][r160].false_hits));
+    report_text(
+        "At every size the corners of a box add %s of the circle's area. Players notice the absolute area: %s "
+        "px² around a bullet of r = 8 px, %s px² around one of r = 160 px. The exact circle needs no square root: it "
+        "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
+        report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
+        report_figure(areas[AROUND][radius_index(8)].false_hits), report_figure(areas[AROUND][r160].false_hits));
 
     lab_claim(areas[SQUARES][r160].false_hits > 100, "squares in Q15.16 hit what is far away");
     lab_claim(lab_exact() || near[CIRCLE].ns < 1.2 * near[ROOT].ns, "the exact circle costs no more than a root");
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
     lab_conclude("hit test", "circles, swept, exact",
-                 report_string("0 misses and 0 false hits in %s paths past the player; a circle tested at the end of "
-                               "the frame misses %s at r = 4 px, 16 px/frame",
+                 report_string("0 misses and 0 false hits in %s paths past the player; a circle tested only at the end "
+                               "of each frame misses %s at r = 4 px and 16 px/frame",
                                report_count((int64_t)RADII * SPEEDS * TRIALS),
                                report_percent(wrong[CIRCLE][r4][s16].missed)),
                  "`hit = { box = ... }` for objects drawn as boxes; `swept = false` for bullets that move less than "
-                 "half a contact (the sum of both radii) per frame or are meant to pass through",
+                 "half the sum of both radii per frame, or that may pass through",
                  is_standard(SWEPT) && exact(SWEPT) &&
                      (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
 }

@@ -343,8 +343,9 @@ static const struct quantity QUANTITIES[] = {
     { "Reciprocal square root", "rsqrt", "1/√x", "trig_normalise for a direction: two results, each rounded once",
       "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false,
       "a" },
-    { "Length of a vector", "hypot", "a length", "compare squares; larger + ⅜ smaller to sort by distance", VECTORS,
-      "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
+    { "Length of a vector", "hypot", "a length",
+      "compare squares; to sort by distance, add ⅜ of the smaller component to the larger", VECTORS, "unit: 1 ulp",
+      &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
     { "Sine", "sin", "a sine", "a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_sin, 1, false,
       draw_angle, edges_turn, sin_is, false, "d" },
     { "Cosine", "cos", "a cosine", "a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_cos, 1,
@@ -352,10 +353,10 @@ static const struct quantity QUANTITIES[] = {
     { "Direction of a vector", "atan2", "a direction", "a table of 1025 entries where a 16-bit angle is enough",
       VECTORS, ANG, &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false, "ab" },
     { "Speed and direction to velocity", "polar", "a velocity", "fine motion for bullets that live for minutes",
-      "speeds from 1/16 to 64 px, all angles; errors of both components", "unit: 1 ulp", &rivals_polar, 2, false,
+      "speeds from 1/16 to 64 px, all angles; errors in both components", "unit: 1 ulp", &rivals_polar, 2, false,
       draw_polar, edges_polar, polar_is, false, "ad" },
     { "Normalising a vector", "normalise", "a unit vector", "store speed and direction instead of the vector",
-      VECTORS "; errors of both components", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector,
+      VECTORS "; errors in both components", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector,
       unit_is, false, "ab" },
     { "Interpolation between two values", "lerp", "an interpolated value",
       "the 64-bit form rounded half up, where 0 ≤ t ≤ 1", "a and b within ±512 px, 0 ≤ t < 1", "unit: 1 ulp",
@@ -599,10 +600,11 @@ static void note_edges(const struct quantity *q, int n_edges)
 static void print_edges(void)
 {
     report_text("### The edges");
-    report_text("The edge tests use every combination of the values in these sets, which are listed in the order of "
-                "the function's\n"
-                "arguments. Plain numbers are Q15.16 bits (65536 is 1), numbers with 0x are the bits of angles, and "
-                "degrees are doubles.");
+    report_text("Each edge test uses every combination of values from its sets, which are listed in the order of the "
+                "function's\n"
+                "arguments. Plain numbers are raw Q15.16 values (65536 is 1), numbers starting with 0x are raw angles, "
+                "and degrees are\n"
+                "doubles.");
     report_table(NULL, "function|sets|inputs>|combinations");
     for (int i = 0; i < n_edge_rows; i++) {
         const char *cell[4];
@@ -667,25 +669,26 @@ void section_functions(void)
         "results are computed with 106 bits. Each function gets %s random arguments of realistic size, then *edges*.\n"
         "Depending on the function, these are all pairs of the largest value, the smallest and values around 0, ½ and "
         "1; the\n"
-        "angles around each eighth of a turn; the values on both sides of each boundary between roots; or the "
-        "multiples of 22.5\n"
+        "angles around each eighth of a turn; pairs of values between which the rounded root changes; or the multiples "
+        "of 22.5\n"
         "degrees and their neighbours.\n"
         "\n"
         "*Misrounded* is the share of results that are not the nearest representable value (correct rounding still has "
         "errors of\n"
-        "up to 0.5 ulp). *Wrong at edges* counts the edges whose result is not the nearest value, clamped to the range "
-        "([the\n"
-        "edges](#the-edges) are listed below). All numbers for the C library are marked ≈, because libraries differ "
-        "between\n"
-        "systems. Where libm has no such function, the rows float32 and double take its place. The plots omit the "
-        "106-bit\n"
+        "up to 0.5 ulp). *Wrong at edges* counts the edges at which the result is not the true one, rounded and "
+        "clamped to the\n"
+        "range ([the edges](#the-edges) are listed below). All numbers for the C library are marked ≈, because "
+        "libraries differ\n"
+        "between systems. Where libm has no such function, the rows float32 and double take its place. The plots omit "
+        "the 106-bit\n"
         "reference; their line joins the methods that no other method beats in both time and error.\n"
         "\n"
-        "For quotients and square roots, no exact method is even a fifth cheaper on this processor. The cheap "
-        "alternatives are\n"
-        "storing an inverse and comparing squares. Division by 0, roots of negative numbers and the direction of (0, "
-        "0) are not\n"
-        "tested here: src/base/fx.h and trig.h define their results. The libfixmath rows use Debian's build.",
+        "For quotients and square roots, no exact method saves as much as a fifth of the time on this processor. The "
+        "cheap\n"
+        "alternatives are to store an inverse and to compare squares. Division by 0, roots of negative numbers and the "
+        "direction\n"
+        "of (0, 0) are not tested here: src/base/fx.h and trig.h define their results. The libfixmath rows use "
+        "Debian's build.",
         report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);

@@ -111,9 +111,10 @@ void leaving_report(void)
 {
     struct tally sum = { 0 };
 
-    report_table("Bullets that fly at a player 8 px above the field's lower edge and leave the field",
-                 "margin> | speed> | touches> | in the frame they leave> | engine reports a different frame or none> | "
-                 "not in slot order>");
+    report_table(
+        "Bullets that fly at a player 8 px above the field's lower edge and leave the field",
+        "margin> | speed> | touches> | in the frame the bullet leaves> | engine reports a different frame or none> | "
+        "out of slot order>");
     for (int m = 0; m < MARGINS; m++)
         for (int s = 0; s < SPEEDS; s++) {
             struct tally *t = &tallies[m][s];
@@ -129,9 +130,9 @@ void leaving_report(void)
                        report_count(t->wrong_frame), report_count(t->out_of_order), NULL);
         }
     report_table_end();
-    report_text("Each frame moves everything, then finds touches, then despawns the bullets that left the field. There "
-                "were %s touches; %s of them happen in the frame in which the bullet leaves. An engine that despawns "
-                "bullets before testing them misses these touches. The reference model steps each bullet separately, "
+    report_text("Each frame moves everything, then finds touches, then despawns the bullets that left the field. Of %s "
+                "touches, %s happen in the frame in which the bullet leaves. An engine that despawned bullets before "
+                "testing them would miss these touches. The reference model steps each bullet separately, "
                 "frame by frame, with 128-bit products.",
                 report_count(sum.touches), report_percent((double)sum.last / sum.touches));
     lab_claim(sum.wrong_frame + sum.out_of_order == 0, "what leaves the field touches what is on its way");

@@ -22,7 +22,7 @@ static const struct choice CHOICES[] = {
     { "`hit = { circle = 4 }`", "nothing: exact along the whole path", "everything", SHAPE_CIRCLE,
       KIND_GRAZE | KIND_SWEPT },
     { "`swept = false`", "crossings between two frames (section 2)",
-      "clouds slower than half a contact (the sum of both radii) per frame, if the cost matters", SHAPE_CIRCLE,
+      "clouds that move less than half the sum of both radii per frame, if the cost matters", SHAPE_CIRCLE,
       KIND_GRAZE },
     { "`graze = false`", "grazing", "bullets that must not be grazed", SHAPE_CIRCLE, KIND_SWEPT },
     { "`hit = { box = { 8, 8 } }`", "nothing if the sprite is a box", "long and square objects", SHAPE_BOX,
@@ -91,7 +91,7 @@ static void print_choices(void)
                  "choice | loss | time per bullet close to a player> | ratio> | use it for");
     for (int i = 0; i < N_CHOICES; i++) {
         const char *loses = i != SQUARE ? CHOICES[i].loses
-                                        : report_string("%s; for a round bullet, %s of its hits are false",
+                                        : report_string("%s; for a round bullet, %s of the hits are false",
                                                         CHOICES[i].loses, report_percent(corners));
         report_row(is_standard(&CHOICES[i]), CHOICES[i].name, loses, lab_ns(&rivals[i]), lab_ratio(&rivals[i]),
                    CHOICES[i].who, NULL);
@@ -120,20 +120,20 @@ struct flight {
     }
 
 static const struct flight FLIGHTS[] = {
-    { "straight", "position and velocity to 16 fraction bits", "nearly all bullets", { { 0 } }, 0, false, false },
+    { "straight", "position and velocity to 16 fractional bits", "nearly all bullets", { { 0 } }, 0, false, false },
     { "a program: `turn`, `speed`", "the same", "curves",
       LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
       false },
     { "`fine = true`, straight",
-      "position, velocity and direction of travel to 32 fraction bits",
+      "position, velocity and direction of travel to 32 fractional bits",
       "bullets that creep or live for minutes",
       { { 0 } },
       0,
       true,
       true },
-    { "`fine = true`, `turn`, `speed`", "the same; a change of speed ends on the closed form", "the same",
-      LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
-      true },
+    { "`fine = true`, `turn`, `speed`", "the same; a speed change ends exactly where the closed form puts the bullet",
+      "the same", LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3,
+      true, true },
 };
 enum { N_FLIGHTS = sizeof FLIGHTS / sizeof *FLIGHTS };
 
@@ -202,7 +202,7 @@ static void print_flights(void)
     }
     report_table_end();
     lab_conclude("fine motion", "on request",
-                 report_string("%s px of drift in 36,000 frames instead of %s, at a cost", report_figure(fine),
+                 report_string("%s px of drift in 36,000 frames instead of %s, but slower", report_figure(fine),
                                report_figure(plain)),
                  "`fine = true` for bullets that creep for minutes",
                  fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));

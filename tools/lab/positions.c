@@ -252,7 +252,7 @@ static const struct format {
     double (*lane)(int i, int axis);
     const char *who;
 } FORMATS[] = {
-    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 fraction bits, for more range", start_q8, frame32, lane_q8,
+    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 fractional bits, for more range", start_q8, frame32, lane_q8,
       "nothing: slow bullets drift off course or stand still" },
     { "Q15.16", 16, HEADINGS, 65536, "±32,768 px", "nothing", engine_start, engine_frame, engine_lane,
       "every scene: bullets live for seconds, not hours" },
@@ -446,8 +446,8 @@ static const char *drift_cell(const struct drift *d, int speed)
 static void print_speeds(void)
 {
     report_text("The next table shows the largest drift by speed, in px, after 600 / 36,000 / 1,000,000 frames. Fixed "
-                "point drifts the same at every speed, by less than one unit in the last place per frame. The drift of "
-                "float32 grows with the distance covered.");
+                "point drifts by about the same distance at every speed: less than one unit in the last place per "
+                "frame. The drift of float32 grows with the distance covered.");
     report_table(NULL, "format | 0.002 px/frame> | 0.1 px/frame> | 3 px/frame> | 20 px/frame> | 64 px/frame>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(&FORMATS[i]), FORMATS[i].name, drift_cell(&drifts[i], 0), drift_cell(&drifts[i], 2),
@@ -514,14 +514,14 @@ void section_positions(void)
     engine_free(fine);
 
     report_section("3. Position format");
-    report_text(
-        "A bullet adds its velocity to its position in every frame, so the rounding error of the velocity accumulates. "
-        "*Drift* is the distance between a bullet and the position that exact arithmetic gives: the worst of %d "
-        "headings and %d speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world wraps at its edges so "
-        "that fast bullets can be followed for a million frames (4 hours 38 minutes). Speeds are first rounded to 2⁻¹⁶ "
-        "px/frame (for `fine`, a script's speeds are rounded to 2⁻³²). This error is not counted here: 0.002 is 131.07 "
-        "of these units, so section 8, which includes it, finds slightly more drift.",
-        HEADINGS, SPEEDS);
+    report_text("A bullet adds its velocity to its position in every frame, so the rounding error of the velocity "
+                "accumulates. *Drift* is the distance between a bullet and the position that exact arithmetic gives: "
+                "the worst of %d headings and %d speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world "
+                "wraps at its edges so that fast bullets can be followed for a million frames (4 hours 38 minutes). "
+                "Speeds are first rounded to 2⁻¹⁶ px/frame (for `fine`, a script's speeds are rounded to 2⁻³²). The "
+                "error from this rounding is not counted here. Section 8 does count it and finds slightly more drift, "
+                "because 0.002 px/frame is 131.07 of these units, not a whole number.",
+                HEADINGS, SPEEDS);
     report_text("*Differ when moved*: a pattern of %d bullets flies for %d frames, then flies again shifted by whole "
                 "pixels (%d shifts). The column counts the bullets that do not end exactly at the shifted position. "
                 "*Time per bullet* is for one frame with %s bullets; the engine's row runs the whole chip.",
@@ -530,8 +530,8 @@ void section_positions(void)
     plot_drift();
     print_speeds();
     const struct drift *d = &drifts[me];
-    report_text("A bullet that crosses the field lives for 10 to 30 seconds. In 1,800 frames Q15.16 drifts %s px; a 16 "
-                "times smaller range (Q11.20) or twice the memory (Q31.32) would bring no visible gain. The column "
+    report_text("A bullet that crosses the field lives for 10 to 30 seconds. In 1,800 frames Q15.16 drifts %s px; a "
+                "range 16 times smaller (Q11.20) or twice the memory (Q31.32) would bring no visible gain. The column "
                 "*differ when moved* matters more: in fixed point a pattern is the same wherever it is fired.",
                 report_figure(3 * d->worst[AT_600]));
     lab_claim(me >= 0, "a row of the table is the engine's format");

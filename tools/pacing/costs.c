@@ -65,7 +65,7 @@ static void windows(void)
     static const int pictures[][2] = { { 240, 320 }, { 320, 240 }, { 384, 448 } };
     static const int sizes[][2] = { { 1280, 720 }, { 1920, 1080 }, { 2560, 1440 } };
 
-    report_table("Milliseconds to compose a window, without the port's time to show it",
+    report_table("Milliseconds to compose a window, excluding the time the port takes to show it",
                  "picture|window|rotated>|smooth>|CRT>|smooth, CRT>|all, rotated>");
     for (int p = 0; p < 3; p++)
         for (int s = 0; s < 3; s++) {
@@ -137,7 +137,7 @@ static void looking(const char *folder, const char *recording)
 void section_costs(void)
 {
     report_section("Cost");
-    report_text("Measured on: %s. A frame has 16.7 ms.\n"
+    report_text("Measured on: %s. A frame lasts 16.7 ms.\n"
                 "The host composes the window when it shows more than an integer-scaled picture: smooth scaling, the "
                 "CRT filter, a\n"
                 "border, or side panels.",

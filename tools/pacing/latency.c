@@ -215,17 +215,17 @@ void section_latency(void)
         report_fail("no folder for a game to measure with");
     setenv("XDG_DATA_HOME", folder, 1);
     report_section("Input latency");
-    report_text("The complete host runs on a port with a simulated clock and screen. For %d presses at random times, "
-                "the delay is\n"
-                "measured from the press to the start of the refresh that shows it. A frame takes 3 ms from polling "
-                "the inputs to\n"
-                "presenting the picture, and the host wakes up to 1 ms late whenever it waits. The host polls the "
-                "inputs just before the\n"
-                "tick, so a press waits half a frame on average. A game shows a press in *the same* tick, like a "
-                "moving ship, or in *the\n"
-                "next*, like a task that acts on the previous frame's input. `run_ahead = 1` removes that frame. A "
-                "frame is 1/60 s.",
-                PRESSES);
+    report_text(
+        "The whole host runs on a port with a simulated clock and screen. For %d presses at random times, the delay is "
+        "measured\n"
+        "from the press to the start of the refresh that shows it. A frame takes 3 ms from polling the inputs to "
+        "presenting the\n"
+        "picture, and the host wakes up to 1 ms late whenever it waits. The host polls the inputs just before the "
+        "tick, so a\n"
+        "press waits half a frame on average. A game shows a press in *the same* tick, like a moving ship, or in *the "
+        "next*, like\n"
+        "a task that acts on the previous frame's input. `run_ahead = 1` removes that extra frame. A frame is 1/60 s.",
+        PRESSES);
     report_table(NULL, "screen|vsync|shown in tick|run_ahead|min>|mean>|max>|mean, frames>");
     for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)
         for (int n = 0; n < 8; n++)

@@ -32,7 +32,7 @@ void section_screens(void)
 {
     report_section("Screens");
     report_text(
-        "Ten minutes, in which 36,000 ticks are due, are simulated for each screen. A frame takes 2 to 5 ms, and the "
+        "For each screen, ten minutes are simulated, in which 36,000 ticks are due. A frame takes 2 to 5 ms, and the "
         "host wakes\n"
         "up to 1 ms late whenever it waits. Each refresh shows no new tick, one, or two. *Required* is the number of "
         "refreshes\n"
@@ -44,7 +44,7 @@ void section_screens(void)
         for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)
             row(rates[i], waits, 0);
     report_table_end();
-    report_text("With one frame in 600 taking 25 ms:");
+    report_text("In the next table, one frame in 600 takes 25 ms:");
     report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");
     row(60, true, 600);
     row(144, true, 600);

@@ -73,11 +73,11 @@ static void operators(void)
     const double four = four_ops(pitch_step(60 * PITCH_ONE));
     report_row(1, "4, each modulates the next", "2, 1, 2", "60", ear_db(four), "75.2", NULL);
     report_table_end();
-    report_text("At a depth of one radian, the SNR is %s dB below the prototype's; at greater depths it is above it.",
+    report_text("At a depth of one radian, the SNR is %s dB below the prototype's; at greater depths it exceeds the "
+                "prototype's.",
                 ear_db(CASES[0].mark - first));
-    ear_figure("FM of 2 operators, SNR", report_string("%s dB at least", ear_db(least)), "70.0 dB at least",
-               least >= 70);
-    ear_figure("FM of 4 operators, SNR", report_string("%s dB", ear_db(four)), "75.2 dB", four >= 75.2);
+    ear_figure("2-operator FM, SNR", report_string("%s dB at least", ear_db(least)), "70.0 dB at least", least >= 70);
+    ear_figure("4-operator FM, SNR", report_string("%s dB", ear_db(four)), "75.2 dB", four >= 75.2);
 }
 
 /* ---- feedback ---- */
@@ -131,7 +131,7 @@ static void feedback(void)
 
     report_text("Feedback, `y = sin(p + b y)`, is read from a table with a row for each b, indexed by the phase. Chips "
                 "take y from the\n"
-                "last two samples, which at higher notes acts like a smaller b, so the engine picks the row by pitch. "
+                "last two samples, which acts like a smaller b on higher notes, so the engine picks the row by pitch. "
                 "The table shows the\n"
                 "largest deviation of the first eight harmonics from the chips', in dB, for harmonics above -40 dB:");
     report_table(NULL, "b, radians|note 36>|48>|60>|72>|84>|96>");
@@ -146,11 +146,11 @@ static void feedback(void)
         report_cells(1, cells, 7);
     }
     report_table_end();
-    report_text("Up to note 84, the table has a row that is close to every b of the chips. Above note 84 it doesn't: "
-                "at note 96 with b of\n"
-                "1 or more, harmonics are up to %.2f dB off, so a high note with strong feedback does not sound like "
-                "the chips.",
-                above);
+    report_text(
+        "Up to note 84, the table has a close row for every b of the chips. Above note 84 it doesn't: at note 96 with "
+        "b of 1 or\n"
+        "more, harmonics are up to %.2f dB off, so a high note with strong feedback does not sound like the chips.",
+        above);
     ear_figure("feedback compared with chips, up to note 84, b up to 1.5", report_string("%.2f dB off", most),
                "1 dB off", most <= 1);
 }

@@ -34,7 +34,7 @@ static void limiter(void)
     } CASES[] = { { -9, -114.6 }, { -6, -115.6 }, { -3, -36.4 }, { 0, -25.3 }, { 3, -18.7 }, { 6, -14.1 } };
     double at[6];
 
-    report_table(NULL, "peak, dB of full scale|THD, dB>|output, of full scale>|prototype, dB>");
+    report_table(NULL, "peak, dB of full scale|THD, dB>|output, fraction of full scale>|prototype, dB>");
     for (int k = 0; k < 6; k++) {
         double peak;
         at[k] = distortion(CASES[k].db, &peak);
@@ -105,9 +105,9 @@ void section_mix(void)
     report_section("The mix");
     report_text("There are sixteen voices for music and eight for sounds. A volume of 127 is a third of full scale. "
                 "The mix is exact up\n"
-                "to half of full scale. Above it a memoryless curve reaches full scale at an input of twice full "
-                "scale, so loud passages\n"
-                "saturate softly and never clip. The table is for a sine of 1 kHz:");
+                "to half of full scale. Above that, a memoryless curve reaches full scale at an input of twice full "
+                "scale, so loud\n"
+                "passages saturate softly and never clip. The table is for a sine of 1 kHz:");
     limiter();
     plot_limiter();
     noise();

@@ -97,13 +97,13 @@ void section_waves(void)
     struct foul f[COUNT], naive = measure(NULL);
 
     report_section("Waves");
-    report_text("A wave is read from a band-limited table with harmonics up to 28 kHz. There are %d versions, half an "
-                "octave apart, with\n"
-                "4,096 values each, which are interpolated linearly. A pulse is the difference of two saws. When a "
-                "note needs a different\n"
-                "version, it crossfades to that one within a frame. A piece's custom waves have up to 10 versions. The "
-                "table covers all\n"
-                "notes from %d to %d:",
+    report_text("A wave is read from a band-limited table with harmonics up to 28 kHz. There are %d versions of the "
+                "table, half an octave\n"
+                "apart; each has 4,096 values, which are interpolated linearly. A pulse is the difference of two saws. "
+                "When a note needs\n"
+                "a different version, it crossfades to that one within a frame. A piece's custom waves have up to 10 "
+                "versions. The table\n"
+                "covers all notes from %d to %d:",
                 (int)WAVE_MIPS, LOW, HIGH);
     report_table(NULL, "wave|worst alias, dB>|at note>|below 10 kHz, dB>|prototype, dB>");
     for (int k = 0; k < COUNT; k++) {
