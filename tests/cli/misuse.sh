@@ -33,7 +33,7 @@ cp a.demo kept.demo
 
 ln -s g.rom also.rom
 game='is the game being read; choose another file'
-source='is one of the game's files; choose another one'
+source="is one of the game's files; choose another one"
 bad 'an atlas in place of the ROM' "--atlas: g.rom $game" art g.rom --atlas g.rom
 bad 'by a link' "--atlas: also.rom $game" art g.rom --atlas also.rom
 bad 'a film' "-o: ./g.rom $game" capture g.rom --frames 1:3 --format gif -o ./g.rom
@@ -73,7 +73,7 @@ echo mine >run.png
 cp g/art/bullets.png bullets.kept
 bad 'survive: its picture beside the demo' 'run.png: already exists; remove it, or choose another file with -o' \
     survive g -o run.demo
-bad 'survive: a picture of the game' '-o: g/art/bullets.png is one of the game's files; choose another one' \
+bad 'survive: a picture of the game' "-o: g/art/bullets.png is one of the game's files; choose another one" \
     survive g -o g/art/bullets.demo
 bad 'survive: its picture and its map in one file' '-o: ./map.png is also written by --map; choose another file' \
     survive g --map map.png -o ./map.demo
@@ -81,7 +81,7 @@ cp -r g h
 mv h/art/bullets.png h/art/000001.png
 sed -i 's|art/bullets.png|art/000001.png|' h/rom.lua
 bad 'render: a frame in place of a picture of the game' \
-    '-o: h/art/000001.png is one of the game's files; choose another folder' \
+    "-o: h/art/000001.png is one of the game's files; choose another folder" \
     render h --frames 1 -o h/art
 check 'it is as it was' cmp bullets.kept h/art/000001.png
 rm -r h
