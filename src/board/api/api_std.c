@@ -301,7 +301,7 @@ static const struct api_param mission_def[] = {
     PARAM("limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "frames to finish in; no limit if omitted"),
     PARAM("bombs", A_INT, OPT, 0, 99, NULL, NULL, "number of bombs allowed; no limit if omitted"),
     PARAM("by", A_STR, OPT, 1, 31, NULL, "time",
-          "what the stars measure: time, where less is better, or a count in `goal`, where more is better"),
+          "what the stars measure: time (less is better) or a count in `goal` (more is better)"),
     PARAM("medals", A_TABLE, OPT, 0, 0, NULL, NULL, "values of `by` that earn two and three stars, { a, b }"),
     NEEDS("unlock that opens the mission")
 };
@@ -528,7 +528,7 @@ static const struct api_entry entries[] = {
     LUA("talk.def", talk_def, 1, API_LOAD, NULL, "declares a speaker for `say`, with a name, a portrait and a voice"),
     LUA("talk.def face", talk_face, 1, API_SYS, NULL, "each face, by name"),
     LUA("talk.run", talk_run, 1, 0, NULL,
-        "runs f(), whose calls of `say` and `choose` share one box; meanwhile the stage's clock stops and players "
+        "runs f(), whose calls to `say` and `choose` share one box; meanwhile the stage's clock stops and players "
         "can't fire"),
     LUA("say", say, 2, API_GLOBAL, NULL,
         "shows a line of dialogue and waits for the fire button; a press before the line is complete shows the rest of "

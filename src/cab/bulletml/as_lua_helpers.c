@@ -101,7 +101,7 @@ static const struct {
                     "  s.speed = s.speed and s.speed + v or 1\n"
                     "  return s.speed\n"
                     "end\n" },
-    { "turn_to", "-- Turns in the shorter direction.\n"
+    { "turn_to", "-- Turns the shorter way round.\n"
                  "local function turn_to(s, dir, over)\n"
                  "  change(s.o, \"dir\", s.o.dir + angle.difference(s.o.dir, dir), over)\n"
                  "end\n" },

@@ -259,8 +259,8 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
         return err_set(err, err_size, "more than %d slices named \"hit\"", SHAPE_PARTS);
     if (shape != SHAPE_CIRCLES && (dx < -1 || dx > 1 || dy < -1 || dy > 1))
         return err_set(err, err_size,
-                       "slice \"%s\": its centre is %g,%g px from the origin; a %s must be centred on the origin (use "
-                       "circles, slices named \"hit\", for other places)",
+                       "slice \"%s\": its centre is %g,%g px from the origin; a %s must be centred on the origin (for "
+                       "a hitbox elsewhere, use circles: slices named \"hit\")",
                        k->name, (double)dx / 2, (double)dy / 2, shape == SHAPE_BOX ? "box" : "capsule");
     h->shape = shape;
     h->rows = i + 1;

@@ -367,7 +367,7 @@ enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
 static const struct api_param take[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
                                          PARAM("n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL,
-                                               "maximum age of the press; 0 takes only a press in this frame"),
+                                               "maximum age of the press; 0 accepts only a press in this frame"),
                                          PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player whose buttons to read") };
 
 static int read_pad(lua_State *L, const struct board *b, const uint16_t *pads, const struct api_value *v)
