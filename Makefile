@@ -53,7 +53,10 @@ EXAMPLES  := $(sort $(wildcard share/help/*.md))
 TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter bulletml) -type f ! -name '.*' ! -path '*/failed/*'))
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
-CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(OUT)/platform/stdio.o \
+# The host's half of the platform: platform/host.h.
+HOST      := $(if $(findstring wasm,$(CC)),posix no_process,posix posix_process)
+HOST_OBJ  := $(patsubst %,$(OUT)/platform/%.o,stdio $(HOST))
+CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(HOST_OBJ) \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
 LIB_NAMES := $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
 OBJCOPY   ?= objcopy

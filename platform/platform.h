@@ -2,9 +2,10 @@
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
  * functions. floor: platform
  *
- * To port: copy template.c, write its six functions. The other twenty-five have defaults in stdio.c, which is linked
- * with every port as weak symbols (gcc and clang, ELF, Mach-O and PE): to define one of them is enough to override it.
- * For a compiler without weak symbols, build stdio.c with one -DPLAT_OWN_... for each override, as -DPLAT_OWN_SOUND.
+ * To port: copy template.c, write its six functions. The others have defaults in stdio.c and in the host's two files
+ * (posix.c, win.c, iso.c: see host.h). These are weak symbols (gcc and clang, ELF and Mach-O): to define one of them is
+ * enough to override it. Where there are none, as on Windows, build these files with one -DPLAT_OWN_... for each
+ * override, as -DPLAT_OWN_SOUND.
  *
  * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
  * and nothing else of ours. Everything is called from one thread.
@@ -18,6 +19,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 enum {
     PLAT_KEYS = 256, /* keyboard switches: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
@@ -184,10 +186,15 @@ bool plat_key_label(unsigned usage, char *text, size_t size);
  * With 0 frames it only says so. */
 int plat_sound(const int16_t *lr, int frames);
 
-/* Files. A name is a path as the user typed it, with / between folders; `user:NAME` is NAME in the user's own folder
- * for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain); `pictures:NAME` is NAME in the folder
- * Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the environment or user-dirs.dirs says, or
- * ~/Pictures; without a home, the current folder). Saving makes the folders a name asks for. */
+/* Files. A name is a path as the user typed it, with / between folders, in UTF-8; `user:NAME` is NAME in the user's own
+ * folder for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain; Windows: %APPDATA%\curtain);
+ * `pictures:NAME` is NAME in the folder Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the
+ * environment or user-dirs.dirs says, or ~/Pictures; without a home, the current folder). Saving makes the folders a
+ * name asks for. */
+
+/* Replaces the host's other path separator by /: \ on Windows, nothing elsewhere. Call it for every path that comes
+ * from the user or the host. */
+void plat_slashes(char *path);
 
 /* From now on the program is called so, 1 to 63 of a-z 0-9 _: user: is the folder curtain-NAME instead of curtain,
  * pictures: the folder NAME instead of Curtain, and a line of the log that would begin with "curtain: " begins with
@@ -216,6 +223,10 @@ long plat_size(const char *name);
 /* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
 long plat_load(const char *name, void *buf, size_t cap);
 
+/* Opens a file for reading, or for writing, which empties it: for pipes, and for files that need not be replaced
+ * atomically. NULL: errno may say why. */
+FILE *plat_stream(const char *name, bool write);
+
 /* Do two names lead to one file on a disk? Of two that are not there yet: would they, links followed, and the case of
  * letters left aside? A port that cannot tell compares the names. */
 bool plat_same(const char *a, const char *b);
@@ -240,11 +251,12 @@ struct plat_file {
 /* Calls each for every entry of a folder, in any order, but . and .. ; returns how many, -1: cannot be read. */
 int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
 
-/* From now on, when the program is about to die of a fault of its own (desktop: SIGSEGV, SIGBUS, SIGFPE, SIGILL,
- * SIGABRT), fn is called with context and what it was, as "SIGSEGV", and may write a file by handing out its bytes:
- * STEM-N.txt, with the first N from 1 on that is free. Then a line says where that is, and the program dies as it
- * would have. fn runs in a signal handler: it may read memory and call `out`, and nothing else. stem is a name as that
- * of a file; fn NULL: no more. The last call holds. False: the host has nothing like it. */
+/* From now on, when the program is about to die of a fault of its own (POSIX: SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT;
+ * Windows: an exception that nothing handles, and abort), fn is called with context and what it was, as "SIGSEGV" or
+ * "access violation", and may write a file by handing out its bytes: STEM-N.txt, with the first N from 1 on that is
+ * free. Then a line says where that is, and the program dies as it would have. fn runs in a signal handler: it may read
+ * memory and call `out`, and nothing else. stem is a name as that of a file; fn NULL: no more. The last call holds.
+ * False: the host has nothing like it. */
 bool plat_crash(const char *stem, void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
                 void *context);
 
@@ -255,5 +267,59 @@ void plat_system(char *text, size_t size);
 
 /* One line, without its end, for whoever reads logs (desktop: stderr). */
 void plat_log(const char *line);
+
+/* ---- the host: its two files define these; without support they report failure ---- */
+
+/* For ports: with true, closing the terminal or ending the session no longer ends the program immediately;
+ * plat_hung_up reports it, and the port must set plat_input.quit. */
+void plat_heed_hangup(bool on);
+bool plat_hung_up(void);
+
+/* True if standard error is a terminal on which a line can be overwritten. */
+bool plat_terminal(void);
+
+/* Writes `last` to standard error before the program ends by Ctrl+C or SIGTERM. NULL: nothing. */
+void plat_last_word(const char *last);
+
+/* True if a program of that name can be run. name: letters and digits. */
+bool plat_has_command(const char *name);
+
+/* Starts the program words[0] with these words, which end with NULL, and returns its standard input. One at a time.
+ * From then on, writing to a pipe that nobody reads is an error, not a signal. NULL: it failed; errno may say why. */
+FILE *plat_command_open(const char *const words[]);
+
+/* True: everything was written and the program ended with exit code 0. */
+bool plat_command_close(FILE *f);
+
+/* A private temporary file, deleted by fclose. NULL: the host has none. */
+FILE *plat_scratch(void);
+
+/* Shared libraries. Opens a library for the rest of the process: "expat" of version 1 is libexpat.so.1 or
+ * libexpat-1.dll. NULL: there is none. */
+void *plat_library(const char *name, int version);
+
+/* Writes where to get it, such as "Debian package: libexpat1". False: the host loads no libraries. */
+bool plat_library_hint(const char *name, int version, char *text, size_t size);
+
+/* Finds a function; `function` points to a function pointer. False: the library lacks it. */
+bool plat_symbol(void *library, const char *name, void *function);
+
+enum { PLAT_JOBS = 64 };
+
+/* The number of processors, 1 to PLAT_JOBS. */
+int plat_cores(void);
+
+/* Work in pieces, from 0 to n - 1, up to `jobs` of them at a time: each in a process of its own where the host can copy
+ * one, so that what it does to memory, and how it ends, is nobody else's; elsewhere one after another. */
+struct plat_work {
+    void *context;
+    void (*work)(void *context, int i, FILE *out);
+    void (*done)(void *context, int i, const char *text, size_t n,
+                 int signal);     /* what it wrote; 0: it has ended well */
+    void (*waits)(void *context); /* called a few times a second */
+};
+
+/* Returns when all is done. done is called in any order. False: no process, or no memory; some pieces are not done. */
+bool plat_each(int n, int jobs, const struct plat_work *w);
 
 #endif

@@ -8,7 +8,6 @@
  * start on. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
  */
 #include <SDL.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include "platform.h"
@@ -52,45 +51,6 @@ static bool failed(const char *what)
     plat_log(line);
     return false;
 }
-
-#ifdef SIGHUP
-/* SDL makes SDL_QUIT of SIGINT and SIGTERM; a terminal that is closed is a reason to save and go as well. */
-static volatile sig_atomic_t hung_up;
-
-static void hang_up(int sig)
-{
-    (void)sig;
-    hung_up = 1;
-}
-
-static void (*hangup_before)(int) = SIG_ERR; /* SIG_ERR: the signal is not ours */
-
-/* Under nohup the signal is ignored, and stays so. */
-static void heed_hangup(void)
-{
-    if (hangup_before != SIG_ERR)
-        return;
-    hangup_before = signal(SIGHUP, hang_up);
-    if (hangup_before == SIG_IGN)
-        signal(SIGHUP, SIG_IGN);
-}
-
-static void forget_hangup(void)
-{
-    if (hangup_before != SIG_ERR)
-        signal(SIGHUP, hangup_before);
-    hangup_before = SIG_ERR;
-}
-#else
-enum { hung_up = 0 };
-static void heed_hangup(void)
-{
-}
-
-static void forget_hangup(void)
-{
-}
-#endif
 
 /* ---- window ---- */
 
@@ -307,10 +267,10 @@ bool plat_open(const struct plat_want *want)
         plat_close();
         return false;
     }
-    if (!open)
-        heed_hangup();
-    if (!open)
+    if (!open) {
+        plat_heed_hangup(true); /* SDL turns only SIGINT and SIGTERM into SDL_QUIT */
         start_controllers();
+    }
     change_speaker(want->rate);
     if (want->text)
         SDL_StartTextInput();
@@ -323,7 +283,7 @@ bool plat_open(const struct plat_want *want)
 
 void plat_close(void)
 {
-    forget_hangup();
+    plat_heed_hangup(false);
     close_speaker();
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (in.controller[i])
@@ -530,6 +490,8 @@ static void drop(char *path)
 bool plat_dropped(char *path, size_t size)
 {
     const bool was = in.dropped && snprintf(path, size, "%s", in.dropped) < (int)size;
+    if (was)
+        plat_slashes(path);
     drop(NULL);
     return was;
 }
@@ -629,7 +591,7 @@ void plat_poll(struct plat_input *to)
         to->controllers[i] = in.pad_down[i] | in.pad_seen[i];
     to->mouse = in.mouse_down | in.mouse_seen;
     to->wheel = in.wheel;
-    to->quit = in.quit || hung_up;
+    to->quit = in.quit || plat_hung_up();
     const Uint32 flags = port.window ? SDL_GetWindowFlags(port.window) : 0;
     to->focus = flags & SDL_WINDOW_INPUT_FOCUS;
     to->hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);

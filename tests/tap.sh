@@ -78,7 +78,8 @@ engine_build() {
         $(printf "$OUT/%s " tools/{$tool,report}/*.c | sed "s/\.c /.o /g") \
         $(find src -name '*.c' ! -path 'src/lib/*' ! -name "$objects.c" ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
         "$OUT"/fb/*.o "$OUT"/gen/std.o \
-        "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) "$@" -lm -pthread
+        "$OUT"/gen/no_rom.o "$OUT"/platform/{null,stdio,posix,posix_process}.o \
+        $(pkg-config --libs lua5.4) "$@" -lm -pthread
 }
 
 # build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and
@@ -86,8 +87,8 @@ engine_build() {
 build_player() {
     # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
-        $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT/gen/std.o" "$OUT/gen/no_rom.o" "$OUT/platform/stdio.o" \
-        $(pkg-config --libs lua5.4) -lm -pthread || exit 2
+        $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT"/gen/{std,no_rom}.o \
+        "$OUT"/platform/{stdio,posix,posix_process}.o $(pkg-config --libs lua5.4) -lm -pthread || exit 2
 }
 keys() { # N [WORD...]: lines for it: so many polls with these held
     local n=$1

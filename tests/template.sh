@@ -9,7 +9,7 @@ template() {
         "$compiler" "$OUT"/src/base/*.o "$OUT"/fb/*.o "$OUT"/src/snd/*.o "$OUT"/src/chips/*.o "$OUT"/src/chips/*/*.o \
             "$OUT"/src/board/*.o "$OUT"/src/board/*/*.o "$OUT"/src/board/*/*/*.o \
             "$OUT"/src/cab/*.o "$OUT"/src/cab/*/*.o \
-            "$OUT/platform/stdio.o" "$OUT/gen/std.o" "$OUT/gen/rom.o" "$scratch/template.o" \
+            "$OUT"/platform/{stdio,posix,posix_process}.o "$OUT/gen/std.o" "$OUT/gen/rom.o" "$scratch/template.o" \
             $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/mine" &&
         "$scratch/mine" play roms/testcard
 }

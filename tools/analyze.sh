@@ -32,7 +32,7 @@ run_gcc() {
     export flags
     export -f analyzed
     # what gcc says: FILE:LINE:COLUMN: warning: TEXT [CWE-...] [-Wanalyzer-ID]
-    sources 'src/*.c' 'fb/*.c' platform/stdio.c platform/null.c platform/sdl2.c |
+    sources 'src/*.c' 'fb/*.c' platform/{stdio,posix,posix_process,null,sdl2}.c |
         xargs -P 2 -I % bash -c 'said=$0/$(echo % | tr / -); analyzed % "$said.o" >"$said.said"' $out
     cat $out/*.said |
         sed -nE 's/^([^ :]+):([0-9]+):[0-9]+: warning: (.*) \[-W(analyzer-[a-z-]*).*\]$/gcc \4 \1:\2: \3/p' |

@@ -53,7 +53,8 @@ python3 tools/pictures.py 1 docs/images/art_play.png "$at"/moth/*.png
 
 # Looking inside: a port that a script plays, and three of the pictures it is shown. Keys are USB HID usages.
 ${CC:-cc} -O1 -o "$at/player" tests/machine/port_keys.c $(find build/release/src -name '*.o') build/release/fb/*.o \
-    build/release/gen/std.o build/release/gen/no_rom.o build/release/platform/stdio.o \
+    build/release/gen/std.o build/release/gen/no_rom.o build/release/platform/stdio.o build/release/platform/posix.o \
+    build/release/platform/posix_process.o \
     $(pkg-config --libs lua5.4) -lm -pthread
 keys() { yes "$2" | head -n "$1"; }
 look() { # NAME: standard input are the keys; the last picture before quitting

@@ -10,11 +10,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../platform/platform.h"
 #include "film/apng.h"
 #include "film/gif.h"
 #include "film/y4m.h"
 #include "host/files.h"
-#include "host/process.h"
 #include "host/progress.h"
 #include "host/report.h"
 #include "host/views.h"
@@ -109,7 +109,7 @@ static enum result check_format(struct capture *c)
     if (c->format == WAV && (a->scale || a->faster))
         return report_line(RESULT_REFUSED, "%s cannot be combined with WAV, which has no picture",
                            a->scale ? "--scale" : "--speed");
-    if (through_ffmpeg(c) && !process_is_there("ffmpeg"))
+    if (through_ffmpeg(c) && !plat_has_command("ffmpeg"))
         return report_line(RESULT_HOST,
                            "%s needs ffmpeg, which is not installed; install it, or write a .gif, .png or .y4m",
                            formats[c->format].name);
@@ -320,7 +320,7 @@ static enum result shoot_wav(struct capture *c)
 /* What is written stays, when there is no room for more: a player shows it up to there. */
 static enum result shoot_y4m(struct capture *c)
 {
-    c->stream = c->to_stdout ? stdout : fopen(c->a->out, "wb");
+    c->stream = c->to_stdout ? stdout : plat_stream(c->a->out, true);
     if (!c->stream)
         return report_line(RESULT_HOST, "%s: cannot be written (%s)", c->a->out, strerror(errno));
     y4m_head(c->stream, c->w, c->h);
@@ -336,21 +336,49 @@ static enum result shoot_y4m(struct capture *c)
 
 /* ---- ffmpeg ---- */
 
-/* The line that makes `to` of a y4m and, if sound is not NULL, of that WAV file. Sides are made even: 4:2:0 asks for
- * it. */
-static bool ffmpeg_line(const struct capture *c, const char *sound, const char *to, char *line, size_t size)
-{
-    char wav[2 * FILES_PATH] = "", out[2 * FILES_PATH];
-    const char *how = c->format == MP4
-                          ? "-c:v libx264 -crf 16 -preset slow -c:a aac -b:a 192k -movflags +faststart -f mp4"
-                          : "-c:v libvpx-vp9 -crf 20 -b:v 0 -row-mt 1 -c:a libopus -b:a 160k -f webm";
+/* The words of the command that makes a film of a y4m and, if it has sound, of a WAV file. Sides are made even: 4:2:0
+ * asks for it. */
+struct ffmpeg {
+    const char *words[48];
+    int n;
+    char sound[FILES_PATH + 8], film[FILES_PATH + 8];
+};
 
-    if (!process_word(out, sizeof out, to) || (sound && !process_word(wav, sizeof wav, sound)))
-        return false;
-    return snprintf(line, size,
-                    "exec ffmpeg -hide_banner -loglevel error -xerror -nostdin -y -f yuv4mpegpipe -i pipe:0 %s%s -vf "
-                    "'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s file:%s",
-                    sound ? "-i file:" : "", wav, how, out) < (int)size;
+static void add_words(struct ffmpeg *f, const char *const words[])
+{
+    for (; *words; words++)
+        f->words[f->n++] = *words;
+}
+
+/* The name as ffmpeg takes it, whatever is in it. */
+static bool add_file(struct ffmpeg *f, char *to, size_t size, const char *name)
+{
+    f->words[f->n++] = to;
+    return snprintf(to, size, "file:%s", name) < (int)size;
+}
+
+static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *sound, const char *film)
+{
+    static const char *const in[] = { "ffmpeg", "-hide_banner", "-loglevel",    "error", "-xerror", "-nostdin",
+                                      "-y",     "-f",           "yuv4mpegpipe", "-i",    "pipe:0",  NULL };
+    static const char *const even[] = { "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", NULL };
+    static const char *const mp4[] = { "-c:v", "libx264", "-crf",      "16",         "-preset", "slow", "-c:a", "aac",
+                                       "-b:a", "192k",    "-movflags", "+faststart", "-f",      "mp4",  NULL };
+    static const char *const webm[] = { "-c:v", "libvpx-vp9", "-crf", "20",   "-b:v", "0",    "-row-mt", "1",
+                                        "-c:a", "libopus",    "-b:a", "160k", "-f",   "webm", NULL };
+
+    f->n = 0;
+    add_words(f, in);
+    if (sound) {
+        f->words[f->n++] = "-i";
+        if (!add_file(f, f->sound, sizeof f->sound, sound))
+            return false;
+    }
+    add_words(f, even);
+    add_words(f, c->format == MP4 ? mp4 : webm);
+    const bool good = add_file(f, f->film, sizeof f->film, film);
+    f->words[f->n] = NULL;
+    return good;
 }
 
 /* Takes the film to where it is wanted: what stands there is written as any file of ours, so a link and a device stay
@@ -364,29 +392,30 @@ static enum result put_film(const struct capture *c, const char *part)
     bool good = files_read(part, part, SIZE_MAX, &film, &size, err, sizeof err);
     good = good && files_save(c->a->out, film, size, err, sizeof err);
     free(film);
-    remove(part);
+    plat_remove(part);
     return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
 static enum result feed(struct capture *c, const char *sound, const char *part)
 {
-    char line[5 * FILES_PATH], err[FILES_ERR];
+    struct ffmpeg ffmpeg;
+    char err[FILES_ERR];
 
-    if (!ffmpeg_line(c, sound, part, line, sizeof line))
+    if (!ffmpeg_words(&ffmpeg, c, sound, part))
         return report_line(RESULT_REFUSED, "-o: path too long");
     if (!files_save(part, "", 0, err, sizeof err)) /* with a sentence of ours, before all the work */
         return report_line(RESULT_HOST, "%s", err);
     fflush(stdout);
-    c->stream = process_open(line);
+    c->stream = plat_command_open(ffmpeg.words);
     if (!c->stream)
         return report_line(RESULT_HOST, "cannot run ffmpeg (%s)", strerror(errno));
     y4m_head(c->stream, c->w, c->h);
     enum result result = go_through(c, false);
-    const bool good = process_close(c->stream);
+    const bool good = plat_command_close(c->stream);
     c->stream = NULL;
     if (good)
         return first_of(result, put_film(c, part));
-    remove(part);
+    plat_remove(part);
     return report_line(RESULT_HOST, "%s: ffmpeg failed", c->a->out);
 }
 
@@ -411,7 +440,7 @@ static enum result shoot_film(struct capture *c)
     tape_close(&c->tape);
     enum result second = again(c);
     second = second == RESULT_DONE ? feed(c, sound, part) : second;
-    remove(sound);
+    plat_remove(sound);
     return first_of(result, second);
 }
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../platform/platform.h"
 #include "demo/bisect.h"
 #include "host/clean.h"
 #include "host/files.h"
@@ -514,6 +515,7 @@ static enum result verify_stdin(struct verify *v)
         if (first)
             files_drop_mark(name, &n);
         first = false;
+        plat_slashes(name);
         v->path = name;
         enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: name too long", name);
         worst = result > worst ? result : worst;

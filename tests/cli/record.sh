@@ -109,8 +109,8 @@ cp "$seeds"/* g/music
 cd "$repo" || exit 2
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
-    src/cab/host/library.c $(find "$OUT/src" -name '*.o' ! -name library.o) "$OUT"/fb/*.o "$OUT"/gen/std.o \
-    "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o $(pkg-config --libs lua5.4) -lm -pthread -ldl
+    platform/posix_process.c $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT"/gen/std.o \
+    "$OUT"/gen/no_rom.o "$OUT"/platform/{null,stdio,posix}.o $(pkg-config --libs lua5.4) -lm -pthread -ldl
 cd "$scratch" || exit 2
 curtain=$scratch/plain
 check "without the libraries WAV packs" packs "a = { file = 'music/loop.wav' }"

@@ -6,7 +6,8 @@ with its rooms; src/lib 5, platform 6.
 Besides:
   - a chip includes of the chips only its own header, slots.h (what a chip is made of) and motion.h (how things move);
   - Lua's headers are seen in src/board alone; stb in src/cab/pack/png.c alone;
-  - platform.h is included by src/cab; a port includes that header and nothing else of ours;
+  - platform.h is included by src/cab; a port includes that header and nothing else of ours; the files of a host share
+    host.h, and win.h, where Windows' own headers are seen;
   - a header that need not be installed is not included, and not asked for: what a build can do depends on none;
   - below the cabinet only the headers of C that reach no host; host.h alone sees what the host has set.
 Tests and tools may include anything."""
@@ -24,7 +25,12 @@ PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "
         "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 # The other headers of the C library and POSIX; the compiler's packages bring them.
 SYSTEM = PURE | {"ctype.h", "dirent.h", "dlfcn.h", "elf.h", "errno.h", "fcntl.h", "poll.h", "pthread.h", "signal.h",
-                 "sys/auxv.h", "sys/stat.h", "sys/time.h", "sys/utsname.h", "sys/wait.h", "time.h", "unistd.h"}
+                 "spawn.h", "sys/auxv.h", "sys/stat.h", "sys/time.h", "sys/utsname.h", "sys/wait.h", "time.h",
+                 "unistd.h"}
+# The defaults of platform.h, and each host's half of them: they share headers that a port does not see.
+HOST_HEADERS = {"platform/host.h", "platform/win.h"}
+WINDOWS = {"windows.h", "io.h", "shlobj.h"}
+HOST_FILE = re.compile(r"platform/(stdio|posix|win|iso|no)(_process)?\.[ch]$|platform/host\.h$")
 LINKED = {"src/cab/pack/png.c", "platform/sdl2.c"}  # these include headers of libraries that every build needs
 HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]|.*__has_include\(<([^>]+)>\)')
@@ -48,11 +54,12 @@ def own(path, name):
         return "there is no " + target
     if there is None:
         return target + " is on no floor"
-    if folder == "platform" and target != "platform/platform.h":
+    if folder == "platform" and target != "platform/platform.h" and not (
+            target in HOST_HEADERS and HOST_FILE.match(path)):
         return "a port includes platform.h and nothing else of ours"
     if there == "platform" and folder not in ("platform", "src/cab", "src/lib"):
         return "only src/cab and src/lib include platform.h"
-    if there == "platform" and target != "platform/platform.h":
+    if there == "platform" and folder != "platform" and target != "platform/platform.h":
         return "only platform.h is for others"
     if there != "platform" and FLOORS[there] > FLOORS[folder]:
         return "%s is on a higher floor" % target
@@ -72,6 +79,8 @@ def system(path, name):
         return None if path in HOST_FILES else "the host's settings are for src/base/host.h alone"
     if FLOORS[folder] < 4 and name not in PURE:
         return "below the cabinet there is no <%s>" % name
+    if name in WINDOWS:
+        return None if path.startswith("platform/win") else "<%s> is for the files of Windows alone" % name
     if name not in SYSTEM and path not in LINKED:
         return "<%s> need not be installed; declare what is used (src/cab/host/library.h)" % name
     return None

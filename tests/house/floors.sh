@@ -26,6 +26,8 @@ refuse "planted: the cabinet sees Lua" "only src/board sees Lua" planted src/cab
 refuse "planted: the board includes the platform" "only src/cab" planted src/board/draw/video.c \
     '"../../../platform/platform.h"'
 refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/host/keys.h"'
+refuse "planted: a port sees the host's half" "a port includes" planted platform/sdl2.c '"host.h"'
+refuse "planted: Windows' header in the cabinet" "for the files of Windows alone" planted src/cab/verify.c '<windows.h>'
 refuse "planted: stb in the board" "stb is for" planted src/board/draw/video.c '<stb/stb_image.h>'
 refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'
 refuse "planted: the host's locale" "for src/base/host.h alone" planted src/cab/verify.c '<locale.h>'

@@ -50,7 +50,7 @@ another() {
     # shellcheck disable=SC2046
     ${CC:-cc} -o "$scratch/pacing" "$OUT"/tools/pacing/*.o "$OUT"/tools/report/*.o "$scratch/pace.o" \
         $(find src -name '*.c' ! -path 'src/lib/*' ! -name pace.c ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
-        "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/stdio.o \
+        "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/{stdio,posix,posix_process}.o \
         $(pkg-config --libs lua5.4) -lm -pthread || return 2
     mkdir -p "$scratch/other" && "$scratch/pacing" --exact --out "$scratch/other" screens &&
         even "$scratch/other/pacing.md"

@@ -32,7 +32,7 @@ without_tails() {
     # shellcheck disable=SC2046
     ${CC:-cc} -o "$scratch/ear" "$OUT"/tools/sound/*.o "$OUT"/tools/report/*.o "$scratch/voices.o" \
         $(find src -name '*.c' ! -path 'src/lib/*' ! -name voices.c ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
-        "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/null.o "$OUT"/platform/stdio.o \
+        "$OUT"/fb/*.o "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/{null,stdio,posix,posix_process}.o \
         $(pkg-config --libs lua5.4) -lm -pthread || return 2
     "$scratch/ear" --out "$scratch/new" clicks
 }

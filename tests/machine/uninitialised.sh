@@ -50,8 +50,8 @@ text = open(sys.argv[1]).read()
 open(sys.argv[2], "w").write(text.replace(sys.argv[3], sys.argv[4]))
 sys.exit(text.count(sys.argv[3]) != 1)
 END
-    objects=$(find "$msan/src" "$msan/fb" "$msan/platform/stdio.o" "$msan/platform/null.o" "$msan/tests" \
-        "$msan/gen/std.o" "$msan/gen/no_rom.o" -name '*.o' |
+    objects=$(find "$msan/src" "$msan/fb" "$msan"/platform/{stdio,posix,posix_process,null}.o \
+        "$msan/tests" "$msan/gen/std.o" "$msan/gen/no_rom.o" -name '*.o' |
         grep -v -e "^$object\$" -e /main.o)
     # shellcheck disable=SC2086,SC2046
     clang -std=c11 -O1 -w -D_DEFAULT_SOURCE -fsanitize=memory -fno-omit-frame-pointer "tests/fuzz/$5.c" \

@@ -135,7 +135,7 @@ fi
 
 # ---- a speaker that goes, and comes ----
 ${CC:-cc} -std=c11 -O1 $(sdl2-config --cflags) -o port_sound "$repo/tests/machine/port_sound.c" \
-    "$repo/platform/sdl2.c" "$repo/platform/stdio.c" $(sdl2-config --libs) || exit 2
+    "$repo"/platform/{sdl2,stdio,posix,posix_process}.c $(sdl2-config --libs) || exit 2
 check "a speaker that goes, and comes" env SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy ./port_sound
 
 # ---- one sound, heard ----

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/host/process.h"
+#include "../../platform/platform.h"
 #include "../../src/cab/host/progress.h"
 
 enum { SECOND = 1000000 };
@@ -76,22 +76,22 @@ static void hosts_handlers(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         signal(signals[i], host_hears);
-        process_last_word("");
-        process_last_word("");
+        plat_last_word("");
+        plat_last_word("");
         heard = 0;
         raise(signals[i]);
         assert_int_equal(heard, signals[i]);
-        process_last_word("");
-        process_last_word(NULL);
+        plat_last_word("");
+        plat_last_word(NULL);
         assert_true(signal(signals[i], SIG_IGN) == host_hears);
-        process_last_word("");
-        process_last_word(NULL);
+        plat_last_word("");
+        plat_last_word(NULL);
         assert_true(signal(signals[i], SIG_DFL) == SIG_IGN);
     }
     signal(SIGPIPE, host_hears);
-    FILE *f = process_open("exec cat >/dev/null");
+    FILE *f = plat_command_open((const char *const[]){ "sh", "-c", "exec cat >/dev/null", NULL });
     assert_non_null(f);
-    assert_true(process_close(f));
+    assert_true(plat_command_close(f));
     assert_true(signal(SIGPIPE, SIG_DFL) == host_hears);
 }
 

@@ -23,12 +23,16 @@
 #include "../../src/snd/tune.h"
 #include "../temp.h"
 
-/* A build without shared libraries has this in place of what library.h declares. */
-#define WITHOUT_LIBRARIES
-#define library_open    without_open
-#define library_missing without_missing
-#define library_about   without_about
+/* A host without shared libraries has this in place of what library.h declares. */
+#include "../../platform/platform.h"
+#define plat_library(name, version)                  ((void)(name), NULL)
+#define plat_library_hint(name, version, text, size) (text[0] = 0)
+#define library_open                                 without_open
+#define library_missing                              without_missing
+#define library_about                                without_about
 #include "../../src/cab/host/library.c"
+#undef plat_library_hint
+#undef plat_library
 #undef library_open
 #undef library_missing
 #undef library_about

@@ -53,7 +53,8 @@ weigher() {
             objects=$(find src fb -name '*.c' ! -path src/cab/main.c ! -path 'src/lib/*' |
                 sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
             $CC $FLAGS tools/compare/rows.c tools/bench/scene.c $objects "$OUT/platform/null.o" \
-                "$OUT/platform/stdio.o" "$OUT/gen/std.o" "$OUT/gen/no_rom.o" $LIBS -o "$OUT/rows"
+                $(ls "$OUT"/platform/{stdio,posix,posix_process}.o 2>/dev/null) "$OUT"/gen/{std,no_rom}.o $LIBS \
+                -o "$OUT/rows"
             exit
         fi
         below="src/base $(ls -d src/snd 2>/dev/null) src/chips src/board fb"

@@ -18,7 +18,7 @@ sed 's/if (k\.texts || !k\.ascending)/if (!k.texts \&\& !k.ascending)/' src/boar
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -D_DEFAULT_SOURCE -iquote src/board/lua $(pkg-config --cflags lua5.4) \
     "$scratch/luatable.c" $(find "$out/src" "$out/fb" -name '*.o' ! -name luatable.o) "$out"/gen/{std,no_rom}.o \
-    "$out"/platform/{null,stdio}.o $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/unsorted"
+    "$out"/platform/{null,stdio,posix,posix_process}.o $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/unsorted"
 
 # Three runs, for each has another order.
 for run in 1 2 3; do

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../../platform/platform.h"
 #include "../../base/err.h"
 #include "../host/clean.h"
 #include "../host/files.h"
@@ -473,7 +474,7 @@ enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_nam
 static FILE *open_input(const char **path)
 {
     if (strcmp(*path, "-") != 0)
-        return fopen(*path, "r");
+        return plat_stream(*path, false);
     *path = "standard input";
     return stdin;
 }

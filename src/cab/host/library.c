@@ -1,63 +1,45 @@
 /*
- * library.c - see library.h. A host without dlfcn.h has no such libraries, and neither has a build with
- * -DWITHOUT_LIBRARIES. A library is not closed: other ones that it brought along do not like that.
+ * library.c - see library.h. A library is not closed: other ones that it brought along do not like that.
  */
 #include "library.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include "../../../platform/platform.h"
 #include "../../base/err.h"
 
 static const struct {
-    const char *file, *name, *reads, *package;
+    const char *file; /* as plat_library wants it */
+    int abi;
+    const char *name, *reads;
     const char *version; /* a function that returns it, as text, or as a number (of libopenmpt) */
 } libraries[LIBRARIES] = {
-    [LIBRARY_SNDFILE] = { "libsndfile.so.1", "libsndfile", "OGG and FLAC", "libsndfile1", "sf_version_string" },
-    [LIBRARY_OPENMPT] = { "libopenmpt.so.0", "libopenmpt", "tracker modules", "libopenmpt0",
-                          "openmpt_get_library_version" },
-    [LIBRARY_EXPAT] = { "libexpat.so.1", "libexpat", "BulletML", "libexpat1", "XML_ExpatVersion" },
+    [LIBRARY_SNDFILE] = { "sndfile", 1, "libsndfile", "OGG and FLAC", "sf_version_string" },
+    [LIBRARY_OPENMPT] = { "openmpt", 0, "libopenmpt", "tracker modules", "openmpt_get_library_version" },
+    [LIBRARY_EXPAT] = { "expat", 1, "libexpat", "BulletML", "XML_ExpatVersion" },
 };
 
-#if defined __has_include && !defined WITHOUT_LIBRARIES
-#if __has_include(<dlfcn.h>) && !defined __wasm__
-#define HAS_LIBRARIES
-#include <dlfcn.h>
-#endif
-#endif
-
-#ifdef HAS_LIBRARIES
 bool library_open(enum library library, const struct library_function *list, size_t n)
 {
-    void *opened = dlopen(libraries[library].file, RTLD_NOW | RTLD_LOCAL);
+    void *opened = plat_library(libraries[library].file, libraries[library].abi);
 
-    for (size_t i = 0; opened && i < n; i++) {
-        void *found = dlsym(opened, list[i].name);
-        if (!found)
+    for (size_t i = 0; opened && i < n; i++)
+        if (!plat_symbol(opened, list[i].name, list[i].to))
             return false;
-        memcpy(list[i].to, &found, sizeof found);
-    }
     return opened != NULL;
 }
 
 bool library_missing(enum library library, char *err, size_t err_size)
 {
-    return err_set(err, err_size, "%s, which reads %s, is not installed (Debian package: %s)", libraries[library].name,
-                   libraries[library].reads, libraries[library].package);
-}
-#else
-bool library_open(enum library library, const struct library_function *list, size_t n)
-{
-    (void)library, (void)list, (void)n;
-    return false;
-}
+    char hint[64];
 
-bool library_missing(enum library library, char *err, size_t err_size)
-{
+    if (plat_library_hint(libraries[library].file, libraries[library].abi, hint, sizeof hint))
+        return err_set(err, err_size, "%s, which reads %s, is not installed (%s)", libraries[library].name,
+                       libraries[library].reads, hint);
     return err_set(err, err_size, "this build cannot load shared libraries such as %s, which reads %s",
                    libraries[library].name, libraries[library].reads);
 }
-#endif
 
 /* The version's digits: libsndfile puts its name before them, libexpat too. */
 static bool version_of(enum library library, char *text, size_t size)

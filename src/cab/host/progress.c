@@ -9,7 +9,6 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "clean.h"
-#include "process.h"
 
 enum { SECOND = 1000000, TELL_AFTER = SECOND, TELL_EVERY = SECOND / 4, TIME = 24 /* bytes of ", 9999:59 left" */ };
 
@@ -21,7 +20,7 @@ static struct {
 void progress_begin(void)
 {
     progress_end();
-    now.going = process_terminal();
+    now.going = plat_terminal();
     now.begun = now.told = now.going ? plat_usec() : 0;
 }
 
@@ -73,7 +72,7 @@ void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
     clean_line(what);
     progress_line(line, what, usec - now.begun, done, of);
     fflush(stdout); /* what was printed before stands above, not in the line */
-    process_last_word("\r\033[K");
+    plat_last_word("\r\033[K");
     fprintf(stderr, "\r%s\033[K", line);
     fflush(stderr);
     now.told = usec;
@@ -86,7 +85,7 @@ void progress_wipe(void)
         return;
     fputs("\r\033[K", stderr);
     fflush(stderr);
-    process_last_word(NULL);
+    plat_last_word(NULL);
     now.shown = false;
 }
 

@@ -8,6 +8,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "../../../platform/platform.h"
 #include "../../base/err.h"
 
 /* The option named by the n bytes at name, or OPTIONS. */
@@ -99,6 +100,8 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     *a = (struct args){ .words = argv, .every = 1, .bank = -1, .machine = 1 };
     if (!short_enough(argc, argv, err, err_size))
         return false;
+    for (int i = 1; i < argc; i++) /* what is no path has no use for \ */
+        plat_slashes(argv[i]);
     for (int i = 1; i < argc; i++) {
         if (!only_words && strcmp(argv[i], "--") == 0)
             only_words = true;

@@ -10,7 +10,6 @@
 #include "../run/clock.h"
 #include "../../base/edit.h"
 #include "../host/files.h"
-#include "../host/process.h"
 #include "../host/progress.h"
 #include "../host/report.h"
 #include "../pack/tree.h"
@@ -261,7 +260,7 @@ static void waits(void *context)
 static bool report_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
 {
     char err[FILES_ERR], *text = NULL;
-    FILE *out = process_scratch();
+    FILE *out = plat_scratch();
     bool good = out != NULL;
     long size = -1;
 
@@ -352,14 +351,14 @@ static enum result reports(struct all *a)
 
 static enum result run_all(struct all *a)
 {
-    const struct process_work work = { .context = a, .work = do_one, .done = done, .waits = waits };
+    const struct plat_work work = { .context = a, .work = do_one, .done = done, .waits = waits };
     const uint64_t begun = plat_usec();
 
     clear_failed(a->t);
     if (a->t->tap)
         told_tap_plan(a->n);
     progress_begin();
-    const bool good = process_each(a->n, a->t->jobs ? a->t->jobs : process_cores(), &work);
+    const bool good = plat_each(a->n, a->t->jobs ? a->t->jobs : plat_cores(), &work);
     progress_end();
     a->sums.usec = clock_since(begun);
     if (!good || a->no_memory)

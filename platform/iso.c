@@ -1,0 +1,128 @@
+/*
+ * iso.c - host.h with nothing but ISO C: names and files.
+ * floor: platform
+ *
+ * ISO C knows no folders, links or devices. A path is what the user typed.
+ */
+#include "host.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool variable_folder(char out[HOST_PATH], const char *variable, const char *below)
+{
+    const char *value = getenv(variable);
+    return value && value[0] && snprintf(out, HOST_PATH, "%s%s", value, below) < HOST_PATH;
+}
+
+bool host_data_folder(char out[HOST_PATH])
+{
+    return variable_folder(out, "APPDATA", "");
+}
+
+bool host_pictures_folder(char out[HOST_PATH])
+{
+    return variable_folder(out, "USERPROFILE", "/Pictures");
+}
+
+void host_folder_before(const char *path, char out[HOST_PATH + 1])
+{
+    (void)path;
+    out[0] = 0;
+}
+
+void plat_slashes(char *path)
+{
+    (void)path;
+}
+
+FILE *host_open(const char *path, enum host_mode mode)
+{
+    static const char *const modes[] = {
+        [HOST_READ] = "rb", [HOST_STREAM] = "rb", [HOST_NEW] = "wbx", [HOST_WRITE] = "wb", [HOST_APPEND] = "ab"
+    };
+    return fopen(path, modes[mode]);
+}
+
+long host_size(const char *path)
+{
+    FILE *f = fopen(path, "rb");
+    if (!f)
+        return -1;
+    long size = fseek(f, 0, SEEK_END) == 0 ? ftell(f) : -1;
+    fclose(f);
+    return size;
+}
+
+bool host_exists(const char *path)
+{
+    return host_size(path) >= 0;
+}
+
+bool host_special(const char *path)
+{
+    (void)path;
+    return false;
+}
+
+bool host_same_file(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
+}
+
+bool host_follow(char path[HOST_PATH])
+{
+    (void)path;
+    return true;
+}
+
+bool host_make_folder(const char *path)
+{
+    (void)path;
+    return true;
+}
+
+bool host_to_disk(FILE *f)
+{
+    (void)f;
+    return true;
+}
+
+void host_folder_to_disk(const char *folder)
+{
+    (void)folder;
+}
+
+void host_keep_mode(FILE *f, const char *path)
+{
+    (void)f;
+    (void)path;
+}
+
+/* In ISO C, rename may refuse an existing name. */
+bool host_replace(const char *from, const char *to)
+{
+    if (rename(from, to) == 0)
+        return true;
+    remove(to);
+    return rename(from, to) == 0;
+}
+
+bool host_remove(const char *path)
+{
+    return remove(path) == 0;
+}
+
+bool host_runnable(const char *path)
+{
+    (void)path;
+    return true;
+}
+
+int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user)
+{
+    (void)folder;
+    (void)each;
+    (void)user;
+    return -1;
+}

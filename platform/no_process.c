@@ -1,0 +1,147 @@
+/*
+ * no_process.c - host.h for a host where a program cannot start another, handle signals or find its own file.
+ * floor: platform
+ */
+#include "host.h"
+
+#ifndef PLAT_OWN_PROGRAM
+DEFAULT bool plat_program(char *name, size_t size)
+{
+    (void)name;
+    (void)size;
+    return false;
+}
+#endif
+
+bool host_program_path(char out[HOST_PATH])
+{
+    out[0] = 0;
+    return false;
+}
+
+#ifndef PLAT_OWN_SYSTEM
+DEFAULT void plat_system(char *text, size_t size)
+{
+    snprintf(text, size, "unknown");
+}
+#endif
+
+long host_process(void)
+{
+    return 0;
+}
+
+void host_log(const char *text, size_t size)
+{
+    fwrite(text, 1, size, stderr);
+}
+
+bool host_crash_arm(void (*crashed)(const char *what))
+{
+    (void)crashed;
+    return false;
+}
+
+void host_crash_disarm(void)
+{
+}
+
+int host_crash_open(const char *path)
+{
+    (void)path;
+    return -1;
+}
+
+void host_crash_write(int file, const void *bytes, size_t size)
+{
+    (void)file;
+    (void)bytes;
+    (void)size;
+}
+
+void host_crash_close(int file)
+{
+    (void)file;
+}
+
+void plat_heed_hangup(bool on)
+{
+    (void)on;
+}
+
+bool plat_hung_up(void)
+{
+    return false;
+}
+
+bool plat_terminal(void)
+{
+    return false;
+}
+
+void plat_last_word(const char *last)
+{
+    (void)last;
+}
+
+bool plat_has_command(const char *name)
+{
+    (void)name;
+    return false;
+}
+
+FILE *plat_command_open(const char *const words[])
+{
+    (void)words;
+    return NULL;
+}
+
+bool plat_command_close(FILE *f)
+{
+    (void)f;
+    return false;
+}
+
+FILE *plat_scratch(void)
+{
+#ifdef __wasi__
+    return NULL;
+#else
+    return tmpfile();
+#endif
+}
+
+void *plat_library(const char *name, int version)
+{
+    (void)name;
+    (void)version;
+    return NULL;
+}
+
+bool plat_library_hint(const char *name, int version, char *text, size_t size)
+{
+    (void)name;
+    (void)version;
+    (void)text;
+    (void)size;
+    return false;
+}
+
+bool plat_symbol(void *library, const char *name, void *function)
+{
+    (void)library;
+    (void)name;
+    (void)function;
+    return false;
+}
+
+int plat_cores(void)
+{
+    return 1;
+}
+
+bool plat_each(int n, int jobs, const struct plat_work *w)
+{
+    (void)jobs;
+    return host_each(n, w);
+}

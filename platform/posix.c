@@ -1,0 +1,269 @@
+/*
+ * posix.c - host.h on POSIX: names and files.
+ * floor: platform
+ *
+ * WASI has this part of POSIX, but no file modes.
+ */
+#define _XOPEN_SOURCE 700
+#ifndef _FILE_OFFSET_BITS
+#define _FILE_OFFSET_BITS 64 /* with 32 bits, stat and readdir refuse what lies far out on a large disk */
+#endif
+
+#include "host.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- names ---- */
+
+static bool fits(int n)
+{
+    if (n >= HOST_PATH)
+        errno = ENAMETOOLONG;
+    return n < HOST_PATH;
+}
+
+/* By the XDG rules a relative path counts as unset. */
+static const char *absolute_variable(const char *name)
+{
+    const char *value = getenv(name);
+    return value && value[0] == '/' ? value : NULL;
+}
+
+bool host_data_folder(char out[HOST_PATH])
+{
+    const char *data = absolute_variable("XDG_DATA_HOME"), *home = getenv("HOME");
+    if (data)
+        return fits(snprintf(out, HOST_PATH, "%s", data));
+    return home && home[0] && fits(snprintf(out, HOST_PATH, "%s/.local/share", home));
+}
+
+/* The value of a line NAME="VALUE" of user-dirs.dirs, where VALUE begins with / or $HOME, and \ is before a letter that
+ * would mean something to a shell. */
+static bool shell_value(const char *value, const char *home, char *out, size_t size)
+{
+    static const char variable[] = "$HOME";
+    size_t n = 0;
+    if (*value++ != '"')
+        return false;
+    if (strncmp(value, variable, strlen(variable)) == 0) {
+        n = strlen(home);
+        if (n >= size)
+            return false;
+        memcpy(out, home, n);
+        value += strlen(variable);
+    }
+    for (; *value && *value != '"' && n + 1 < size; value++) {
+        value += value[0] == '\\' && value[1];
+        out[n++] = *value;
+    }
+    n -= n > 1 && out[n - 1] == '/';
+    out[n] = 0;
+    return *value == '"' && out[0] == '/';
+}
+
+/* A folder as set in user-dirs.dirs. */
+static bool user_dir(const char *name, const char *home, char *out, size_t size)
+{
+    char line[2 * HOST_PATH];
+    const char *config = absolute_variable("XDG_CONFIG_HOME");
+    bool found = false;
+    if (!fits(snprintf(line, HOST_PATH, "%s%s/user-dirs.dirs", config ? config : home, config ? "" : "/.config")))
+        return false;
+    FILE *f = fopen(line, "r");
+    while (f && fgets(line, sizeof line, f)) {
+        const char *s = line + strspn(line, " \t");
+        size_t n = strlen(name);
+        if (strncmp(s, name, n) == 0 && s[n] == '=')
+            found = shell_value(s + n + 1, home, out, size);
+    }
+    if (f)
+        fclose(f);
+    return found;
+}
+
+bool host_pictures_folder(char out[HOST_PATH])
+{
+    const char *own = absolute_variable("XDG_PICTURES_DIR"), *home = getenv("HOME");
+    if (own && fits(snprintf(out, HOST_PATH, "%s", own)))
+        return true;
+    if (!home || !home[0])
+        return false;
+    return user_dir("XDG_PICTURES_DIR", home, out, HOST_PATH) || fits(snprintf(out, HOST_PATH, "%s/Pictures", home));
+}
+
+void host_folder_before(const char *path, char out[HOST_PATH + 1])
+{
+    if (path[0] == '/' || !getcwd(out, HOST_PATH))
+        out[0] = 0;
+    else if (out[strlen(out) - 1] != '/')
+        memcpy(out + strlen(out), "/", 2);
+}
+
+void plat_slashes(char *path)
+{
+    (void)path;
+}
+
+/* ---- files ---- */
+
+/* Does not wait for a pipe. */
+static FILE *open_regular(const char *path)
+{
+    struct stat st;
+    int fd = open(path, O_RDONLY | O_NONBLOCK);
+    if (fd < 0)
+        return NULL;
+    FILE *f = fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ? fdopen(fd, "rb") : NULL;
+    if (!f)
+        close(fd);
+    return f;
+}
+
+FILE *host_open(const char *path, enum host_mode mode)
+{
+    static const char *const modes[] = {
+        [HOST_STREAM] = "rb", [HOST_NEW] = "wbx", [HOST_WRITE] = "wb", [HOST_APPEND] = "ab"
+    };
+    return mode == HOST_READ ? open_regular(path) : fopen(path, modes[mode]);
+}
+
+long host_size(const char *path)
+{
+    struct stat st;
+    if (stat(path, &st) != 0 || S_ISDIR(st.st_mode))
+        return -1;
+    return !S_ISREG(st.st_mode) ? 0 : st.st_size > LONG_MAX ? LONG_MAX : (long)st.st_size;
+}
+
+bool host_exists(const char *path)
+{
+    return access(path, F_OK) == 0;
+}
+
+bool host_special(const char *path)
+{
+    struct stat st;
+    return stat(path, &st) == 0 && !S_ISREG(st.st_mode);
+}
+
+bool host_same_file(const char *a, const char *b)
+{
+    struct stat one, two;
+    return stat(a, &one) == 0 && stat(b, &two) == 0 && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
+}
+
+enum { MOST_LINKS = 40 };
+
+bool host_follow(char path[HOST_PATH])
+{
+    char to[HOST_PATH], joined[2 * HOST_PATH];
+    for (int i = 0; i < MOST_LINKS; i++) {
+        ssize_t n = readlink(path, to, sizeof to - 1);
+        if (n < 0)
+            return true;
+        to[n] = 0;
+        char *slash = strrchr(path, '/');
+        int folder = to[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
+        if (snprintf(joined, sizeof joined, "%.*s%s", folder, path, to) >= HOST_PATH)
+            break;
+        memcpy(path, joined, strlen(joined) + 1);
+    }
+    errno = ELOOP;
+    return false;
+}
+
+bool host_make_folder(const char *path)
+{
+    return mkdir(path, 0777) == 0 || errno == EEXIST;
+}
+
+bool host_to_disk(FILE *f)
+{
+    return fsync(fileno(f)) == 0 || errno == EINVAL; /* EINVAL: not on a disk, such as a pipe */
+}
+
+/* A rename is durable only after the folder is synced. */
+void host_folder_to_disk(const char *folder)
+{
+    int fd = open(folder, O_RDONLY);
+    if (fd < 0)
+        return;
+    fsync(fd);
+    close(fd);
+}
+
+bool host_replace(const char *from, const char *to)
+{
+    return rename(from, to) == 0;
+}
+
+bool host_remove(const char *path)
+{
+    return remove(path) == 0;
+}
+
+#ifdef __wasi__
+void host_keep_mode(FILE *f, const char *path)
+{
+    (void)f;
+    (void)path;
+}
+
+bool host_runnable(const char *path)
+{
+    return path != NULL;
+}
+#else
+void host_keep_mode(FILE *f, const char *path)
+{
+    struct stat st;
+    if (stat(path, &st) == 0)
+        (void)!fchmod(fileno(f), st.st_mode & 0777);
+}
+
+bool host_runnable(const char *path)
+{
+    struct stat st;
+    return stat(path, &st) == 0 && chmod(path, (st.st_mode & 0777) | (st.st_mode & 0444) >> 2) == 0;
+}
+#endif
+
+static bool entry(struct plat_file *file, const char *folder, const char *name)
+{
+    char path[2 * HOST_PATH];
+    struct stat st;
+    if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)
+        return false;
+    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path || lstat(path, &st) != 0)
+        return false;
+    if (S_ISLNK(st.st_mode) && (stat(path, &st) != 0 || S_ISDIR(st.st_mode))) /* links to folders are not entered */
+        return false;
+    file->name = name;
+    file->folder = S_ISDIR(st.st_mode);
+    file->time = (int64_t)st.st_mtim.tv_sec * 1000000000 + st.st_mtim.tv_nsec;
+    return true;
+}
+
+int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user)
+{
+    DIR *d = opendir(folder);
+    int n = 0;
+    if (!d)
+        return -1;
+    for (struct dirent *e; (e = readdir(d)) != NULL;) {
+        struct plat_file file;
+        if (!entry(&file, folder, e->d_name))
+            continue;
+        each(user, &file);
+        n++;
+    }
+    closedir(d);
+    return n;
+}
