@@ -257,7 +257,7 @@ WEB_PAGE  := $(patsubst %,ports/web/%,page.html player.css player.js worklet.js 
 LUA_H     := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h
 
 $(LUA_SRC)/lua.h:
-	$(Q)tools/cross/lua.sh bookworm
+	$(Q)tools/source.sh lua5.4 bookworm build/cross/lua-bookworm
 build/cross/include/lua5.4-deb-multiarch.h:
 	@mkdir -p $(@D)
 	@ln -sfn /usr/include/stb $(@D)/stb

@@ -49,7 +49,7 @@ missing() { # BUILD: what it needs and this machine has not
 
 fetch() { # SUITE
     [ -d "$cross/lua-$1" ] || echo "Lua of Debian $1"
-    tools/cross/lua.sh "$1"
+    tools/source.sh lua5.4 "$1" "$cross/lua-$1"
 }
 
 # Lua as Debian compiles it, but static; of its libraries only those the sandbox takes from.
