@@ -2,12 +2,13 @@
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
 #     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
-#     [firefox]
+#     [firefox] [windows]
 #
 # null: what curtain-null is built with, and expat, for BulletML; play: that, and SDL2; test: also the libraries with
 # which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); ports:
 # RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are
-# run beside it; web: what a page is built with, and tested in; firefox: where it is tested too. Without arguments:
+# run beside it; web: what a page is built with, and tested in; firefox: where it is tested too;
+# windows: the cross compiler for Windows, and Wine, which runs its programs here. Without arguments:
 # play, test, fuzz and bench. With --say it installs nothing: it says, in one line to paste, what is missing, and
 # exits with 3.
 set -eu
@@ -156,9 +157,16 @@ for what; do
     firefox)
         have firefox-esr || need firefox-esr
         ;;
+    windows)
+        have x86_64-w64-mingw32-gcc || need gcc-mingw-w64-x86-64
+        [ -e /usr/lib/wine/wine64 ] || need wine64
+        have dpkg-source || need dpkg-dev
+        have xz || need xz-utils
+        have python3 || need python3
+        ;;
     *)
         echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml," \
-            "cross, web, firefox" >&2
+            "cross, web, firefox, windows" >&2
         exit 2
         ;;
     esac

@@ -41,6 +41,7 @@ ubsan     tests/nightly.sh          asan ubsan
 uninstall tests/cli/install.sh      makes uninstall
 valgrind  tests/nightly.sh          msan valgrind
 web       ports/web/test.sh         --web -o
+windows   Makefile                  --no-print-directory windows
 END
 }
 run_by() { # GOAL: that line is true

@@ -38,7 +38,7 @@ struct export
     const uint8_t *game;
     size_t game_size;
     const char *out;
-    char name[64];         /* of the file, where none was given */
+    char name[72];         /* of the file, where none was given */
     char info[FILES_PATH]; /* of a core's .info */
     char from[FILES_PATH]; /* what the file is a copy of, as messages call it */
     uint8_t *file;         /* what is written; malloc */
@@ -304,10 +304,22 @@ static bool save_entry(struct export *e)
 
 /* ---- the command ---- */
 
+/* A program is a copy of this one, and ends as it does: Windows runs what ends in .exe. */
+static const char *program_ending(void)
+{
+    static const char exe[] = ".exe";
+    char name[FILES_PATH];
+
+    if (!plat_program(name, sizeof name))
+        return "";
+    const size_t n = strlen(name);
+    return n > strlen(exe) && strcmp(name + n - strlen(exe), exe) == 0 ? exe : "";
+}
+
 /* The names of what is written. */
 static bool name_out(struct export *e)
 {
-    static const char *const ends[] = { "", ".html", "_libretro.so" };
+    const char *const ends[] = { program_ending(), ".html", "_libretro.so" };
     size_t n;
 
     snprintf(e->name, sizeof e->name, "%s%s", e->cart.m.id, ends[e->want->kind]);

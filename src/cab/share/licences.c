@@ -45,9 +45,53 @@ static const char zlib[] =
     "   software.\n"
     "3. This notice may not be removed or altered from any source distribution.\n";
 
+#ifdef __MINGW32__
+static const char mingw[] =
+    "Redistribution and use in source and binary forms, with or without modification, are permitted provided that\n"
+    "the following conditions are met:\n"
+    "\n"
+    "1. Redistributions in source code must retain the accompanying copyright notice, this list of conditions,\n"
+    "   and the following disclaimer.\n"
+    "2. Redistributions in binary form must reproduce the accompanying copyright notice, this list of conditions,\n"
+    "   and the following disclaimer in the documentation and/or other materials provided with the distribution.\n"
+    "3. Names of the copyright holders must not be used to endorse or promote products derived from this software\n"
+    "   without prior written permission from the copyright holders.\n"
+    "4. The right to distribute this software or to use it for any purpose does not give you the right to use\n"
+    "   Servicemarks (sm) or Trademarks (tm) of the copyright holders.  Use of them is covered by separate\n"
+    "   agreement with the copyright holders.\n"
+    "5. If any files are modified, you must cause the modified files to carry prominent notices stating that you\n"
+    "   changed the files and the date of any change.\n"
+    "\n"
+    "Disclaimer\n"
+    "\n"
+    "THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS \"AS IS\" AND ANY EXPRESSED OR IMPLIED WARRANTIES,\n"
+    "INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR\n"
+    "PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDERS BE LIABLE FOR ANY DIRECT, INDIRECT,\n"
+    "INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF\n"
+    "SUBSTITUTE GOODS OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON\n"
+    "ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE)\n"
+    "ARISING IN ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n"
+    "\n"
+    "The conversion of numbers, by Lucent Technologies:\n"
+    "\n"
+    "Permission to use, copy, modify, and distribute this software and its documentation for any purpose and\n"
+    "without fee is hereby granted, provided that the above copyright notice appear in all copies and that both\n"
+    "that the copyright notice and this permission notice and warranty disclaimer appear in supporting\n"
+    "documentation, and that the name of Lucent or any of its entities not be used in advertising or publicity\n"
+    "pertaining to distribution of the software without specific, written prior permission.\n"
+    "\n"
+    "LUCENT DISCLAIMS ALL WARRANTIES WITH REGARD TO THIS SOFTWARE, INCLUDING ALL IMPLIED WARRANTIES OF\n"
+    "MERCHANTABILITY AND FITNESS. IN NO EVENT SHALL LUCENT OR ANY OF ITS ENTITIES BE LIABLE FOR ANY SPECIAL,\n"
+    "INDIRECT OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS OF USE, DATA OR PROFITS,\n"
+    "WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH\n"
+    "THE USE OR PERFORMANCE OF THIS SOFTWARE.\n";
+#endif
+
 static const char nothing[] = "No notice is required.\n";
+#ifndef __MINGW32__
 static const char of_system[] =
     "It is part of the operating system, not of this program's file: no notice is required.\n";
+#endif
 static const char unknown[] = "Its licence is unknown: ask the author of this port of Curtain.\n";
 
 struct work {
@@ -99,6 +143,10 @@ static int list(struct work all[WORKS])
 #ifdef __GLIBC__
     all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", of_system);
     snprintf(all[n++].version, sizeof all->version, "%d.%d", __GLIBC__, __GLIBC_MINOR__);
+#elif defined __MINGW32__ /* parts of it are in the program's file */
+    all[n] = work("mingw-w64", "ZPL 2.1, Lucent", "C library for Windows",
+                  "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies", mingw);
+    snprintf(all[n++].version, sizeof all->version, "%s", __MINGW64_VERSION_STR);
 #else
     all[n++] = work("libc", "its own", "system C library", "the system's C library", of_system);
 #endif

@@ -1,0 +1,408 @@
+/*
+ * win.c - host.h on Windows: names and files.
+ * floor: platform
+ *
+ * Uses only wide calls. Elsewhere in the program paths are UTF-8 with /; here each becomes a full path in UTF-16, with
+ * the \\?\ prefix if it is too long for the old limit of 260. Open files can be read, renamed and deleted by others, so
+ * editors that save by renaming and a second instance work. All streams are binary, so lines end in LF alone.
+ */
+#include "win.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <io.h>
+#include <limits.h>
+#include <shlobj.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    LONG_FROM = 240, /* paths this long get the prefix: folders are limited to MAX_PATH - 12 */
+    PREFIX = 8       /* characters of \\?\UNC\ */
+};
+
+/* ---- names ---- */
+
+bool win_fail(void)
+{
+    static const struct {
+        DWORD is;
+        int why;
+    } errors[] = {
+        { ERROR_FILE_NOT_FOUND, ENOENT },
+        { ERROR_PATH_NOT_FOUND, ENOENT },
+        { ERROR_INVALID_NAME, ENOENT },
+        { ERROR_BAD_PATHNAME, ENOENT },
+        { ERROR_INVALID_DRIVE, ENOENT },
+        { ERROR_BAD_NETPATH, ENOENT },
+        { ERROR_BAD_NET_NAME, ENOENT },
+        { ERROR_DIRECTORY, ENOTDIR },
+        { ERROR_ACCESS_DENIED, EACCES },
+        { ERROR_SHARING_VIOLATION, EACCES },
+        { ERROR_LOCK_VIOLATION, EACCES },
+        { ERROR_WRITE_PROTECT, EROFS },
+        { ERROR_FILE_EXISTS, EEXIST },
+        { ERROR_ALREADY_EXISTS, EEXIST },
+        { ERROR_DISK_FULL, ENOSPC },
+        { ERROR_HANDLE_DISK_FULL, ENOSPC },
+        { ERROR_NOT_ENOUGH_MEMORY, ENOMEM },
+        { ERROR_OUTOFMEMORY, ENOMEM },
+        { ERROR_DIR_NOT_EMPTY, ENOTEMPTY },
+        { ERROR_TOO_MANY_OPEN_FILES, EMFILE },
+        { ERROR_FILENAME_EXCED_RANGE, ENAMETOOLONG },
+        { ERROR_CANT_RESOLVE_FILENAME, ELOOP },
+        { ERROR_NO_UNICODE_TRANSLATION, EILSEQ },
+    };
+    const DWORD is = GetLastError();
+
+    errno = EIO;
+    for (size_t i = 0; i < sizeof errors / sizeof *errors; i++)
+        if (errors[i].is == is)
+            errno = errors[i].why;
+    return false;
+}
+
+bool win_utf8(char *out, size_t size, const wchar_t *wide)
+{
+    if (WideCharToMultiByte(CP_UTF8, WC_ERR_INVALID_CHARS, wide, -1, out, (int)size, NULL, NULL) == 0)
+        return win_fail();
+    plat_slashes(out);
+    return true;
+}
+
+/* A device, such as \\.\nul. */
+static bool is_device(const wchar_t *full)
+{
+    return wcsncmp(full, L"\\\\.\\", 4) == 0;
+}
+
+bool win_path(wchar_t out[WIN_PATH], const char *path)
+{
+    wchar_t typed[HOST_PATH], *full = out + PREFIX;
+
+    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, typed, HOST_PATH) == 0)
+        return win_fail();
+    const DWORD n = GetFullPathNameW(typed[0] ? typed : L".", WIN_PATH - PREFIX, full, NULL);
+    if (n == 0)
+        return win_fail();
+    if (n >= WIN_PATH - PREFIX) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    const bool special = is_device(full) || wcsncmp(full, L"\\\\?\\", 4) == 0, server = wcsncmp(full, L"\\\\", 2) == 0;
+    const wchar_t *prefix = n < LONG_FROM || special ? L"" : server ? L"\\\\?\\UNC" : L"\\\\?\\";
+    const size_t before = wcslen(prefix), skip = before && server ? 1 : 0; /* \\server is \\?\UNC\server */
+    memmove(out + before, full + skip, (n + 1 - skip) * sizeof *out);
+    memcpy(out, prefix, before * sizeof *out);
+    return true;
+}
+
+/* Removes the prefix of a long path. */
+static const wchar_t *without_prefix(wchar_t *path)
+{
+    if (wcsncmp(path, L"\\\\?\\UNC\\", 8) == 0) {
+        path[6] = L'\\';
+        return path + 6;
+    }
+    return wcsncmp(path, L"\\\\?\\", 4) == 0 ? path + 4 : path;
+}
+
+void plat_slashes(char *path)
+{
+    for (; *path; path++)
+        if (*path == '\\')
+            *path = '/';
+}
+
+/* An absolute path in an environment variable. */
+static bool variable_folder(char out[HOST_PATH], const wchar_t *name)
+{
+    wchar_t wide[HOST_PATH];
+    const DWORD n = GetEnvironmentVariableW(name, wide, HOST_PATH);
+    const bool absolute = n > 2 && n < HOST_PATH && (wide[1] == L':' || (wide[0] == L'\\' && wide[1] == L'\\'));
+
+    return absolute && win_utf8(out, HOST_PATH, wide);
+}
+
+static bool known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
+{
+    wchar_t *wide = NULL;
+    const bool good = SHGetKnownFolderPath(id, KF_FLAG_CREATE, NULL, &wide) == S_OK && win_utf8(out, HOST_PATH, wide);
+
+    CoTaskMemFree(wide);
+    return good;
+}
+
+/* XDG_DATA_HOME works here too, so tests and portable installations choose a folder in the same way everywhere. */
+bool host_data_folder(char out[HOST_PATH])
+{
+    return variable_folder(out, L"XDG_DATA_HOME") || known_folder(out, &FOLDERID_RoamingAppData);
+}
+
+bool host_pictures_folder(char out[HOST_PATH])
+{
+    return variable_folder(out, L"XDG_PICTURES_DIR") || known_folder(out, &FOLDERID_Pictures);
+}
+
+/* C:name is relative to that drive's current folder, and /name to the current drive's root: both stay as they are. */
+void host_folder_before(const char *path, char out[HOST_PATH + 1])
+{
+    wchar_t wide[WIN_PATH];
+
+    out[0] = 0;
+    if (path[0] == '/' || path[0] == '\\' || (path[0] && path[1] == ':') || !GetCurrentDirectoryW(WIN_PATH, wide) ||
+        !win_utf8(out, HOST_PATH, wide))
+        return;
+    const size_t n = strlen(out);
+    if (n && out[n - 1] != '/')
+        memcpy(out + n, "/", 2);
+}
+
+/* ---- files ---- */
+
+enum { SHARE = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE };
+
+static HANDLE open_path(const char *path, DWORD access, DWORD how, DWORD flags)
+{
+    wchar_t wide[WIN_PATH];
+    HANDLE h = win_path(wide, path) ? CreateFileW(wide, access, SHARE, NULL, how, flags, NULL) : INVALID_HANDLE_VALUE;
+
+    if (h == INVALID_HANDLE_VALUE)
+        win_fail();
+    return h;
+}
+
+FILE *win_stream(HANDLE h, int flags, const char *mode)
+{
+    const int file = _open_osfhandle((intptr_t)h, flags | _O_BINARY | _O_NOINHERIT);
+    FILE *f = file >= 0 ? _fdopen(file, mode) : NULL;
+
+    if (file < 0)
+        CloseHandle(h);
+    else if (!f)
+        _close(file);
+    return f;
+}
+
+static DWORD attributes(const char *path)
+{
+    wchar_t wide[WIN_PATH];
+
+    if (!win_path(wide, path))
+        return INVALID_FILE_ATTRIBUTES;
+    if (is_device(wide))
+        return FILE_ATTRIBUTE_DEVICE;
+    const DWORD is = GetFileAttributesW(wide);
+    if (is == INVALID_FILE_ATTRIBUTES)
+        win_fail();
+    return is;
+}
+
+FILE *host_open(const char *path, enum host_mode mode)
+{
+    static const struct {
+        DWORD access, how;
+        int flags;
+        const char *mode;
+    } modes[] = {
+        [HOST_READ] = { GENERIC_READ, OPEN_EXISTING, _O_RDONLY, "rb" },
+        [HOST_STREAM] = { GENERIC_READ, OPEN_EXISTING, _O_RDONLY, "rb" },
+        [HOST_NEW] = { GENERIC_WRITE, CREATE_NEW, _O_WRONLY, "wb" },
+        [HOST_WRITE] = { GENERIC_WRITE, CREATE_ALWAYS, _O_WRONLY, "wb" },
+        [HOST_APPEND] = { FILE_APPEND_DATA | SYNCHRONIZE, OPEN_ALWAYS, _O_WRONLY | _O_APPEND, "ab" },
+    };
+    HANDLE h = open_path(path, modes[mode].access, modes[mode].how, FILE_ATTRIBUTE_NORMAL);
+
+    if (h == INVALID_HANDLE_VALUE) {
+        const int why = errno;
+        errno = why == EACCES && host_special(path) ? EISDIR : why;
+        return NULL;
+    }
+    if (mode != HOST_READ || GetFileType(h) == FILE_TYPE_DISK)
+        return win_stream(h, modes[mode].flags, modes[mode].mode);
+    CloseHandle(h);
+    return NULL;
+}
+
+long host_size(const char *path)
+{
+    WIN32_FILE_ATTRIBUTE_DATA data;
+    wchar_t wide[WIN_PATH];
+
+    if (!win_path(wide, path))
+        return -1;
+    if (is_device(wide))
+        return 0;
+    if (!GetFileAttributesExW(wide, GetFileExInfoStandard, &data)) {
+        win_fail();
+        return -1;
+    }
+    if (data.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY)
+        return -1;
+    return data.nFileSizeHigh || data.nFileSizeLow > LONG_MAX ? LONG_MAX : (long)data.nFileSizeLow;
+}
+
+bool host_exists(const char *path)
+{
+    return attributes(path) != INVALID_FILE_ATTRIBUTES;
+}
+
+bool host_special(const char *path)
+{
+    const DWORD is = attributes(path);
+
+    return is != INVALID_FILE_ATTRIBUTES && is & (FILE_ATTRIBUTE_DIRECTORY | FILE_ATTRIBUTE_DEVICE);
+}
+
+/* Opens a file or folder only to query it. */
+static HANDLE open_to_ask(const char *path)
+{
+    return open_path(path, FILE_READ_ATTRIBUTES, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
+}
+
+bool host_same_file(const char *a, const char *b)
+{
+    BY_HANDLE_FILE_INFORMATION one, two;
+    HANDLE first = open_to_ask(a), second = open_to_ask(b);
+    const bool good = first != INVALID_HANDLE_VALUE && second != INVALID_HANDLE_VALUE &&
+                      GetFileInformationByHandle(first, &one) && GetFileInformationByHandle(second, &two);
+
+    if (first != INVALID_HANDLE_VALUE)
+        CloseHandle(first);
+    if (second != INVALID_HANDLE_VALUE)
+        CloseHandle(second);
+    return good && one.dwVolumeSerialNumber == two.dwVolumeSerialNumber && one.nFileIndexHigh == two.nFileIndexHigh &&
+           one.nFileIndexLow == two.nFileIndexLow;
+}
+
+/* A path that is not a link stays as the user typed it. */
+bool host_follow(char path[HOST_PATH])
+{
+    wchar_t wide[WIN_PATH];
+    const DWORD is = attributes(path);
+
+    if (is == INVALID_FILE_ATTRIBUTES || !(is & FILE_ATTRIBUTE_REPARSE_POINT))
+        return true;
+    HANDLE h = open_to_ask(path);
+    if (h == INVALID_HANDLE_VALUE)
+        return false;
+    const DWORD n = GetFinalPathNameByHandleW(h, wide, WIN_PATH, VOLUME_NAME_DOS);
+    CloseHandle(h);
+    return n > 0 && n < WIN_PATH ? win_utf8(path, HOST_PATH, without_prefix(wide)) : win_fail();
+}
+
+bool host_make_folder(const char *path)
+{
+    wchar_t wide[WIN_PATH];
+    const DWORD is = attributes(path); /* creating C: fails with several different errors */
+
+    if (is != INVALID_FILE_ATTRIBUTES) {
+        errno = ENOTDIR;
+        return is & FILE_ATTRIBUTE_DIRECTORY;
+    }
+    if (!win_path(wide, path))
+        return false;
+    return CreateDirectoryW(wide, NULL) || GetLastError() == ERROR_ALREADY_EXISTS || win_fail();
+}
+
+bool host_to_disk(FILE *f)
+{
+    return _commit(_fileno(f)) == 0 || GetFileType((HANDLE)_get_osfhandle(_fileno(f))) != FILE_TYPE_DISK;
+}
+
+/* host_replace writes it through. */
+void host_folder_to_disk(const char *folder)
+{
+    (void)folder;
+}
+
+/* Files inherit their permissions from the folder. */
+void host_keep_mode(FILE *f, const char *path)
+{
+    (void)f;
+    (void)path;
+}
+
+enum { TRIES = 20, TRY_MS = 10 };
+
+/* Retries: a virus scanner or indexer may hold either file for a moment. */
+bool host_replace(const char *from, const char *to)
+{
+    wchar_t one[WIN_PATH], two[WIN_PATH];
+
+    if (!win_path(one, from) || !win_path(two, to))
+        return false;
+    for (int i = 0; i < TRIES; i++) {
+        if (MoveFileExW(one, two, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
+            return true;
+        const DWORD why = GetLastError();
+        if (why != ERROR_ACCESS_DENIED && why != ERROR_SHARING_VIOLATION)
+            break;
+        Sleep(TRY_MS);
+        SetLastError(why);
+    }
+    return win_fail();
+}
+
+/* Also removes an empty folder, as remove does elsewhere. */
+bool host_remove(const char *path)
+{
+    wchar_t wide[WIN_PATH];
+    const DWORD is = attributes(path);
+
+    if (is == INVALID_FILE_ATTRIBUTES || !win_path(wide, path))
+        return false;
+    return (is & FILE_ATTRIBUTE_DIRECTORY ? RemoveDirectoryW(wide) : DeleteFileW(wide)) || win_fail();
+}
+
+bool host_runnable(const char *path)
+{
+    return host_exists(path);
+}
+
+/* Links to folders are not entered; a folder that a cloud service fills is not a link. */
+static bool entry(struct plat_file *file, char name[HOST_PATH], const WIN32_FIND_DATAW *found)
+{
+    const DWORD is = found->dwFileAttributes;
+    const bool link = is & FILE_ATTRIBUTE_REPARSE_POINT && IsReparseTagNameSurrogate(found->dwReserved0);
+
+    if (wcscmp(found->cFileName, L".") == 0 || wcscmp(found->cFileName, L"..") == 0 ||
+        (link && is & FILE_ATTRIBUTE_DIRECTORY) || !win_utf8(name, HOST_PATH, found->cFileName))
+        return false;
+    file->name = name;
+    file->folder = is & FILE_ATTRIBUTE_DIRECTORY;
+    file->time =
+        (int64_t)((uint64_t)found->ftLastWriteTime.dwHighDateTime << 32 | found->ftLastWriteTime.dwLowDateTime);
+    return true;
+}
+
+int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user)
+{
+    wchar_t wide[WIN_PATH];
+    WIN32_FIND_DATAW found;
+    char all[HOST_PATH + 2], name[HOST_PATH];
+    int n = 0;
+    const DWORD is = attributes(folder);
+
+    if (is == INVALID_FILE_ATTRIBUTES)
+        return -1;
+    if (!(is & FILE_ATTRIBUTE_DIRECTORY)) {
+        errno = ENOTDIR;
+        return -1;
+    }
+    snprintf(all, sizeof all, "%s/*", folder);
+    HANDLE h = win_path(wide, all) ? FindFirstFileW(wide, &found) : INVALID_HANDLE_VALUE;
+    if (h == INVALID_HANDLE_VALUE) {
+        win_fail();
+        return -1;
+    }
+    do {
+        struct plat_file file;
+        if (!entry(&file, name, &found))
+            continue;
+        each(user, &file);
+        n++;
+    } while (FindNextFileW(h, &found));
+    FindClose(h);
+    return n;
+}

@@ -1,0 +1,28 @@
+/*
+ * win.h - what win.c and win_process.c share.
+ * floor: platform
+ */
+#ifndef PLATFORM_WIN_H
+#define PLATFORM_WIN_H
+
+#define WIN32_LEAN_AND_MEAN
+#define _WIN32_WINNT 0x0601 /* Windows 7 */
+
+#include <windows.h>
+#include "host.h"
+
+enum { WIN_PATH = 2 * HOST_PATH }; /* characters of a full path, with its NUL */
+
+/* Sets errno from GetLastError. Always returns false. */
+bool win_fail(void);
+
+/* Converts a Windows path to UTF-8 with /. False: it does not fit or is not valid UTF-16. */
+bool win_utf8(char *out, size_t size, const wchar_t *wide);
+
+/* Converts a path to a full path of any length for the wide calls. False: errno says why. */
+bool win_path(wchar_t out[WIN_PATH], const char *path);
+
+/* A binary stream that owns the handle. NULL: it failed, and the handle is closed. */
+FILE *win_stream(HANDLE h, int flags, const char *mode);
+
+#endif

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# libraries.sh - builds SDL2, Lua and expat for Windows from Debian's source packages, below build/windows.
+#
+#     tools/windows/libraries.sh
+#
+# Each part is built once: its folder in build/windows/lib appears when it is complete, so an interrupted build resumes
+# at the part that was interrupted. A failed part prints the end of its log, build/windows/NAME.log.
+set -eu
+cd "$(dirname "$0")/../.."
+suite=bookworm # SDL 2.26.5 and Lua 5.4.4
+host=x86_64-w64-mingw32
+root=$PWD/build/windows
+
+# part NAME PACKAGE: runs build_NAME SOURCE PREFIX, unless build/windows/lib/NAME exists
+part() {
+    local name=$1 package=$2 source=$root/source/$1 prefix=$root/lib/$1 log=$root/$1.log
+    [ ! -d "$prefix" ] || return 0
+    echo "  BUILD $package for Windows"
+    tools/source.sh "$package" "$suite" "$source"
+    rm -rf "$prefix.new"
+    mkdir -p "$prefix.new"
+    if ! (set -e; "build_$name" "$source" "$prefix.new") >"$log" 2>&1 </dev/null; then
+        tail -n 20 "$log" >&2
+        echo "tools/windows/libraries.sh: $package does not build; log: $log" >&2
+        exit 1
+    fi
+    mv "$prefix.new" "$prefix"
+}
+
+# configure writes the prefix into no file that is used: the Makefile names folders itself.
+build_sdl2() {
+    mkdir -p "$root/obj/sdl2"
+    cd "$root/obj/sdl2"
+    [ -f Makefile ] || "$1/configure" --host=$host --prefix=/ --disable-shared --enable-static
+    make -j2
+    make DESTDIR="$2" install
+    [ -s "$2/lib/libSDL2.a" ]
+}
+
+# Lua as Debian compiles it, without its program and the libraries the sandbox leaves out.
+build_lua() {
+    local source objects=()
+    for source in "$1"/src/l*.c; do
+        case ${source##*/} in
+        lua.c | luac.c | linit.c | liolib.c | loslib.c | lcorolib.c | ldblib.c | loadlib.c) continue ;;
+        esac
+        mkdir -p "$root/obj/lua"
+        objects+=("$root/obj/lua/$(basename "$source" .c).o")
+        $host-gcc -std=gnu99 -O2 -Wall -DLUA_COMPAT_5_3 -D__USE_MINGW_ANSI_STDIO=1 -I"$root/include" -c "$source" \
+            -o "${objects[-1]}"
+    done
+    mkdir -p "$2/include" "$2/lib"
+    $host-ar rcs "$2/lib/liblua.a" "${objects[@]}"
+    cp "$1"/src/{lua,luaconf,lualib,lauxlib}.h "$2/include"
+}
+
+# A library that the program opens when it reads BulletML: it lies next to the program.
+build_expat() {
+    mkdir -p "$2/lib"
+    printf '#define %s\n' 'XML_CONTEXT_BYTES 1024' 'XML_DTD 1' 'XML_NS 1' >"$2/expat_config.h"
+    $host-gcc -std=c99 -O2 -shared -s -static-libgcc -I"$2" "$1"/expat/lib/xml{parse,tok,role}.c \
+        -o "$2/lib/libexpat-1.dll"
+}
+
+# What the sources include and Debian's cross compiler does not see: stb's headers, and a header of Debian's Lua.
+mkdir -p "$root/include"
+ln -sfn /usr/include/stb "$root/include/stb"
+echo '#define DEB_HOST_MULTIARCH "none"' >"$root/include/lua5.4-deb-multiarch.h"
+
+part lua lua5.4
+part sdl2 libsdl2
+part expat expat
+cp -u "$root/lib/expat/lib/libexpat-1.dll" "$root/"
