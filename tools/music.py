@@ -621,7 +621,7 @@ def page(curtain, game):
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
 Rendering the sound of a frame takes 0.68 million instructions on the title screen, 1.35 million in a stage while the
-ship fires, and 1.42 million in the queen's last phase. On the machine of [speed.md](speed.md) the last takes 70
+ship fires, and 1.42 million in the queen's last phase. On the machine named in [speed.md](speed.md), the last takes 70
 microseconds, 0.4 % of a frame. The counts are callgrind's: the difference between `curtain render roms/glasstide
 --press fire --invincible --stage one` with and without `--wav`, for frames 600 to 1200. The count for the queen uses
 `--stage queen/flower`, and the command for the title screen names only the ROM. Sound is not part of the game state: a

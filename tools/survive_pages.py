@@ -64,17 +64,17 @@ def harder(easier, more):
     """Why a section at one difficulty is harder than at the next one; as measure_compare of src/cab/survive."""
     good = [one["verdict"] in ("survived", "lasted") for one in (easier, more)]
     if not all(good):
-        return "no way was found, then one" if good[1] else ""
+        return "no way was found, unlike at the next difficulty" if good[1] else ""
     live, live_then, frames, frames_then = lived(easier), lived(more), easier["bots"]["frames"], more["bots"]["frames"]
     a, b = easier["tenths"], more["tenths"]
     if live + 2 < live_then:
-        return "%d of %d bots live, then %d" % (live, BOTS, live_then)
+        return "%d of %d bots live, compared with %d" % (live, BOTS, live_then)
     if live <= live_then and frames + frames // 5 + 60 < frames_then:
-        return "bots last %.1f s, then %.1f" % (frames / 60, frames_then / 60)
+        return "bots last %.1f s, compared with %.1f" % (frames / 60, frames_then / 60)
     if a["rate"] > b["rate"] * 1.1 + 10 and live <= live_then:
-        return "%d bullets a second, then %d" % (a["rate"] // 10, b["rate"] // 10)
+        return "%d bullets a second, compared with %d" % (a["rate"] // 10, b["rate"] // 10)
     if 0 < a["gap"] < b["gap"] - 20 and live <= live_then:
-        return "a narrowest gap of %.1f px, then %.1f" % (a["gap"] / 10, b["gap"] / 10)
+        return "the narrowest gap is %.1f px, compared with %.1f" % (a["gap"] / 10, b["gap"] / 10)
     return ""
 
 
@@ -223,7 +223,7 @@ def falls(told, order, difficulties):
     for s in order:
         for a, b in zip(difficulties, difficulties[1:]):
             if rate(told[s][b]) <= rate(told[s][a]):
-                yield "`%s`: %s has %.1f, but %s %.1f." % (s, a, rate(told[s][a]), b, rate(told[s][b]))
+                yield "`%s`: %s has %.1f, but %s has %.1f." % (s, a, rate(told[s][a]), b, rate(told[s][b]))
     for parts in (True, False):
         of = [s for s in order if is_part(s) == parts and group(s) not in APART]
         groups, stages = list(dict.fromkeys(group(s) for s in of)), list(dict.fromkeys(order[s] for s in of))
@@ -231,7 +231,7 @@ def falls(told, order, difficulties):
         for d in difficulties:
             for s, t in zip(of, of[1:]):
                 if group(s) == group(t) and rate(told[t][d]) <= rate(told[s][d]):
-                    yield "%s: `%s` has %.1f, then `%s` %.1f." % (
+                    yield "%s: `%s` has %.1f, but the next section, `%s`, has %.1f." % (
                         d, s, rate(told[s][d]), t, rate(told[t][d]))
             yield from lower(told, d, of, groups, group, lambda g, h: stage_of[g] == stage_of[h])
             yield from lower(told, d, of, stages, order.get, lambda a, b: True)
@@ -256,12 +256,13 @@ stage sections between them.
 ![Hits per minute over the sections of the game, one curve per difficulty](../images/game-curve.svg)
 
 **The measure is hits per minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`):
-eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A hit has no effect, and
-hits in the next 90 frames are ignored. The result shows how much of the field is dangerous, and how often. The measure
-is stable, because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their first hit,
-so they measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but not how
-often. Bullets per second don't measure where the bullets fly. Bots neither learn nor fear a pattern, so a pattern that
-is hard to read is easier for them than for you. Numbers in parentheses are for the dodging bots only.
+eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A bot flies on after a
+hit, and hits in the next 90 frames are ignored. The result shows how much of the field is dangerous, and how often.
+The measure is stable, because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their
+first hit, so they measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but
+not how often it must be that exact. Bullets per second don't measure where the bullets fly. Bots neither learn nor fear
+a pattern, so a pattern that is hard to read is easier for them than for you. Numbers in parentheses are for the
+dodging bots only.
 """
     yield "| section |%s" % "".join(" %s |" % d for d in difficulties)
     yield "|---|%s" % ("---:|" * len(difficulties))

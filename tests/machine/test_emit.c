@@ -573,8 +573,8 @@ static void test_errors(void **state)
     refused("{ loop = forever, { emit = { kind = 'dot', speed = 1 } } }",
             "with `loop = forever`, at least one step must take time");
     refused("{ wait_for = 3 }", "step 1: wait_for: expected a table");
-    refused("{ wait_for = {} }", "wait_for: expected one of x, y, near and tag, got 0");
-    refused("{ wait_for = { x = 1, tag = 'a' } }", "wait_for: expected one of x, y, near and tag, got 2");
+    refused("{ wait_for = {} }", "wait_for: expected one of `x`, `y`, `near` and `tag`, got 0");
+    refused("{ wait_for = { x = 1, tag = 'a' } }", "wait_for: expected one of `x`, `y`, `near` and `tag`, got 2");
     refused("{ wait_for = { near = -1 } }", "step 1: wait_for: near: expected a number from 0 to 16383 px, got -1");
     refused("{ wait_for = { z = 1 } }", "wait_for: unknown argument \"z\"");
     refused("{ wait_for = { x = 1, limits = 3 } }", "unknown argument \"limits\" (did you mean \"limit\"?)");

@@ -248,7 +248,7 @@ static void test_steps(void **state)
     refused(&m, "motion.def { { speed = 'x' } }",
             "step 1: speed: expected a number or the name of a value (value.def), got \"x\"");
     refused(&m, "value.def('swift') motion.def { { aim = 'swift' } }", "aim: expected true or false");
-    refused(&m, "value.def('swift') motion.def { { dir = 'swift', over = 3 } }", "dir takes effect immediately");
+    refused(&m, "value.def('swift') motion.def { { dir = 'swift', over = 3 } }", "`dir` takes effect immediately");
 }
 
 int main(void)

@@ -350,7 +350,7 @@ static void counts_table(void)
     report_table_end();
     report_text("*Tested* counts the bullets whose path in the frame, taken as a box, comes within reach of the "
                 "player; each bullet can graze a player only once. At the end of the run for each n, all programs have "
-                "every bullet at the same position and show the same pixels, and the picture equals that of a "
+                "every bullet at the same position and show the same pixels, and the picture matches that of a "
                 "reference renderer that copies byte by byte without batches.");
 }
 

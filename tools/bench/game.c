@@ -167,7 +167,7 @@ void section_game(void)
     report_section("The built-in game");
     report_text("The demo of a complete run (`%s`) has %s frames (%s minutes). Each frame's time is the median of %d "
                 "runs. At the "
-                "end of each run, the hashes equal the recorded hashes.",
+                "end of each run, the hashes match the recorded ones.",
                 BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
     report_table(NULL, "| frames a second> | in the slowest 600 frames> | starting at second>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),

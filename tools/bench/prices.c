@@ -260,7 +260,7 @@ void section_prices(void)
     print_motion();
     report_text("Hits. A *close* bullet needs the exact test in every frame but never touches anything.");
     print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | total> | beyond straight> | ratio>");
-    report_text("A script acts on all of them once a frame:");
+    report_text("In the next table, a script acts on all bullets once per frame:");
     print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | total> | beyond straight> | ratio>");
     report_text("The next table shows the nanoseconds it takes to fire one bullet, in patterns of 64. Each bullet "
                 "despawns in the same frame.");

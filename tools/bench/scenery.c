@@ -166,7 +166,7 @@ static void look_prices(struct stand *s)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text("The next table is for other parts of the same picture, in microseconds:");
+    report_text("The next table shows what other parts of the same picture cost, in microseconds:");
     report_table(NULL, "part | total> | beyond the first>");
     for (int i = 0; i < LOOK_COUNT; i++)
         report_row(i == 0, LOOKS[i].what, samples_figure(&draw[i], 1e3),
@@ -193,8 +193,9 @@ void scenery_prices(void)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text("The next table is for backgrounds over a field of 240 x 320 px, in microseconds for a picture with "
-                "little else in it:");
+    report_text(
+        "The next table shows what backgrounds over a field of 240 x 320 px cost, in microseconds for a picture with "
+        "little else in it:");
     report_table(NULL, "background | total> | beyond the first>");
     for (int i = 0; i < COUNT; i++)
         report_row(i == 0, VIEWS[i].what, samples_figure(&draw[i], 1e3),

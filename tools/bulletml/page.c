@@ -28,7 +28,7 @@ static const char ABOUT[] =
     "\n"
     "The list of documents is `tools/bulletml/documents.list`; the same folder has the runner, the comparison and the "
     "code\n"
-    "for the board. `tests/bulletml` covers single elements with libbulletml's answers, which `make test` checks.\n"
+    "for the board. `tests/bulletml` holds libbulletml's answers for single elements, which `make test` compares.\n"
     "\n";
 
 static const char CONCLUSIONS[] = "| | |\n|---|---:|\n";

@@ -227,7 +227,7 @@ bool tool_speed(struct tool_times *out)
                 "of libbulletml runs its runners, moves the bullets, and tests them against a box. libbulletml returns "
                 "a bullet's direction and speed, and its host computes the velocity: the plain host does so in every "
                 "frame, the fast host only when they change. Both hosts delete runners that have ended. A host with "
-                "far more bullets than fit into its caches waits for memory.");
+                "far more bullets than fit in its caches waits for memory.");
     if (!scripted(ratio) || !straight(line))
         return false;
     *out = (struct tool_times){ median(ratio, DOCUMENTS * SIZES, PLAIN), median(ratio, DOCUMENTS * SIZES, QUICK),

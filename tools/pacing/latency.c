@@ -222,9 +222,10 @@ void section_latency(void)
         "presenting the\n"
         "picture, and the host wakes up to 1 ms late whenever it waits. The host polls the inputs just before the "
         "tick, so a\n"
-        "press waits half a frame on average. A game shows a press in *the same* tick, like a moving ship, or in *the "
-        "next*, like\n"
-        "a task that acts on the previous frame's input. `run_ahead = 1` removes that extra frame. A frame is 1/60 s.",
+        "press waits half a frame on average. A game shows a press in *the same* tick, as a moving ship does, or in "
+        "*the next*,\n"
+        "as a task does that acts on the previous frame's input. `run_ahead = 1` removes that extra frame. A frame is "
+        "1/60 s.",
         PRESSES);
     report_table(NULL, "screen|vsync|shown in tick|run_ahead|min>|mean>|max>|mean, frames>");
     for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)

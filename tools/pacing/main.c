@@ -20,10 +20,12 @@ static const char ABOUT[] =
     "\n"
     "A game always runs at 60 ticks a second, whatever the screen's refresh rate, so a replay takes as long as the "
     "original\n"
-    "run and sound needs no resampling. With `vsync = yes` the host presents frames in time with the refresh, without\n"
-    "tearing, and the number of ticks per refresh follows from the two rates alone (`src/cab/host/pace.h`). With\n"
-    "`vsync = no`, or when the refresh rate is unknown, a tick is due every 1/60 s of the host's clock and is shown\n"
-    "immediately.\n"
+    "run, and sound needs no resampling. With `vsync = yes` the host presents frames in time with the refresh, "
+    "without\n"
+    "tearing, and the number of ticks per refresh follows from the tick rate and the refresh rate alone\n"
+    "(`src/cab/host/pace.h`). With `vsync = no`, or when the refresh rate is unknown, a tick is due every 1/60 s of "
+    "the\n"
+    "host's clock and is shown immediately.\n"
     "\n";
 
 int main(int argc, char **argv)

@@ -106,9 +106,9 @@ void section_adpcm(void)
     report_section("Samples in a ROM");
     report_text("A ROM stores sound as 16-bit values or as IMA ADPCM, a quarter of the size, in blocks of %d values "
                 "that decode\n"
-                "independently. A difference is decoded as `(2n + 1) * step >> 3`. Among %s values in blocks of random "
+                "independently. A difference is decoded as `(2n + 1) * step >> 3`. Of %s values in blocks of random "
                 "data, %s from ffmpeg's.",
-                (int)ADPCM_SAMPLES, report_count(DECODED), equal ? "none\ndiffer" : "some\ndiffer");
+                (int)ADPCM_SAMPLES, report_count(DECODED), equal ? "none\ndiffers" : "some\ndiffer");
     report_table(NULL, "sound|ADPCM, SNR, dB>|16 bits, SNR, dB>");
     for (size_t k = 0; k < sizeof TONES / sizeof *TONES; k++)
         report_row(1, TONES[k].what, ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_PACKED)),

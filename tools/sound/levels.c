@@ -76,9 +76,10 @@ void section_levels(void)
         "A level is a function of the note's age. It is evaluated every %d samples and interpolated linearly in "
         "between; in a\n"
         "block that contains a corner, it is evaluated at every sample. The table shows the largest error of the level "
-        "at all\n"
-        "ages, and of a sine that starts at sample %d of a frame, over %d frames, including its own quantisation:",
-        (int)SND_BLOCK, (int)AT, (int)FRAMES);
+        "at any\n"
+        "age, and the largest error, over %d frames, of a sine that starts at sample %d of a frame; the latter\n"
+        "includes the sine's quantisation:",
+        (int)SND_BLOCK, (int)FRAMES, (int)AT);
     report_table(NULL, "envelope|level, dB of full scale>|prototype, dB>|heard, dB of its full level>");
     for (int k = 0; k < 4; k++) {
         const double db = worst(CASES[k].settings);

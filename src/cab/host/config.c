@@ -35,7 +35,7 @@ static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan"
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
     { "scale", "Window Size", "Display", AT(scale), 0, 16, 0, NULL, NULL, 1,
-      "screen pixels per game pixel; 0 picks the largest size that fits", "x", "Auto" },
+      "screen pixels per game pixel; 0: the largest that fits", "x", "Auto" },
     { "fullscreen", "Fullscreen", "Display", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
       NULL },
     { "turn", "Rotate", "Display", AT(turn), 0, 3, 0, turns, turn_labels, 1,

@@ -27,17 +27,12 @@ void config_guide(void (*line)(const char *))
     snprintf(text, sizeof text, "    %s", files_shown(CONFIG_FILE, path));
     line(text);
     line("");
-    line(
-        plat_size(CONFIG_FILE) < 0
-            ? "The file does not exist yet, so all settings are at their defaults. The Settings menu writes it, and "
-              "you "
-              "can also edit it by hand."
-            : "The Settings menu writes the file, and you can also edit it by hand. Settings that are not in it are at "
-              "their defaults.");
-    line("");
-    line("Each line has the form NAME = VALUE; # starts a comment. If a line is wrong, its number is reported and the "
-         "game does not");
-    line("start until you fix it. All settings, with their defaults and allowed values:");
+    line(plat_size(CONFIG_FILE) < 0
+             ? "The file does not exist yet, so all settings are at their defaults. The Settings menu writes it."
+             : "The Settings menu writes the file. Settings that are not in it are at their defaults.");
+    line("You can also edit it by hand. Each line has the form NAME = VALUE; # starts a comment. If a line is wrong,");
+    line("its number is reported and the game does not start until you fix it. All settings, with their defaults and");
+    line("allowed values:");
     line("");
     config_help(line);
     line("");
