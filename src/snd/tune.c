@@ -269,7 +269,7 @@ bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
         marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "it is shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE))
-        return err_set(err, err_size, "its title is not a line of text");
+        return err_set(err, err_size, "its title is not a single line of text");
     if (sample_at && !samples_open(data + sample_at, size - sample_at, t.sides))
         return err_set(err, err_size, "its samples are invalid");
     for (int i = 0; i < t.insts; i++)

@@ -73,7 +73,7 @@ refuse "check: room for nothing" \
 # ---- curtain bulletml ----
 
 same "what it says" "$gallery/bulletml/gulls.xml: 1 top action, 6 other actions, 3 fires, 2 bullets, 51 elements
-  uses \$rank, \$1 to \$2, left as up (horizontal)
+  uses \$rank, \$1 to \$2, type=\"horizontal\" (left is up)
   top actions: top
   other actions: cry
   fires: pair

@@ -200,15 +200,16 @@ static void report_snapshots(struct past_run *r)
 {
     double us = samples_median(&r->again) / 1e3, key_us = samples_median(&r->key) / 1e3;
 
-    report_text("**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. Saving it to recently "
-                "used memory takes **%s µs** (%s at the 99th percentile). The host stores the rewind history in %d "
-                "MiB, so a key frame goes to cold memory, which takes **%s µs** (%s at the 99th percentile); the C "
-                "library copies the same number of bytes there, in one block, in %s µs. The host takes a key frame "
-                "every few frames, which costs %s µs per frame.",
-                report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
-                samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3),
-                REWIND_BYTES >> 20, samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
-                samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
+    report_text(
+        "**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. Saving it to recently "
+        "used memory takes **%s µs** (%s at the 99th percentile). The host's rewind history has %d MiB, so each "
+        "key frame is written to cold memory. That takes **%s µs** (%s at the 99th percentile). For comparison, "
+        "the C library copies the same number of bytes there as one block in %s µs. The host takes a key frame "
+        "every few frames, which costs %s µs per frame.",
+        report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
+        samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3), REWIND_BYTES >> 20,
+        samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
+        samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
     bench_target("a snapshot of the built-in game", "20 µs", report_string("%s µs", report_figure(us)),
                  us < SNAPSHOT_US);
     bench_target("... as a rewind key frame, in cold memory", "20 µs", report_string("%s µs", report_figure(key_us)),

@@ -70,7 +70,7 @@ page() {
 This is a collection of small patterns and effects to look at and copy, one per file in
 [roms/cookbook/recipes](../roms/cookbook/recipes). \`curtain play roms/cookbook\` shows them: the arrow keys turn the
 pages, fire restarts a recipe, and START closes the list so that the arrows fly the ship.
-\`curtain play roms/cookbook --stage flower\` starts at one recipe, and
+\`curtain play roms/cookbook --stage flower\` starts at that recipe, and
 \`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
 
 Most files return a task \`f(e, p)\`; \`e\` is an enemy and \`p\` the player. Others return a table that holds this task

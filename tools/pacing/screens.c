@@ -34,7 +34,7 @@ void section_screens(void)
     report_text(
         "For each screen, ten minutes are simulated, in which 36,000 ticks are due. A frame takes 2 to 5 ms, and the "
         "host wakes\n"
-        "up to 1 ms late whenever it waits. Each refresh shows no new tick, one, or two. *Required* is the number of "
+        "up to 1 ms late whenever it waits. Each refresh shows zero, one or two new ticks. *Required* is the number of "
         "refreshes\n"
         "that must show none or two because the rates differ, and *extra* is the number beyond that. *Off* is the "
         "largest\n"

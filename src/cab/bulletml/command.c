@@ -94,7 +94,7 @@ static void say_uses(const struct document *d)
     if (u.param)
         add_word(text, sizeof text, "  uses ", params);
     if (d->horizontal)
-        add_word(text, sizeof text, "  uses ", "left as up (horizontal)");
+        add_word(text, sizeof text, "  uses ", "type=\"horizontal\" (left is up)");
     if (text[0])
         puts(text);
 }

@@ -3,7 +3,7 @@
  * keys.
  * floor: cab
  *
- * All input of the board is recorded, in memory at least, so any frame of the run can be restored and the whole run can
+ * All input to the board is recorded, in memory at least, so any frame of the run can be restored and the whole run can
  * be repeated on a changed ROM. A run is live, or it is the playback of a demo until the player takes over. Going back
  * in a live run and playing on starts another branch: the frames after that point are dropped, and the demo is flagged.
  *
