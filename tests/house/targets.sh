@@ -96,5 +96,8 @@ format() {
         make -s -C "$scratch/format" format && [ "$(cat "$scratch/format/a.c")" = 'int f(void);' ]
 }
 check "make format" format
+recording=$(sed -n 's,^taskset .*/bench_fx" ,,p' tools/bench_fx/bench_fx.sh)
+# shellcheck disable=SC2086
+check "make bench-fx: its demo has enough bullets" "$OUT/bench_fx_build/bench_fx" $recording
 refuse "make nightly takes its parts alone" '"none" is none of analyze asan' tests/nightly.sh none
 finish

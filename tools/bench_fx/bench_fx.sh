@@ -88,4 +88,4 @@ echo \
     "machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1), load $(cut -d' ' -f1 \
     /proc/loadavg)"
 echo "$($CC --version | head -n 1), $FLAGS"
-taskset -c 0 "$dir/bench_fx" roms/glasstide roms/glasstide/demos/attract.demo
+taskset -c 0 "$dir/bench_fx" roms/glasstide roms/glasstide/demos/run.demo
