@@ -192,19 +192,20 @@ static const struct method {
 } METHODS[] = {
     { "`speed = v, over = n`", "half a frame's acceleration", engine_over, time_engine, true, false, false,
       "everything" },
-    { "`accel = a`", "a rounding error of the acceleration in every frame", engine_accel, time_engine, true, true,
-      false, "changes that take less than ten seconds or never end" },
+    { "`accel = a`", "accuracy: the rounded acceleration is added in every frame", engine_accel, time_engine, true,
+      true, false, "changes that take less than ten seconds or never end" },
     { "`speed = v, over = n`, fine", "half a frame's acceleration", engine_over_fine, time_engine, true, false, true,
       "positions that must agree to within 1e-9 px" },
     { "`accel = a`, fine", "half a frame's acceleration", engine_accel_fine, time_engine, true, true, true,
       "slow changes over minutes" },
     { "Euler, speed first", "half a frame's acceleration", euler_speed_first, time_euler, false, false, false,
-      "the engine's method, without its rounding" },
-    { "Euler, position first", "the same, in the other direction", euler_place_first, time_euler, false, false, false,
-      "nothing: no better, and a bullet fired at rest stays still for a frame" },
-    { "trapezoid", "one more addition", trapezoid, time_trapezoid, false, false, false, "physics simulations" },
+      "comparison: the engine's method without its rounding" },
+    { "Euler, position first", "half a frame's acceleration, in the other direction", euler_place_first, time_euler,
+      false, false, false, "nothing: no more accurate, and a bullet fired at rest starts to move a frame late" },
+    { "trapezoid", "the time for one more addition", trapezoid, time_trapezoid, false, false, false,
+      "physics simulations" },
     { "closed form", "aiming, turning and later changes", closed_form, time_closed, false, false, false,
-      "fixed paths: nothing can act on the bullet" },
+      "fixed paths that nothing can change" },
 };
 enum { COUNT = sizeof METHODS / sizeof *METHODS, OVER = 0, ACCEL = 1, OVER_FINE = 2, CLOSED = 7 };
 
@@ -269,7 +270,7 @@ static void print_methods(const struct lab_rival *rivals)
                    report_string("%s px", report_figure(sqrt(squares[k] / frames))), METHODS[k].who, NULL);
     }
     report_table_end();
-    report_table(NULL, "method | rounding only, 1 to 3 in 3,600> | time per bullet> | ratio>");
+    report_table(NULL, "method | rounding error only, 1 to 3 in 3,600> | time per bullet> | ratio>");
     for (int k = 0; k < COUNT; k++)
         report_row(k == OVER, METHODS[k].name,
                    METHODS[k].engine ? report_string("%s px", report_figure(rounding[k][PLOTTED])) : "-",
@@ -310,23 +311,25 @@ void section_acceleration(void)
     }
 
     report_section("5. Changing speed");
-    report_text(
-        "Each error is the largest distance, over all frames, between a bullet that flies straight and its continuous "
-        "motion x₀ + v₀t + at²/2. In each frame the engine first changes the speed, then moves the bullet. This puts "
-        "the bullet ahead of the continuous motion by half the change in speed, which is 1 px for a change from 1 to 3 "
-        "px/frame, however long the change takes. This offset follows from the definition and is always the same; the "
-        "rest is rounding. No method is the default; ▶ marks the recommended one.");
+    report_text("A bullet flies straight while its speed changes. The error is the bullet's largest distance from the "
+                "continuous motion\n"
+                "x₀ + v₀t + at²/2 in any frame. In each frame, the engine first changes the speed, then moves the "
+                "bullet. The bullet is\n"
+                "therefore ahead by half the change in speed: 1 px for a change from 1 to 3 px/frame, however long the "
+                "change takes. The\n"
+                "rest of the error is rounding. There is no default method; ▶ marks the recommended one.");
     print_methods(rivals);
     plot_flights();
-    report_text(
-        "`accel = a` adds an acceleration that was rounded once to 2⁻¹⁶ px/frame²; over a minute the error reaches "
-        "dozens of pixels. `speed = v, over = n` computes each speed from both ends, so the rounding errors of the two "
-        "halves cancel out: the position is never more than %s px (fine: %s px) from the exact sum.",
-        report_figure(worst), report_figure(fine));
+    report_text("`accel = a` rounds the acceleration to 2⁻¹⁶ px/frame² and adds it in every frame. Within a minute, "
+                "the error can reach\n"
+                "dozens of pixels. `speed = v, over = n` computes each speed from the first and the last speed, so its "
+                "rounding errors\n"
+                "cancel out. The bullet stays within %s px of the exact sum, or within %s px with `fine`.",
+                report_figure(worst), report_figure(fine));
     lab_claim(fabs(most[OVER][PLOTTED] - 1) < 0.01, "the engine is half a change of speed ahead");
-    lab_conclude("acceleration", "recommended: an interpolated speed, `speed = v, over = n`",
-                 report_string("%s px from the exact sum; adding a Q15.16 acceleration each frame: %s px",
-                               report_figure(worst), report_figure(rounding[ACCEL][PLOTTED])),
-                 "`accel = a` for short or endless changes",
+    lab_conclude("acceleration", "none; recommended: `speed = v, over = n`",
+                 report_string("at most %s px from the exact sum; `accel = a` is up to %s px off", report_figure(worst),
+                               report_figure(rounding[ACCEL][PLOTTED])),
+                 "use `accel = a` for short or endless changes",
                  worst < 0.1 && rounding[ACCEL][PLOTTED] > 10 && fine < 1e-4);
 }

@@ -191,14 +191,14 @@ static const struct format {
     void (*turn)(void *data);
     const char *who;
 } FORMATS[] = {
-    { "8 bits", "1.4°", "24 bits, to save 3 bytes", 8, after_8, ring_8, turn_u8,
+    { "8 bits", "1.4°", "24 bits; saves 3 bytes", 8, after_8, ring_8, turn_u8,
       "a machine with a 256-entry sine table" },
-    { "16 bits", "0.0055°", "16 bits, to save 2 bytes", 16, after_16, ring_16, turn_u16,
+    { "16 bits", "0.0055°", "16 bits; saves 2 bytes", 16, after_16, ring_16, turn_u16,
       "headings that are set but never turned" },
     { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everything" },
-    { "float32 degrees", "up to 3.1e-5°", "8 bits; wrap-around; time", 0, after_float, NULL, turn_f32,
-      "nothing: not finer, and needs an explicit wrap at 360" },
-    { "double degrees", "up to 5.7e-14°", "4 bytes; wrap-around; time", 0, after_double, NULL, turn_f64,
+    { "float32 degrees", "up to 3.1e-5°", "8 bits; automatic wrap-around; time", 0, after_float, NULL, turn_f32,
+      "nothing: less accurate, and must be wrapped explicitly at 360" },
+    { "double degrees", "up to 5.7e-14°", "4 bytes; automatic wrap-around; time", 0, after_double, NULL, turn_f64,
       "calculations in scripts" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, BITS16 = 1, FLOAT = 3 };
@@ -229,8 +229,8 @@ static const char *error_cell(int k, int s)
 
 static void print_formats(const struct lab_rival *rivals)
 {
-    report_table(NULL, "heading | unit> | gives up | after 100 turns, max (rms)> | 1,000> | 10,000> | 100,000> | time "
-                       "per turn> | ratio> | use it for");
+    report_table(NULL, "heading | resolution> | gives up | error after 100 steps, max (rms)> | 1,000> | 10,000> | "
+                       "100,000> | time per step> | ratio> | use it for");
     for (int k = 0; k < COUNT; k++)
         report_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
                    error_cell(k, 1), error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]),
@@ -240,8 +240,8 @@ static void print_formats(const struct lab_rival *rivals)
 
 static void print_rings(void)
 {
-    report_table("Rings of n shots: widest minus narrowest gap, with shot i at i/n of a turn / with a rounded step "
-                 "added repeatedly",
+    report_table("Rings of n shots: widest minus narrowest gap if shot i is placed at i/n of a turn / if a rounded "
+                 "step is added repeatedly",
                  "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
     for (int r = 0; r < RINGS; r++) {
         const char *cells[3];
@@ -262,10 +262,10 @@ static void plot_turns(void)
     report_plot(&(struct report_plot){
         .file = "turns",
         .title = "A heading turned by a constant step, worst of 64 steps",
-        .x_name = "turns",
+        .x_name = "steps",
         .y_name = "distance from the true heading, degrees",
-        .described = "Heading error by number of turns: 8 bits fail immediately, 16 bits are off by a degree after "
-                     "hundreds of turns, 32 bits by 0.004 degrees after 100,000",
+        .described = "Heading error by number of steps: 8 bits fail immediately, 16 bits are off by a degree after "
+                     "hundreds of steps, 32 bits by 0.004 degrees after 100,000",
     });
     for (int s = 0; s < SPANS; s++)
         x[s] = SPAN[s];
@@ -290,19 +290,21 @@ void section_angles(void)
 
     report_section("4. Direction format");
     report_text("A spiral adds the same step to its heading repeatedly, so a rounding error in the step accumulates. "
-                "The table shows the error over %d step sizes between 0° and 180°, including the golden angle; a "
-                "motion program turns the engine's bullets.",
+                "The table shows the\n"
+                "error of the heading for %d step sizes between 0° and 180°, including the golden angle. The engine's "
+                "row uses a motion\n"
+                "program.",
                 STEPS);
     print_formats(rivals);
     plot_turns();
     print_rings();
-    report_text(
-        "At 400 px from the source, an error of half a unit in a 16-bit angle amounts to 0.02 px, so 16 bits are "
-        "enough for aiming, but not for turning. 32 bits cost 2 bytes more, and a full turn wraps automatically.");
+    report_text("At a distance of 400 px, rounding a heading to 16 bits moves a bullet by at most 0.02 px, so 16 bits "
+                "are enough for\n"
+                "aiming but not for repeated steps. A 32-bit heading needs only 2 bytes more.");
     lab_conclude("directions", "32-bit binary angles",
-                 report_string("%s° off after 10,000 turns; 16 bits are %s° off", report_figure(most[me][2]),
+                 report_string("an error of %s° after 10,000 steps; with 16 bits, %s°", report_figure(most[me][2]),
                                report_figure(most[BITS16][2])),
-                 "nothing: 16 bits save only 2 bytes per bullet",
+                 "none: 16 bits save only 2 bytes per bullet",
                  most[me][2] < 0.001 && most[BITS16][2] > 1 && unevenness(ring_engine, 1000, false) < 2e-7 &&
                      (lab_exact() || rivals[me].ns < 1));
 }

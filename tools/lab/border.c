@@ -80,10 +80,10 @@ static int32_t fx_pixels(int32_t v)
 static const struct way POSITIONS[] = {
     { "pixels as a double", true, false, fx_double, "nothing", "every script" },
     { "pixels as text, %.14g", false, true, fx_text14, "time", "readable files; tostring writes this format" },
-    { "pixels as text, %g", false, true, fx_text6, "10 bits of 32; time", "messages" },
-    { "pixels as float32", false, false, fx_float, "8 bits of 32", "drawing" },
-    { "hundredths of a pixel", false, false, fx_hundredths, "9 bits of 32", "hand-written level files" },
-    { "whole pixels", false, false, fx_pixels, "16 bits of 32", "tiles" },
+    { "pixels as text, %g", false, true, fx_text6, "10 of 32 bits; time", "messages" },
+    { "pixels as float32", false, false, fx_float, "8 of 32 bits", "drawing" },
+    { "hundredths of a pixel", false, false, fx_hundredths, "9 of 32 bits", "hand-written level files" },
+    { "whole pixels", false, false, fx_pixels, "16 of 32 bits", "tiles" },
 };
 
 /* ---- angles ---- */
@@ -139,13 +139,13 @@ static int32_t ang_whole(int32_t v)
 static const struct way ANGLES[] = {
     { "degrees as a double", true, false, ang_double, "nothing", "every script: 90 is exactly a quarter turn" },
     { "radians as a double", false, false, ang_radians, "exact fractions of a turn",
-      "textbook formulas; only 0 is an exact fraction of a turn" },
+      "textbook formulas that need no exact fractions of a turn" },
     { "degrees as text, %.14g", false, true, ang_text14, "time", "readable files; tostring writes this format" },
-    { "degrees as text, %g", false, true, ang_text6, "13 bits of 32; time", "messages" },
-    { "degrees as float32", false, false, ang_float, "8 bits of 32", "drawing" },
-    { "radians as float32", false, false, ang_radians_f, "8 bits of 32", "drawing" },
-    { "16-bit angle", false, false, ang_16, "16 bits of 32", "a 16-bit look" },
-    { "whole degrees", false, false, ang_whole, "23 bits of 32", "hand-written level files" },
+    { "degrees as text, %g", false, true, ang_text6, "13 of 32 bits; time", "messages" },
+    { "degrees as float32", false, false, ang_float, "8 of 32 bits", "drawing" },
+    { "radians as float32", false, false, ang_radians_f, "8 of 32 bits", "drawing" },
+    { "16-bit angle", false, false, ang_16, "16 of 32 bits", "a 16-bit look" },
+    { "whole degrees", false, false, ang_whole, "23 of 32 bits", "hand-written level files" },
 };
 
 /* ---- measuring ---- */
@@ -203,9 +203,10 @@ static void measure(const struct way *ways, int n, bool circular, struct lab_riv
     }
     lab_time(time, n, 0);
     report_table(
-        circular ? "angles" : "positions",
-        report_string("%s|gives up|values|changed by a round trip>|worst, %s>|round-trip time>|ratio>|use it for",
-                      circular ? "angle passed as" : "position passed as", circular ? "2⁻³² of a turn" : "ulp"));
+        circular ? "Angles" : "Positions",
+        report_string(
+            "%s|gives up|values tried|changed by a round trip>|largest change, %s>|round-trip time>|ratio>|use it for",
+            circular ? "angle passed as" : "position passed as", circular ? "2⁻³² of a turn" : "ulp"));
     for (int i = 0; i < n; i++) {
         int count = ways[i].slow ? TEXTS : VALUES;
         int64_t gone = lost(&ways[i], circular, values, count, &most[i]);
@@ -260,23 +261,24 @@ void section_border(void)
     for (int i = 0; i < VALUES; i++)
         values[i] = i < 7 ? FIRST[i] : (int32_t)(uint32_t)(rng_next(&rng) >> 32);
     report_section("7. The script interface");
-    report_text("A script reads and writes a position as pixels and an angle as degrees. Both are Lua numbers, which "
-                "are doubles. The\n"
-                "tables show round trips of random values over the whole range, including its ends. For the engine's "
-                "own method, `make\n"
-                "accuracy` tries all 2³² values of each type (the test that checks this page tries %s of them).",
-                report_count(VALUES));
+    report_text(
+        "Scripts read and write positions in pixels and angles in degrees. Both are Lua numbers, which are doubles. "
+        "The tables\n"
+        "show round trips from the engine to a script and back, for random values over the whole range, including its "
+        "ends. For\n"
+        "the engine's own method, `make accuracy` tries all 2³² values of each type, and `make test` tries %s of them.",
+        report_count(VALUES));
     measure(POSITIONS, N_POSITIONS, false, time, most, values);
     bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));
     measure(ANGLES, N_ANGLES, true, time, most, values);
     draw(time, most, N_ANGLES);
-    report_text("In the other direction, a script that writes a multiple of 0.1° reads back a value at most %s° off "
-                "(half of 2⁻³² of\n"
-                "a turn); multiples of 360°/2ⁿ return unchanged.",
+    report_text("In the other direction, a script that writes a multiple of 0.1° reads back a value that is at most "
+                "%s° off (half of\n"
+                "2⁻³² of a turn). Multiples of 360°/2ⁿ are read back unchanged.",
                 report_figure(degrees_back()));
     lab_conclude("positions in scripts", "pixels as a double", "all 2³² values survive a round trip",
-                 "text with 14 digits in files", positions);
+                 "use text with 14 digits in files", positions);
     lab_conclude("angles in scripts", "degrees as a double",
                  "all 2³² values survive a round trip; a quarter turn is exactly 90",
-                 "whole degrees in hand-written files", most[0] == 0 && (lab_exact() || all_come_back(ang_double)));
+                 "use whole degrees in hand-written files", most[0] == 0 && (lab_exact() || all_come_back(ang_double)));
 }

@@ -570,14 +570,16 @@ static void print_ways(void)
         const char *name, *trade, *who;
     } NAMES[WAYS] = {
         { "scan with rejection in blocks of 64", "nothing", "everything" },
-        { "scan that tests each bullet exactly", "the rejection", "nothing" },
+        { "scan that tests each bullet exactly", "the quick rejection", "nothing" },
         { "grid of 16 px", "a sort in every frame", "four or more players against the same bullets" },
-        { "tree of boxes", "a longer sort", "stationary bullets, or a world many times larger than the field" },
+        { "tree of boxes", "a longer sort in every frame",
+          "stationary bullets, or a world many times larger than the field" },
     };
     const struct result *r = &results[2];
 
-    report_table(report_string("One player against %s bullets: one frame", report_count(SIZE[2])),
-                 "method | gives up | pairs found> | looked at> | tested exactly> | time> | ratio> | use it for");
+    report_table(
+        report_string("One player against %s bullets: one frame", report_count(SIZE[2])),
+        "method | gives up | pairs found> | bullets looked at> | tested exactly> | time> | ratio> | use it for");
     for (int w = 0; w < WAYS; w++)
         report_row(w == ENGINE, NAMES[w].name, NAMES[w].trade, report_count(r->hits),
                    report_count((int64_t)r->looked[w]), report_count((int64_t)r->tested[w]), lab_us(&r->times[w]),
@@ -588,7 +590,7 @@ static void print_ways(void)
 static void print_sizes(void)
 {
     report_table(
-        "The same for n bullets; in parentheses, the time without building the grid or tree",
+        "Time for n bullets; in parentheses, the time without building the grid or tree",
         "n> | pairs> | scan, engine> | exact scan> | grid> | tree> | grid pays off from> | tree pays off from>");
     for (int i = 0; i < SIZES; i++) {
         const struct result *r = &results[i];
@@ -614,8 +616,9 @@ static void print_crowds(void)
                    report_count((int64_t)r->tested[3]), NULL);
     }
     report_table_end();
-    report_table("Time per frame", "m> | k> | h> | engine: grid, nearest first> | rejection in blocks of 64> | ratio> "
-                                   "| grid of 32 px> | ratio> | every pair> | ratio>");
+    report_table("Time per frame for the same shots and enemies",
+                 "m> | k> | h> | engine: grid, nearest first> | rejection in blocks of 64> | ratio> "
+                 "| grid of 32 px> | ratio> | every pair> | ratio>");
     for (int i = 0; i < CROWDS; i++) {
         const struct lab_rival *t = crowds[i].times;
         report_row(false, report_count(CROWD[i][0]), report_count(CROWD[i][1]), report_count(2 * CROWD[i][2]),
@@ -625,31 +628,18 @@ static void print_crowds(void)
     report_table_end();
 }
 
-/* The least and the most of a way's ratios to the engine. */
-static const char *ratios_of(int way)
-{
-    double least_of = 1e9, most_of = 0;
-
-    for (int i = 0; i < CROWDS; i++) {
-        double ratio = crowds[i].times[way].ratio;
-        least_of = ratio < least_of ? ratio : least_of;
-        most_of = ratio > most_of ? ratio : most_of;
-    }
-    return report_string("%s to %s", lab_about(least_of), lab_about(most_of));
-}
-
 static void print_shots(void)
 {
     print_crowds();
-    report_text(
-        "The engine sorts the enemies into a grid with about one enemy per cell. Each enemy is in one cell, at its "
-        "position before it moved. To find the nearest enemy, a shot looks in four cells first, then in rings around "
-        "them. In the last row, a tenth of all pairs touch, but the engine still tests few of them, because the search "
-        "stops at the nearest enemy that is hit. The grid of 32 px puts each enemy into every cell in which it can be "
-        "hit, so it suits small enemies; larger enemies need larger cells. Compared with the engine, a frame takes %s "
-        "times as long with this grid, %s times with rejection, and %s times when every pair is tested. The engine "
-        "also looks up kinds and shapes and raises events; the other methods here do not.",
-        ratios_of(2), ratios_of(1), ratios_of(3));
+    report_text("The engine sorts the enemies into a grid with about one enemy per cell, at the position of the enemy "
+                "before it moved.\n"
+                "Each shot searches four cells first, then rings of cells around them, and stops at the nearest enemy "
+                "it hits. In the\n"
+                "last row, a tenth of all pairs touch, but the engine still tests only a few of them.\n"
+                "\n"
+                "The grid of 32 px puts each enemy into every cell in which a shot can hit it, so it suits only small "
+                "enemies. The\n"
+                "engine's times include looking up kinds and shapes and raising events; the other times do not.");
 }
 
 static void plot_sizes(void)
@@ -709,31 +699,35 @@ void section_broad(void)
         measure_crowd(&crowds[i], CROWD[i]);
 
     report_section("6. Finding the pairs");
-    report_text("Bullets with r = 4 px move at up to 3 px/frame all over a field of %d x %d px; the player has a "
-                "radius of 2 px. Everything moves, so a grid or tree is rebuilt in every frame. A scan is O(n); a tree "
-                "is O(n log n) to build and O(log n) to query. All methods find the same pairs.",
+    report_text("Bullets with a radius of 4 px move at up to 3 px/frame all over a field of %d x %d px; the player has "
+                "a radius of 2\n"
+                "px. *Rejection in blocks of 64* is a quick test that discards distant bullets, 64 at a time. "
+                "Everything moves, so a grid\n"
+                "or tree is rebuilt in every frame. All methods find the same pairs.",
                 FIELD_W, FIELD_H);
     print_ways();
     plot_sizes();
     print_sizes();
-    report_text("Building the grid for %s bullets costs as much as %s scans, and building the tree as much as %s. Both "
-                "copy every bullet to a different place in memory, while the scan reads columns sequentially with a "
-                "branch-free test. For one player the scan is fastest at every size. A grid breaks even at %s players; "
-                "the engine has at most %d.",
-                report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)),
-                grid_pays(), PADS);
+    report_text(
+        "Building the grid for %s bullets takes as long as %s scans, and building the tree takes as long as %s scans.\n"
+        "Both copy every bullet to a different place in memory, while the scan reads memory sequentially. For one "
+        "player, the\n"
+        "scan is fastest at every size. Depending on the number of bullets, a grid breaks even at %s players, but the\n"
+        "engine supports at most %d.",
+        report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(),
+        PADS);
     print_shots();
-    lab_conclude("bullets against players", "a scan of all bullets",
-                 report_string("fastest for one player and any number of bullets from %s to %s; a grid would pay off "
-                               "only with %s players or more",
-                               report_count(SIZE[0]), report_count(SIZE[SIZES - 1]),
-                               lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
-                 "nothing", lab_exact() || scan_wins());
+    lab_conclude(
+        "bullets against players", "a scan of all bullets",
+        report_string("fastest for one player with %s to %s bullets; a grid would pay off only with %s or more players",
+                      report_count(SIZE[0]), report_count(SIZE[SIZES - 1]),
+                      lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
+        "none", lab_exact() || scan_wins());
     lab_conclude("shots against enemies", "a grid of the enemies' positions, searched from the shot outwards",
-                 report_string("%s µs of a frame's %s µs with 256 shots and 64 enemies; %s µs with %s shots and %s "
-                               "enemies when a tenth of all pairs overlap",
+                 report_string("%s µs of the %s µs in a frame with 256 shots and 64 enemies, and %s µs with %s shots "
+                               "and %s enemies when a tenth of all pairs overlap",
                                lab_about(crowds[3].times[0].ns), report_count(FRAME_US),
                                lab_about(crowds[8].times[0].ns), report_count(CROWD[8][0]), report_count(CROWD[8][1])),
-                 "a scan: no grid to build in every frame, less code",
+                 "scan all enemies: less code, and no grid to build in every frame",
                  lab_exact() || (crowds[3].times[1].ratio > 1 && crowds[8].times[1].ratio > 4));
 }

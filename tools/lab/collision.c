@@ -184,18 +184,17 @@ static const struct rival {
 } RIVALS[] = {
     { "circle, swept", "nothing: exact along the whole path", swept_circle, swept_circle_loop, "everything" },
     { "circle", "the path between two frames", circle, circle_loop, "bullets that move less than r/2 per frame" },
-    { "circle, 2 substeps", "half of that path", two_parts, two_parts_loop,
-      "nothing: slower than swept for distant bullets, and not exact" },
-    { "circle, 4 substeps", "three quarters of that path", four_parts, four_parts_loop,
-      "nothing: slower than swept for distant bullets, and not exact" },
+    { "circle, 2 substeps", "the path between two substeps", two_parts, two_parts_loop,
+      "nothing: misses hits, and is slower than swept for distant bullets" },
+    { "circle, 4 substeps", "the path between two substeps", four_parts, four_parts_loop,
+      "nothing: misses hits, and is slower than swept for distant bullets" },
     { "box around the circle", "false hits in the corners", box_around, box_around_loop, "objects drawn as boxes" },
-    { "box inside the circle", "hits at the rim", box_inside, box_inside_loop,
-      "a lenient game; costs as little as the box around the circle" },
-    { "box of equal area", "some hits at the rim, and false hits in the corners", box_equal, box_equal_loop,
-      "nothing" },
-    { "circle, Q15.16 squares", "overflow beyond 181 px", fx_squares, fx_squares_loop, "nothing" },
+    { "box inside the circle", "hits at the rim", box_inside, box_inside_loop, "a lenient game" },
+    { "box of equal area", "hits at the rim; false hits in the corners", box_equal, box_equal_loop, "nothing" },
+    { "circle, Q15.16 squares", "distances beyond 181 px", fx_squares, fx_squares_loop, "nothing" },
     { "circle, float32", "the last bits of the rim", float_circle, float_circle_loop, "a game without replays" },
-    { "circle, float32 and a root", "the same, plus a root", root_circle, root_circle_loop, "nothing" },
+    { "circle, float32 and a root", "the last bits of the rim; the time for a root", root_circle, root_circle_loop,
+      "nothing" },
     { "circle, whole pixels", "subpixels", pixel_circle, pixel_circle_loop, "8-bit processors" },
 };
 enum {
@@ -418,7 +417,7 @@ static void print_shapes(void)
     for (int i = 0; i < N_SHAPES; i++)
         far[i] = (struct lab_rival){ .run = SHAPES[i].loop, .ops = LAB_VALUES };
     time_both(far, near, N_SHAPES);
-    report_table("Cost per pair for the engine's shapes", "shapes | near> | ratio> | far> | ratio>");
+    report_table("Cost per pair for the engine's shapes", "shapes | time, near> | ratio> | time, far> | ratio>");
     for (int i = 0; i < N_SHAPES; i++)
         report_row(false, SHAPES[i].name, lab_ns(&near[i]), lab_ratio(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
                    NULL);
@@ -463,9 +462,8 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
                    RIVALS[i].who, NULL);
     }
     report_table_end();
-    report_table(
-        NULL,
-        "test | crossings missed, r = 4 px at 16 px/frame> | false hits> | time per pair, near> | far> | ratio, far>");
+    report_table(NULL, "test | crossings missed, r = 4 px at 16 px/frame> | false hits> | time per pair, near> | time, "
+                       "far> | ratio, far>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(i), RIVALS[i].name, report_percent(wrong[i][r4][s16].missed),
                    report_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
@@ -521,8 +519,9 @@ static void plot_misses(void)
         .y_name = "crossings missed",
         .y_linear = true,
         .y_percent = true,
-        .described = "Missed crossings by speed for radii from 2 to 160 px: swept tests miss none at any speed; the "
-                     "other tests miss more the faster and smaller the bullets are",
+        .described =
+            "Missed crossings by speed for radii from 2 to 160 px: a swept circle misses none; a circle tested "
+            "once per frame misses more the faster and smaller the bullets are",
     });
     for (int s = 0; s < SPEEDS; s++)
         x[s] = SPEED[s];
@@ -587,47 +586,56 @@ void section_collision(void)
     time_rivals(far, near);
 
     report_section("2. Collision");
-    report_text("Two circles touch when their centres are at most *r* apart, where r is the sum of both radii. *False "
-                "area* and *missed area* are the areas in which a stationary bullet is wrongly reported as a hit or a "
-                "miss, within 384 px to either side of the player and 448 px above and below. A circle of r = 160 px "
-                "has an area of %s px². A *crossing* is a bullet's path past the player, at most 1.5 r + 1 px away, in "
-                "any direction. It is *missed* if it touches the player but no frame detects this. A frame that "
-                "detects a touch that never happened is a *false hit*. Misses and false hits are given as shares of "
-                "the crossings that touch the player; each radius and speed has %s paths. Times are for pairs within "
-                "12 px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
+    report_text("Two circles touch when their centres are at most *r* apart, where r is the sum of both radii.\n"
+                "\n"
+                "* *False area* is the area in which a stationary bullet is wrongly reported as a hit; *missed area* "
+                "is the area in which\n"
+                "  a hit is not reported. Both are measured within 384 px to either side of the player and 448 px "
+                "above and below. A\n"
+                "  circle of r = 160 px has an area of %s px².\n"
+                "* A *crossing* is the path of a bullet past the player, at most 1.5 r + 1 px away, in any direction. "
+                "There are %s\n"
+                "  crossings for each radius and speed. A crossing is *missed* if the bullet touches the player but no "
+                "frame detects the\n"
+                "  touch. It is a *false hit* if a frame detects a touch that never happened. Missed crossings and "
+                "false hits are given\n"
+                "  as percentages of the crossings that touch the player.\n"
+                "* Times are for pairs within 12 px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
                 report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
     print_rivals(far, near);
     print_shapes();
     plot_misses();
-    print_grid(
-        "Crossings missed by a circle; each cell: tested at the end of the frame / with 2 substeps / with 4 substeps",
-        triple);
-    report_text("The miss rate depends on the speed in *contacts* (a contact is r, the sum of both radii): a test "
-                "misses %s at half a contact per frame, %s at one, %s at two and %s at four. Doubling the substeps "
-                "only halves the effective speed.",
-                report_percent(missed_at(1)), report_percent(missed_at(2)), report_percent(missed_at(4)),
-                report_percent(missed_at(8)));
+    print_grid("Crossings missed by a circle tested at the end of each frame / with 2 substeps / with 4 substeps",
+               triple);
+    report_text(
+        "The miss rate depends on how far the bullet moves per frame, compared with r. A circle tested at the end of "
+        "each frame\n"
+        "misses %s of the crossings if the bullet moves r/2 per frame, %s at r, %s at 2 r and %s at 4 r. Doubling\n"
+        "the number of substeps helps only as much as halving the speed.",
+        report_percent(missed_at(1)), report_percent(missed_at(2)), report_percent(missed_at(4)),
+        report_percent(missed_at(8)));
     lab_claim(missed_at(1) < 0.02 && missed_at(2) < 0.06 && missed_at(4) > 0.2, "misses follow the speed in contacts");
     leaving_report();
     plot_areas();
-    print_grid("The box around the circle: missed crossings / false hits", twin);
-    report_text(
-        "At every size the corners of a box add %s of the circle's area. Players notice the absolute area: %s "
-        "px² around a bullet of r = 8 px, %s px² around one of r = 160 px. The exact circle needs no square root: it "
-        "compares dx² + dy² with r² in 64 bits, which costs no more than float32 with a root.",
-        report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
-        report_figure(areas[AROUND][radius_index(8)].false_hits), report_figure(areas[AROUND][r160].false_hits));
+    print_grid("Missed crossings / false hits of the box around the circle", twin);
+    report_text("At every size, the corners of the box add %s to the area of the circle. These corners cover %s px² at "
+                "r = 8 px and\n"
+                "%s px² at r = 160 px. The exact circle test needs no square root, because it compares dx² + dy² with "
+                "r² in 64 bits.",
+                report_percent(areas[AROUND][r160].false_hits / areas[AROUND][r160].of),
+                report_figure(areas[AROUND][radius_index(8)].false_hits),
+                report_figure(areas[AROUND][r160].false_hits));
 
     lab_claim(areas[SQUARES][r160].false_hits > 100, "squares in Q15.16 hit what is far away");
     lab_claim(lab_exact() || near[CIRCLE].ns < 1.2 * near[ROOT].ns, "the exact circle costs no more than a root");
     lab_claim(wrong[TWO][r4][s16].missed > 0.04 && wrong[FOUR][r4][s16].missed > 0, "substeps miss crossings");
-    lab_conclude("hit test", "circles, swept, exact",
-                 report_string("0 misses and 0 false hits in %s paths past the player; a circle tested only at the end "
-                               "of each frame misses %s at r = 4 px and 16 px/frame",
+    lab_conclude("hit test", "exact swept circles",
+                 report_string("no misses and no false hits in %s paths past the player; a circle tested only at the "
+                               "end of each frame misses %s of the hits at r = 4 px and 16 px/frame",
                                report_count((int64_t)RADII * SPEEDS * TRIALS),
                                report_percent(wrong[CIRCLE][r4][s16].missed)),
-                 "`hit = { box = ... }` for objects drawn as boxes; `swept = false` for bullets that move less than "
-                 "half the sum of both radii per frame, or that may pass through",
+                 "use `hit = { box = ... }` for objects drawn as boxes, and `swept = false` for bullets that move less "
+                 "than half the sum of both radii per frame or may pass through the player",
                  is_standard(SWEPT) && exact(SWEPT) &&
                      (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
 }

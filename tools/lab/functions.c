@@ -328,39 +328,39 @@ static void to_degrees_is(const struct sample *s, struct truth out[])
 }
 
 #define VECTORS "vector components within ±512 px, a quarter of them within ±8 px"
-#define ANG     "unit: 2⁻³² of a turn (a degree is 11,930,465 of them)"
+#define ANG     "unit: 2⁻³² of a turn (1° is 11,930,465 units)"
 
 static const struct quantity QUANTITIES[] = {
-    { "Multiplication", "mul", "a product", "the product rounded half up, where nothing can overflow",
+    { "Multiplication", "mul", "a product", "round half up where nothing can overflow",
       "a within ±512 px, b within ±1 or ±16", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair, mul_is, false,
       "ab" },
-    { "Division", "div", "a quotient", "a stored inverse, to divide many numbers by the same one",
+    { "Division", "div", "a quotient", "multiply by a stored inverse to divide many numbers by the same divisor",
       "a within ±512 px, b from 1/16 to 64, positive and negative", "unit: 1 ulp", &rivals_div, 1, false, draw_div,
       edges_div, div_is, false, "ab" },
-    { "Square root", "sqrt", "a square root", "compare squares instead of roots: no error, no cost",
+    { "Square root", "sqrt", "a square root", "compare squares instead of roots: exact and cheaper",
       "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is, false,
       "a" },
-    { "Reciprocal square root", "rsqrt", "1/√x", "trig_normalise for a direction: two results, each rounded once",
-      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false,
-      "a" },
+    { "Reciprocal square root", "rsqrt", "1/√x",
+      "use trig_normalise for a direction: it rounds each component only once", "all sizes from 1 ulp to 32767",
+      "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false, "a" },
     { "Length of a vector", "hypot", "a length",
-      "compare squares; to sort by distance, add ⅜ of the smaller component to the larger", VECTORS, "unit: 1 ulp",
-      &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
-    { "Sine", "sin", "a sine", "a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_sin, 1, false,
-      draw_angle, edges_turn, sin_is, false, "d" },
-    { "Cosine", "cos", "a cosine", "a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_cos, 1,
+      "compare squares; to sort roughly by distance, add ⅜ of the smaller component to the larger one", VECTORS,
+      "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
+    { "Sine", "sin", "a sine", "use a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_sin, 1,
+      false, draw_angle, edges_turn, sin_is, false, "d" },
+    { "Cosine", "cos", "a cosine", "use a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_cos, 1,
       false, draw_angle, edges_turn, cos_is, false, "d" },
-    { "Direction of a vector", "atan2", "a direction", "a table of 1025 entries where a 16-bit angle is enough",
+    { "Direction of a vector", "atan2", "a direction", "use a table of 1025 entries where a 16-bit angle is enough",
       VECTORS, ANG, &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false, "ab" },
-    { "Speed and direction to velocity", "polar", "a velocity", "fine motion for bullets that live for minutes",
+    { "Speed and direction to velocity", "polar", "a velocity", "use fine motion for bullets that live for minutes",
       "speeds from 1/16 to 64 px, all angles; errors in both components", "unit: 1 ulp", &rivals_polar, 2, false,
       draw_polar, edges_polar, polar_is, false, "ad" },
     { "Normalising a vector", "normalise", "a unit vector", "store speed and direction instead of the vector",
       VECTORS "; errors in both components", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector,
       unit_is, false, "ab" },
-    { "Interpolation between two values", "lerp", "an interpolated value",
-      "the 64-bit form rounded half up, where 0 ≤ t ≤ 1", "a and b within ±512 px, 0 ≤ t < 1", "unit: 1 ulp",
-      &rivals_lerp, 1, false, draw_lerp, edges_lerp, lerp_is, false, "abt" },
+    { "Interpolation between two values", "lerp", "an interpolated value", "round half up in 64 bits where 0 ≤ t ≤ 1",
+      "a and b within ±512 px, 0 ≤ t < 1", "unit: 1 ulp", &rivals_lerp, 1, false, draw_lerp, edges_lerp, lerp_is, false,
+      "abt" },
     { "Degrees to angle", "degrees", "degrees", "multiply by 2³²/360 where ties do not matter",
       "multiples of 0.1° and random numbers within ±360°", ANG, &rivals_degrees, 1, true, draw_degrees, edges_degrees,
       degrees_is, false, "g" },
@@ -475,8 +475,8 @@ static void conclude(const struct quantity *q, int engine, const struct found fo
         if (q->rivals->row[i].at && found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.33)
             cheapest = false;
     lab_conclude(q->question, q->rivals->row[engine].name,
-                 report_string("0 misrounded here and in `make prove`; %s", lab_ns(&time[engine])), q->instead,
-                 lab_exact() || cheapest);
+                 report_string("every result correctly rounded, here and in `make prove`; %s", lab_ns(&time[engine])),
+                 q->instead, lab_exact() || cheapest);
 }
 
 /* ---- the edges, said: from the arrays that were tried ---- */
@@ -600,11 +600,11 @@ static void note_edges(const struct quantity *q, int n_edges)
 static void print_edges(void)
 {
     report_text("### The edges");
-    report_text("Each edge test uses every combination of values from its sets, which are listed in the order of the "
-                "function's\n"
-                "arguments. Plain numbers are raw Q15.16 values (65536 is 1), numbers starting with 0x are raw angles, "
-                "and degrees are\n"
-                "doubles.");
+    report_text("The letters stand for the sets below, one for each argument of the function. The tests use every "
+                "combination of values\n"
+                "from these sets, except where the last column excludes one. Plain numbers are raw Q15.16 values "
+                "(65536 is 1), and\n"
+                "numbers that start with 0x are raw angles. The values for *Degrees to angle* are in degrees.");
     report_table(NULL, "function|sets|inputs>|combinations");
     for (int i = 0; i < n_edge_rows; i++) {
         const char *cell[4];
@@ -663,33 +663,28 @@ void section_functions(void)
 {
     rivals_begin();
     report_section("1. Functions");
-    report_text(
-        "This section compares each arithmetic function in src/base with cheaper and more expensive ways to compute "
-        "it. The true\n"
-        "results are computed with 106 bits. Each function gets %s random arguments of realistic size, then *edges*.\n"
-        "Depending on the function, these are all pairs of the largest value, the smallest and values around 0, ½ and "
-        "1; the\n"
-        "angles around each eighth of a turn; pairs of values between which the rounded root changes; or the multiples "
-        "of 22.5\n"
-        "degrees and their neighbours.\n"
-        "\n"
-        "*Misrounded* is the share of results that are not the nearest representable value (correct rounding still has "
-        "errors of\n"
-        "up to 0.5 ulp). *Wrong at edges* counts the edges at which the result is not the true one, rounded and "
-        "clamped to the\n"
-        "range ([the edges](#the-edges) are listed below). All numbers for the C library are marked ≈, because "
-        "libraries differ\n"
-        "between systems. Where libm has no such function, the rows float32 and double take its place. The plots omit "
-        "the 106-bit\n"
-        "reference; their line joins the methods that no other method beats in both time and error.\n"
-        "\n"
-        "For quotients and square roots, no exact method saves as much as a fifth of the time on this processor. The "
-        "cheap\n"
-        "alternatives are to store an inverse and to compare squares. Division by 0, roots of negative numbers and the "
-        "direction\n"
-        "of (0, 0) are not tested here: src/base/fx.h and trig.h define their results. The libfixmath rows use "
-        "Debian's build.",
-        report_count(LAB_VALUES));
+    report_text("This section compares each arithmetic function in src/base with cheaper and more expensive methods. "
+                "The true results are\n"
+                "computed with 106 bits. Each function gets %s random arguments of realistic size. It is then tested "
+                "at *edges*, the\n"
+                "arguments most likely to cause wrong rounding or overflow. [The edges](#the-edges) are listed below.\n"
+                "\n"
+                "*Misrounded* is the share of results that are not the representable value nearest to the true result. "
+                "Even the nearest\n"
+                "value can be up to 0.5 ulp off. *Wrong at edges* counts the edges at which the result is not the true "
+                "result, rounded\n"
+                "and clamped to the representable range.\n"
+                "\n"
+                "Numbers that depend on the C library (libm) are marked ≈, because libraries differ between systems. "
+                "The libfixmath rows\n"
+                "use Debian's build of that library. In each plot, a line joins the methods that no other method beats "
+                "in both time and\n"
+                "error. The plots omit the 106-bit reference.\n"
+                "\n"
+                "Division by 0, roots of negative numbers and the direction of (0, 0) are not tested here: "
+                "src/base/fx.h and trig.h\n"
+                "define their results.",
+                report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);
     print_edges();

@@ -21,14 +21,14 @@ struct choice {
 static const struct choice CHOICES[] = {
     { "`hit = { circle = 4 }`", "nothing: exact along the whole path", "everything", SHAPE_CIRCLE,
       KIND_GRAZE | KIND_SWEPT },
-    { "`swept = false`", "crossings between two frames (section 2)",
-      "clouds that move less than half the sum of both radii per frame, if the cost matters", SHAPE_CIRCLE,
-      KIND_GRAZE },
+    { "`swept = false`", "hits between two frames (section 2)",
+      "dense clouds of bullets that move less than half the sum of both radii per frame", SHAPE_CIRCLE, KIND_GRAZE },
     { "`graze = false`", "grazing", "bullets that must not be grazed", SHAPE_CIRCLE, KIND_SWEPT },
     { "`hit = { box = { 8, 8 } }`", "nothing if the sprite is a box", "long and square objects", SHAPE_BOX,
       KIND_GRAZE | KIND_SWEPT },
-    { "`hit = { box = { 8, 8 } }, swept = false`", "both", "no known case", SHAPE_BOX, KIND_GRAZE },
-    { "`hit = \"none\"`", "hits", "decoration", SHAPE_NONE, 0 },
+    { "`hit = { box = { 8, 8 } }, swept = false`", "the same, and hits between two frames", "nothing", SHAPE_BOX,
+      KIND_GRAZE },
+    { "`hit = \"none\"`", "all hits", "decoration", SHAPE_NONE, 0 },
 };
 enum { N_CHOICES = sizeof CHOICES / sizeof *CHOICES, ROUND = 0, SQUARE = 3 };
 
@@ -87,7 +87,7 @@ static void print_choices(void)
     for (int i = 0; i < N_CHOICES; i++)
         rivals[i] = (struct lab_rival){ .run = run_hits, .data = close_crowd(&CHOICES[i], CLOSE), .ops = CLOSE };
     lab_time(rivals, N_CHOICES, 0);
-    report_table("Per kind, in `bullet.def`, `shot.def` and (except graze) `enemy.def`",
+    report_table("Options in `bullet.def`, `shot.def` and `enemy.def` (which has no `graze`)",
                  "choice | loss | time per bullet close to a player> | ratio> | use it for");
     for (int i = 0; i < N_CHOICES; i++) {
         const char *loses = i != SQUARE ? CHOICES[i].loses
@@ -126,14 +126,16 @@ static const struct flight FLIGHTS[] = {
       false },
     { "`fine = true`, straight",
       "position, velocity and direction of travel to 32 fractional bits",
-      "bullets that creep or live for minutes",
+      "bullets that move slowly or live for minutes",
       { { 0 } },
       0,
       true,
       true },
-    { "`fine = true`, `turn`, `speed`", "the same; a speed change ends exactly where the closed form puts the bullet",
-      "the same", LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3,
-      true, true },
+    { "`fine = true`, `turn`, `speed`",
+      "32 fractional bits; a speed change ends exactly where the closed form puts the bullet",
+      "curves that last for minutes",
+      LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
+      true },
 };
 enum { N_FLIGHTS = sizeof FLIGHTS / sizeof *FLIGHTS };
 
@@ -190,8 +192,8 @@ static void print_flights(void)
         rivals[i] =
             (struct lab_rival){ .run = run_frame, .data = flying_crowd(&FLIGHTS[i], CROWD, 0.001), .ops = CROWD };
     lab_time(rivals, N_FLIGHTS, 0);
-    report_table("Per bullet motion", "choice | precision | drift at 0.002 px/frame after 600 frames> | after 36,000> "
-                                      "| time per frame> | ratio> | use it for");
+    report_table("Ways to move a bullet", "choice | precision | drift at 0.002 px/frame after 600 frames> | after "
+                                          "36,000> | time per bullet and frame> | ratio> | use it for");
     for (int i = 0; i < N_FLIGHTS; i++) {
         bool turns = FLIGHTS[i].n > 0;
         report_row(i == 0, FLIGHTS[i].name, FLIGHTS[i].keeps,
@@ -201,10 +203,10 @@ static void print_flights(void)
         engine_free(rivals[i].data);
     }
     report_table_end();
-    lab_conclude("fine motion", "on request",
-                 report_string("%s px of drift in 36,000 frames instead of %s, but slower", report_figure(fine),
+    lab_conclude("fine motion", "off",
+                 report_string("%s px of drift in 36,000 frames instead of %s px, but slower", report_figure(fine),
                                report_figure(plain)),
-                 "`fine = true` for bullets that creep for minutes",
+                 "use `fine = true` for slow bullets that live for minutes",
                  fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));
 }
 
@@ -222,7 +224,7 @@ static void print_rooms(void)
                   { "sparks", &sparks_chip, 2048 },
                   { "sprites", &sprites_chip, 256 } };
 
-    report_table("Per board, in rom.lua: RAM of each chip (none if its capacity is 0)",
+    report_table("RAM of each chip; a chip whose capacity is 0 in rom.lua uses none",
                  "chip | bytes per slot> | default capacity> | KiB in total>");
     for (size_t i = 0; i < sizeof ROOMS / sizeof *ROOMS; i++)
         report_row(false, ROOMS[i].name,
@@ -236,9 +238,9 @@ static void print_rooms(void)
 void section_models(void)
 {
     report_section("8. Choices in a scene");
-    report_text("The defaults are the exact models. Each cost is measured on the engine's own code. A bullet that is "
-                "not close to a player needs no hit test, whatever its kind: the motion pass, which finds the close "
-                "bullets, treats all bullets the same (section 6).");
+    report_text("The defaults are exact. Only bullets close to a player need a hit test. The motion pass finds these "
+                "bullets, and takes\n"
+                "the same time for every kind.");
     print_choices();
     print_flights();
     print_rooms();

@@ -253,7 +253,7 @@ static const struct format {
     const char *who;
 } FORMATS[] = {
     { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 fractional bits, for more range", start_q8, frame32, lane_q8,
-      "nothing: slow bullets drift off course or stand still" },
+      "nothing: slow bullets drift off course or do not move" },
     { "Q15.16", 16, HEADINGS, 65536, "±32,768 px", "nothing", engine_start, engine_frame, engine_lane,
       "every scene: bullets live for seconds, not hours" },
     { "Q11.20", 20, HEADINGS, 4096, "±2,048 px", "range", start_q20, frame32, lane_q20,
@@ -262,10 +262,11 @@ static const struct format {
       "slow bullets that live for minutes" },
     { "Q31.32", 32, HEADINGS, 4294967296.0, "±2,147,483,648 px", "4 bytes per coordinate", start_q32, frame64, lane_q32,
       "an engine with a world larger than ±16,383 px" },
-    { "float32", 0, HEADINGS, 32768, "±16,384 px here", "the same result at every position", f32_start, f32_frame,
-      f32_lane, "nothing: a pattern differs from position to position" },
-    { "double", 0, HEADINGS, 32768, "±16,384 px here", "the same, plus 4 bytes per coordinate", f64_start, f64_frame,
-      f64_lane, "an engine without portable replays" },
+    { "float32", 0, HEADINGS, 32768, "±16,384 px in this test", "the same result at every position", f32_start,
+      f32_frame, f32_lane, "nothing: the same pattern differs from place to place" },
+    { "double", 0, HEADINGS, 32768, "±16,384 px in this test",
+      "the same result at every position; 4 bytes per coordinate", f64_start, f64_frame, f64_lane,
+      "an engine without portable replays" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, Q8 = 0, FINE = 3, FLOAT = 5 };
 
@@ -445,9 +446,11 @@ static const char *drift_cell(const struct drift *d, int speed)
 
 static void print_speeds(void)
 {
-    report_text("The next table shows the largest drift by speed, in px, after 600 / 36,000 / 1,000,000 frames. Fixed "
+    report_text("The next table shows the largest drift by speed, in px, after 600 / 36,000 / 1,000,000 frames. "
+                "Without `fine`, fixed\n"
                 "point drifts by about the same distance at every speed: less than one unit in the last place per "
-                "frame. The drift of float32 grows with the distance covered.");
+                "frame. The drift of\n"
+                "float32 grows with the distance covered.");
     report_table(NULL, "format | 0.002 px/frame> | 0.1 px/frame> | 3 px/frame> | 20 px/frame> | 64 px/frame>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(&FORMATS[i]), FORMATS[i].name, drift_cell(&drifts[i], 0), drift_cell(&drifts[i], 2),
@@ -487,7 +490,7 @@ static void print_all(const struct lab_rival *rivals, const int *differ, const d
                    report_string("%s px", report_figure(d->worst[AT_MILLION])), f->who, NULL);
     }
     report_table_end();
-    report_table(NULL, "format | differ when moved> | by up to> | time per bullet> | ratio>");
+    report_table(NULL, "format | differ when moved> | largest difference> | time per bullet> | ratio>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(&FORMATS[i]), FORMATS[i].name,
                    report_string("%s of %s", report_count(differ[i]), report_count(SHIFTS * PATTERN)),
@@ -515,30 +518,37 @@ void section_positions(void)
 
     report_section("3. Position format");
     report_text("A bullet adds its velocity to its position in every frame, so the rounding error of the velocity "
-                "accumulates. *Drift* is the distance between a bullet and the position that exact arithmetic gives: "
-                "the worst of %d headings and %d speeds from 0.002 to 64 px/frame (8 headings for `fine`). The world "
-                "wraps at its edges so that fast bullets can be followed for a million frames (4 hours 38 minutes). "
-                "Speeds are first rounded to 2⁻¹⁶ px/frame (for `fine`, a script's speeds are rounded to 2⁻³²). The "
-                "error from this rounding is not counted here. Section 8 does count it and finds slightly more drift, "
-                "because 0.002 px/frame is 131.07 of these units, not a whole number.",
+                "accumulates. *Drift* is\n"
+                "the distance between a bullet and its exact position. The tables show the drift for %d headings (8 "
+                "for `fine`) and %d\n"
+                "speeds from 0.002 to 64 px/frame. The world wraps at its edges so that fast bullets can fly for a "
+                "million frames (4\n"
+                "hours 38 minutes). The speeds are rounded to multiples of 2⁻¹⁶ px/frame first, and the error of this "
+                "rounding is not\n"
+                "counted. Section 8 counts it and therefore shows slightly more drift at 0.002 px/frame.",
                 HEADINGS, SPEEDS);
-    report_text("*Differ when moved*: a pattern of %d bullets flies for %d frames, then flies again shifted by whole "
-                "pixels (%d shifts). The column counts the bullets that do not end exactly at the shifted position. "
-                "*Time per bullet* is for one frame with %s bullets; the engine's row runs the whole chip.",
+    report_text("For *differ when moved*, a pattern of %d bullets flies for %d frames, first in its original place and "
+                "then shifted by\n"
+                "whole pixels (%d different shifts). The column counts the bullets that do not end exactly at the "
+                "shifted position. *Time\n"
+                "per bullet* is for one frame with %s bullets. The engine's rows (Q15.16) run its whole motion pass, "
+                "not only the\n"
+                "addition.",
                 PATTERN, PATTERN_FRAMES, SHIFTS, report_count(TIMED));
     print_all(rivals, differ, worst);
     plot_drift();
     print_speeds();
     const struct drift *d = &drifts[me];
-    report_text("A bullet that crosses the field lives for 10 to 30 seconds. In 1,800 frames Q15.16 drifts %s px; a "
-                "range 16 times smaller (Q11.20) or twice the memory (Q31.32) would bring no visible gain. The column "
-                "*differ when moved* matters more: in fixed point a pattern is the same wherever it is fired.",
+    report_text("A bullet takes 10 to 30 seconds to cross the field. In 30 seconds (1,800 frames), Q15.16 drifts by at "
+                "most %s px, so\n"
+                "Q11.20 and Q31.32 would bring no visible gain. In fixed point, a pattern is also the same wherever it "
+                "is fired.",
                 report_figure(3 * d->worst[AT_600]));
     lab_claim(me >= 0, "a row of the table is the engine's format");
     lab_conclude("position format", FORMATS[me].name,
-                 report_string("%s px of drift in 600 frames, %s px in 36,000; the same everywhere on the field",
+                 report_string("%s px of drift in 600 frames and %s px in 36,000 frames, the same at every position",
                                report_figure(d->worst[AT_600]), report_figure(d->worst[AT_36000])),
-                 "`motion.def{ fine = true }` for slow bullets that live for minutes",
+                 "use `motion.def{ fine = true }` for slow bullets that live for minutes",
                  d->worst[AT_600] < 0.01 && drifts[FINE].worst[AT_MILLION] < 1e-6 && differ[FINE] == 0 &&
                      differ[me] == 0 && drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD < 32768 &&
                      WORLD + MAX_SPEED < 32768 && (lab_exact() || rivals[FINE].ratio > 2));

@@ -120,14 +120,14 @@ RIVAL(mul_lfm, fix16_smul(s->a, s->b))
 
 static const struct rival MUL[] = {
     ROW(CHEAPER, false, mul_cut, "truncated, wraps", "half an ulp towards −∞; overflow",
-        "nothing: loses half an ulp on average, always towards −∞, so mirrored patterns drift apart"),
+        "nothing: results are half an ulp too low on average, so mirrored patterns drift apart"),
     ROW(CHEAPER, false, mul_up, "half up, wraps", "ties; overflow",
         "sums of a few products that cannot overflow; ties round differently for −x and x"),
     ROW(ENGINE, false, mul_engine, "fx_mul", "nothing", "every scene"),
-    ROW(DEARER, false, mul_float, "float32", "8 bits of 32", "nothing: 24 bits are too few for a position"),
-    ROW(DEARER, false, mul_double, "double, saturates", "ties, the lowest 11 bits of long products",
+    ROW(DEARER, false, mul_float, "float32", "8 of 32 bits", "nothing: 24 bits are too few for a position"),
+    ROW(DEARER, false, mul_double, "double, saturates", "ties; the lowest 11 bits of long products",
         "nothing: no more accurate than rounding half up, and conversions cost extra"),
-    ROW(DEARER, false, mul_16, "four 16-bit products", "time", "processors without a wider multiplication"),
+    ROW(DEARER, false, mul_16, "four 16-bit products", "time", "processors that can only multiply 16-bit numbers"),
     ROW(DEARER, false, mul_1, "bit by bit", "time", "processors without a multiplier"),
     ROW(LIBRARY, false, mul_lfm, "libfixmath", "ties; time", "nothing: rounds half away from zero, and is slower"),
 };
@@ -162,19 +162,19 @@ RIVAL(div_1, div_bits(s->a, s->b))
 RIVAL(div_lfm, fix16_sdiv(s->a, s->b))
 
 static const struct rival DIV[] = {
-    ROW(CHEAPER, false, div_kept, "times an inverse stored as a double", "ties; computing the inverse",
-        "one divisor for many dividends"),
+    ROW(CHEAPER, false, div_kept, "times an inverse stored as a double", "ties; the time to compute the inverse",
+        "dividing many numbers by the same divisor"),
     ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: this is fx_div",
-        "every scene; unless a quotient is a tie, a double's error is too small to move it across one"),
+        "every scene: the double's error is too small to change the rounded quotient"),
     ROW(ENGINE, false, div_engine, "fx_div", "nothing", "every scene"),
-    ROW(DEARER, false, div_float, "float32", "8 bits of 32", "nothing: 24 bits are too few for a position"),
+    ROW(DEARER, false, div_float, "float32", "8 of 32 bits", "nothing: 24 bits are too few for a position"),
     ROW(DEARER, false, div_cut, "truncated, wraps", "half an ulp towards 0; overflow",
-        "integer results: tiles, cells, frames"),
+        "integer results such as tiles, cells and frames"),
     ROW(DEARER, false, div_recip, "times a Q16.16 reciprocal", "all but 16 bits of the inverse",
-        "one divisor for many dividends, if the divisor is larger than a pixel"),
+        "dividing many numbers by the same divisor, if it is larger than a pixel"),
     ROW(DEARER, false, div_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, div_1, "bit by bit", "time", "processors without a divider"),
-    ROW(LIBRARY, false, div_lfm, "libfixmath", "an occasional last bit; time",
+    ROW(LIBRARY, false, div_lfm, "libfixmath", "the last bit of some results; time",
         "nothing: not always correct, and slower"),
 };
 ROWS(rivals_div, DIV);
@@ -230,12 +230,13 @@ RIVAL(sqrt_lfm, fix16_sqrt(s->a))
 
 static const struct rival SQRT[] = {
     ROW(CHEAPER, false, sqrt_squares, "no root: compare squares", "the root itself", "comparing lengths"),
-    ROW(CHEAPER, false, sqrt_float, "libm sqrtf", "8 bits of 32", "lengths in visual effects"),
-    ROW(CHEAPER, false, sqrt_cut, "double, truncated", "half an ulp", "nothing: rounding costs only one comparison"),
+    ROW(CHEAPER, false, sqrt_float, "libm sqrtf", "8 of 32 bits", "lengths in visual effects"),
+    ROW(CHEAPER, false, sqrt_cut, "double, truncated", "half an ulp",
+        "nothing: correct rounding takes only one more comparison"),
     ROW(ENGINE, false, sqrt_engine, "fx_sqrt", "nothing", "every scene; compare squares where possible"),
-    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the final exact check",
-        "the same results, without an exact check"),
-    ROW(DEARER, false, sqrt_hack, "float32, 1/√ by its bits", "20 bits of 32",
+    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the exact check of the rounding",
+        "programs that need no guarantee of correct rounding"),
+    ROW(DEARER, false, sqrt_hack, "float32, 1/√ by its bits", "20 of 32 bits",
         "nothing: the processor's own square root is as fast"),
     ROW(DEARER, false, sqrt_newton, "Newton's method, integers", "time", "integer processors with a divider"),
     ROW(DEARER, false, sqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
@@ -252,15 +253,16 @@ RIVAL(rsqrt_twin, twin_rsqrt(s->a))
 RIVAL(rsqrt_lfm, fix16_div(FX_ONE, fix16_sqrt(s->a)))
 
 static const struct rival RSQRT[] = {
-    ROW(CHEAPER, false, rsqrt_bits, "float32 by its bits", "20 bits of 32",
+    ROW(CHEAPER, false, rsqrt_bits, "float32 by its bits", "20 of 32 bits",
         "nothing: the processor's own square root is as fast"),
-    ROW(CHEAPER, false, rsqrt_float, "float32", "8 bits of 32", "directions in visual effects"),
+    ROW(CHEAPER, false, rsqrt_float, "float32", "8 of 32 bits", "directions in visual effects"),
     ROW(ENGINE, false, rsqrt_engine, "fx_rsqrt", "nothing", "every scene"),
-    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the final exact check",
-        "the same results, without an exact check"),
-    ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "the bits lost in the root", "nothing: it divides by a rounded root"),
+    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the exact check of the rounding",
+        "programs that need no guarantee of correct rounding"),
+    ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "the bits lost by rounding the root",
+        "nothing: dividing by a rounded root is inaccurate"),
     ROW(DEARER, false, rsqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the bits lost in the root; time", "nothing"),
+    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the bits lost by rounding the root; time", "nothing"),
 };
 ROWS(rivals_rsqrt, RSQRT);
 
@@ -297,18 +299,20 @@ RIVAL(hypot_libmf, fx_sat(whole_f(hypotf((float)s->a, (float)s->b))))
 RIVAL(hypot_lfm, hypot_lfm_of(s->a, s->b))
 
 static const struct rival HYPOT[] = {
-    ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "7 %", "sorting by distance where 7 % does not matter"),
-    ROW(CHEAPER, false, hypot_float, "float32", "8 bits of 32", "distances in visual effects"),
-    ROW(CHEAPER, false, hypot_double, "double, rounded", "the final exact check",
+    ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "up to 7 % of the length",
+        "sorting by distance where an error of 7 % does not matter"),
+    ROW(CHEAPER, false, hypot_float, "float32", "8 of 32 bits", "distances in visual effects"),
+    ROW(CHEAPER, false, hypot_double, "double, rounded", "the exact check of the rounding",
         "a game without replays: results near ties are uncertain"),
     ROW(ENGINE, false, hypot_engine, "fx_hypot", "nothing", "every scene; compare squares where possible"),
-    ROW(DEARER, false, hypot_squares, "squares in Q15.16", "range: 181 px", "nothing: squares overflow beyond 181 px"),
+    ROW(DEARER, false, hypot_squares, "squares in Q15.16", "lengths beyond 181 px",
+        "nothing: squares overflow beyond 181 px"),
     ROW(DEARER, false, hypot_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
     ROW(LIBRARY, true, hypot_libm, "libm hypot", "identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 bits; identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, hypot_lfm, "libfixmath: squares and root", "range: 181 px; time",
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 of 32 bits; identical results on all hosts",
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, false, hypot_lfm, "libfixmath: squares and root", "lengths beyond 181 px; time",
         "nothing: squares overflow beyond 181 px"),
 };
 ROWS(rivals_hypot, HYPOT);
@@ -393,23 +397,25 @@ RIVAL(sin_lfm, fix16_sin(s->rad))
 RIVAL(sin_lfmp, fix16_sin_parabola(s->rad))
 
 static const struct rival SIN[] = {
-    ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB, 803 ulp", "an 8-bit look; sparks"),
+    ROW(CHEAPER, false, sin_256, "256 entries, nearest", "1 KiB of RAM; up to 803 ulp", "an 8-bit look, sparks"),
     ROW(CHEAPER, false, sin_parabola, "a parabola", "up to 0.06", "swaying in visual effects"),
-    ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "waves that tolerate uneven errors"),
-    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp",
+    ROW(CHEAPER, false, sin_1024, "1024 entries, interpolated", "4 KiB of RAM; up to 1.7 ulp",
+        "waves that tolerate uneven errors"),
+    ROW(CHEAPER, false, sin_64k, "65,536 entries (256 KiB)", "256 KiB of RAM; up to 3.6 ulp",
         "16-bit angles, for which it is exact"),
     ROW(ENGINE, false, sin_engine, "trig_sin", "nothing", "every scene"),
-    ROW(DEARER, false, sin_11, "Taylor to x¹¹, double", "0.003 ulp; time", "a host with doubles; short code"),
+    ROW(DEARER, false, sin_11, "Taylor to x¹¹, double", "up to 0.003 ulp; time", "short code on a host with doubles"),
     ROW(DEARER, false, sin_q30, "trig_sin30, rounded again", "a second rounding",
-        "factors: keep the 30 bits and round the product once"),
+        "factors: multiply by the unrounded 30-bit sine, then round the product once"),
     ROW(DEARER, false, sin_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(ORACLE, false, sin_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, true, sin_libm, "libm sin", "identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 bits; identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, sin_lfm, "libfixmath", "508 ulp; time", "nothing: its series is too short near half a turn"),
-    ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "73 ulp; time", "swaying in visual effects"),
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 of 32 bits; identical results on all hosts",
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, false, sin_lfm, "libfixmath", "up to 508 ulp; time",
+        "nothing: its series is too short near half a turn"),
+    ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "up to 73 ulp; time", "swaying in visual effects"),
 };
 ROWS(rivals_sin, SIN);
 
@@ -423,17 +429,18 @@ RIVAL(cos_libmf, whole_f(cosf((float)s->radians) * 65536))
 RIVAL(cos_lfm, fix16_cos(s->rad))
 
 static const struct rival COS[] = {
-    ROW(CHEAPER, false, cos_256, "256 entries, nearest", "1 KiB, 803 ulp", "same as for the sine"),
-    ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "4 KiB, 1.7 ulp", "same as for the sine"),
-    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB, 3.6 ulp",
+    ROW(CHEAPER, false, cos_256, "256 entries, nearest", "1 KiB of RAM; up to 803 ulp", "see Sine"),
+    ROW(CHEAPER, false, cos_1024, "1024 entries, interpolated", "4 KiB of RAM; up to 1.7 ulp", "see Sine"),
+    ROW(CHEAPER, false, cos_64k, "65,536 entries (256 KiB)", "256 KiB of RAM; up to 3.6 ulp",
         "16-bit angles, for which it is exact"),
     ROW(ENGINE, false, cos_engine, "trig_cos", "nothing", "every scene"),
     ROW(DEARER, false, cos_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(LIBRARY, true, cos_libm, "libm cos", "identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 bits; identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, cos_lfm, "libfixmath", "506 ulp; time", "nothing: its series is too short near half a turn"),
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 of 32 bits; identical results on all hosts",
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, false, cos_lfm, "libfixmath", "up to 506 ulp; time",
+        "nothing: its series is too short near half a turn"),
 };
 ROWS(rivals_cos, COS);
 
@@ -510,19 +517,19 @@ RIVAL(atan2_libmf, (ang)whole_f(atan2f((float)s->b, (float)s->a) * (float)ANGS_A
 RIVAL_AS(atan2_lfm, fix16_atan2(s->b, s->a), (ang)whole(fix16_atan2(s->b, s->a) / 65536.0 * ANGS_A_RADIAN))
 
 static const struct rival ATAN2[] = {
-    ROW(CHEAPER, false, atan2_square, "a parabola", "0.22°", "rotating a sprite"),
-    ROW(CHEAPER, false, atan2_256, "257 entries, nearest", "1 KiB, 0.11°", "an 8-bit look"),
-    ROW(CHEAPER, false, atan2_1024, "1025 entries, interpolated", "4 KiB, 5 of 32 bits",
-        "16-bit angles: nearly always within half a unit"),
+    ROW(CHEAPER, false, atan2_square, "a parabola", "up to 0.22°", "rotating a sprite"),
+    ROW(CHEAPER, false, atan2_256, "257 entries, nearest", "1 KiB of RAM; up to 0.11°", "an 8-bit look"),
+    ROW(CHEAPER, false, atan2_1024, "1025 entries, interpolated", "4 KiB of RAM; 5 of 32 bits",
+        "16-bit angles, which it nearly always rounds correctly"),
     ROW(ENGINE, false, atan2_engine, "trig_atan2", "nothing", "every scene"),
     ROW(DEARER, false, atan2_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
-    ROW(DEARER, false, atan2_cordic, "CORDIC, 40 steps", "0.001 units; time", "processors without a divider"),
+    ROW(DEARER, false, atan2_cordic, "CORDIC, 40 steps", "up to 0.001 units; time", "processors without a divider"),
     ROW(ORACLE, false, atan2_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, true, atan2_libm, "libm atan2", "identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
+        "a game without replays: libraries differ, even on the same machine"),
     ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "9 of 32 bits; identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, false, atan2_lfm, "libfixmath", "0.58°; time", "rotating a sprite"),
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, false, atan2_lfm, "libfixmath", "up to 0.58°; time", "rotating a sprite"),
 };
 ROWS(rivals_atan2, ATAN2);
 
@@ -561,22 +568,21 @@ RIVAL_2(polar_libm, (x = (fx)whole(s->a * cos(s->radians)), y = (fx)whole(s->a *
 RIVAL_2(polar_lfm, (x = fix16_smul(s->a, fix16_cos(s->rad)), y = fix16_smul(s->a, fix16_sin(s->rad))))
 
 static const struct rival POLAR[] = {
-    ROW(CHEAPER, false, polar_256, "256 entries, truncated", "1 KiB, 1.4°",
+    ROW(CHEAPER, false, polar_256, "256 entries, truncated", "1 KiB of RAM; up to 1.4°",
         "an 8-bit look: headings are up to 1.4° off"),
     ROW(ENGINE, false, polar_engine, "trig_polar", "nothing", "every scene; motion.def{ fine=true } for more bits"),
-    ROW(DEARER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB, 0.0027°; time",
+    ROW(DEARER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB of RAM; up to 0.0027°; time",
         "a 16-bit look: headings are up to 0.0027° off"),
-    ROW(DEARER, false, polar_q16, "speed × Q16 sine", "a rounding error that grows with speed; time",
+    ROW(DEARER, false, polar_q16, "speed × Q16 sine", "accuracy at high speeds; time",
         "nothing: the speed multiplies the sine's rounding error"),
-    ROW(DEARER, false, polar_q30, "speed × Q30 sine", "a second rounding; time",
-        "code that already has such a sine: one more rounding, 0.02 ulp off"),
+    ROW(DEARER, false, polar_q30, "speed × Q30 sine", "a second rounding; time", "code that already has such a sine"),
     ROW(DEARER, false, polar_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, polar_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(ORACLE, false, polar_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, true, polar_libm, "libm sin and cos", "identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
-    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 bits; identical results on all hosts",
-        "a game without replays; libraries differ, even on one machine"),
+        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 of 32 bits; identical results on all hosts",
+        "a game without replays: libraries differ, even on the same machine"),
     ROW(LIBRARY, false, polar_lfm, "libfixmath", "7 of 16 bits of the sine; time", "nothing"),
 };
 ROWS(rivals_polar, POLAR);
@@ -642,17 +648,19 @@ RIVAL_2(unit_106, (x = (fx)exact(truth_unit(s->a, s->b)), y = (fx)exact(truth_un
 RIVAL_2(unit_lfm, unit_by_lfm(s->a, s->b, &x, &y))
 
 static const struct rival NORMALISE[] = {
-    ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "6 % of the length", "nothing: lengths differ by 7 %"),
-    ROW(CHEAPER, false, unit_float, "float32", "8 bits of 32", "directions in visual effects"),
-    ROW(CHEAPER, false, unit_double, "double, rounded", "the final exact check",
+    ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "6 % of the length",
+        "nothing: the results have different lengths"),
+    ROW(CHEAPER, false, unit_float, "float32", "8 of 32 bits", "directions in visual effects"),
+    ROW(CHEAPER, false, unit_double, "double, rounded", "the exact check of the rounding",
         "a game without replays: results near ties are uncertain"),
-    ROW(CHEAPER, false, unit_recip, "times 1 / length in Q15.16", "bits of long vectors",
-        "nothing: long vectors lose most bits"),
-    ROW(CHEAPER, false, unit_div, "over fx_hypot", "bits of short vectors", "nothing: short vectors lose most bits"),
+    ROW(CHEAPER, false, unit_recip, "times 1 / length in Q15.16", "accuracy of long vectors",
+        "nothing: long vectors are inaccurate"),
+    ROW(CHEAPER, false, unit_div, "over fx_hypot", "accuracy of short vectors",
+        "nothing: short vectors are inaccurate"),
     ROW(ENGINE, false, unit_engine, "trig_normalise", "nothing", "every scene"),
     ROW(DEARER, false, unit_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(ORACLE, false, unit_106, "106 bits", "time", "test oracles"),
-    ROW(LIBRARY, false, unit_lfm, "libfixmath: over the root", "range: 181 px; time",
+    ROW(LIBRARY, false, unit_lfm, "libfixmath: over the root", "lengths beyond 181 px; time",
         "nothing: squares overflow beyond 181 px"),
 };
 ROWS(rivals_normalise, NORMALISE);
@@ -672,11 +680,11 @@ static const struct rival LERP[] = {
     ROW(CHEAPER, false, lerp_32, "truncated, 32-bit difference", "half an ulp towards −∞; range",
         "values less than 32768 px apart, where half an ulp does not matter"),
     ROW(CHEAPER, false, lerp_up, "64 bits, half up, wraps", "ties; overflow",
-        "0 ≤ t ≤ 1, where mirrored ties do not matter"),
+        "0 ≤ t ≤ 1, where ties need not round symmetrically"),
     ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both truncated", "one ulp towards −∞",
         "nothing: not even monotonic"),
     ROW(ENGINE, false, lerp_engine, "fx_lerp", "nothing", "every scene"),
-    ROW(DEARER, false, lerp_float, "float32", "8 bits of 32", "colours, volumes"),
+    ROW(DEARER, false, lerp_float, "float32", "8 of 32 bits", "colours, volumes"),
     ROW(DEARER, false, lerp_double, "double, saturates", "ties",
         "nothing: no more accurate than rounding half up, and conversions cost extra"),
     ROW(ORACLE, false, lerp_106, "106 bits", "time", "test oracles"),
@@ -707,18 +715,19 @@ RIVAL_AS(degrees_lfm, fix16_deg_to_rad(fix16_from_dbl(s->deg)),
          (ang)whole(fix16_deg_to_rad(fix16_from_dbl(s->deg)) / 65536.0 * ANGS_A_RADIAN))
 
 static const struct rival DEGREES[] = {
-    ROW(CHEAPER, false, degrees_16, "16-bit angle", "16 bits of 32", "a 16-bit look"),
-    ROW(CHEAPER, false, degrees_float, "float32", "8 bits of 32", "rotating sprites"),
+    ROW(CHEAPER, false, degrees_16, "16-bit angle", "16 of 32 bits", "a 16-bit look"),
+    ROW(CHEAPER, false, degrees_float, "float32", "8 of 32 bits", "rotating sprites"),
     ROW(CHEAPER, false, degrees_cut, "double, truncated", "half a unit towards 0",
         "nothing: 180° must be exactly half a turn"),
-    ROW(CHEAPER, false, degrees_double, "double, times 2³²/360", "ties; more than 2³¹°",
-        "up to 2³¹°: differs only at ties"),
+    ROW(CHEAPER, false, degrees_double, "double, times 2³²/360", "ties; angles beyond 2³¹°",
+        "angles up to 2³¹° where ties do not matter"),
     ROW(ENGINE, false, degrees_engine, "trig_from_degrees", "nothing", "every scene; any finite number of degrees"),
     ROW(ORACLE, false, degrees_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, false, degrees_libm, "through radians, double", "two more roundings; time",
         "nothing: rounds three times"),
-    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 bits of 32; time", "nothing"),
-    ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "20 of 32 bits; time", "nothing: its π/180 has 11 bits"),
+    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 of 32 bits; time", "nothing"),
+    ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "20 of 32 bits; time",
+        "nothing: its π/180 has only 11 bits"),
 };
 ROWS(rivals_degrees, DEGREES);
 
@@ -739,9 +748,9 @@ RIVAL_AS(difference_float, (int64_t)remainderf((float)s->other - (float)s->deg, 
 static const struct rival DIFFERENCE[] = {
     ROW(ENGINE, false, difference_engine, "trig_difference", "nothing",
         "every scene; nothing is cheaper than a subtraction"),
-    ROW(DEARER, false, difference_16, "16-bit angles", "16 bits of 32", "a 16-bit look"),
+    ROW(DEARER, false, difference_16, "16-bit angles", "16 of 32 bits", "a 16-bit look"),
     ROW(DEARER, false, difference_double, "double degrees, remainder", "time", "scripts"),
-    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 bits of 32; time", "nothing"),
+    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 of 32 bits; time", "nothing"),
 };
 ROWS(rivals_difference, DIFFERENCE);
 
@@ -760,7 +769,7 @@ IN_DEGREES(to_degrees_engine, trig_to_degrees(s->dir))
 IN_DEGREES(to_degrees_lfm, degrees_lfm_of(s->rad))
 
 static const struct rival TO_DEGREES[] = {
-    ROW(CHEAPER, false, to_degrees_float, "float32", "8 bits of 32", "rotating sprites"),
+    ROW(CHEAPER, false, to_degrees_float, "float32", "8 of 32 bits", "rotating sprites"),
     ROW(ENGINE, false, to_degrees_engine, "trig_to_degrees", "nothing",
         "every scene; all 2³² values survive a round trip (section 7)"),
     ROW(LIBRARY, false, to_degrees_lfm, "libfixmath, from radians", "17 of 32 bits; time", "nothing"),
