@@ -88,7 +88,7 @@ const struct command_row args_commands[COMMANDS] = {
 const struct option_row args_options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, TEXT(record), "record the run as demo F" },
     [OPTION_PRINTS] = { "--prints", "WORD", FOR_HEADLESS | FOR_VERIFY | FOR_SURVIVE, WORD(prints, demo_prints_words),
-                        "checksums in the demo: every (one per frame), seconds (one per second; a tenth of the size), "
+                        "checksums in the demo: every (one per frame), seconds (one per second; a much smaller file), "
                         "or auto (\"every\" for demos of up to a minute, \"seconds\" for longer ones)" },
     [OPTION_DEMO] = { "--demo", "F", FOR_RUN | FOR_BENCH, TEXT(demo),
                       "play demo F; no buttons are held after its end" },
