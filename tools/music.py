@@ -507,9 +507,11 @@ PAGE = """# The music of Glass Tide
 `tools/music.py --page roms/glasstide >docs/measured/music.md` writes this page; [music.sh](../../tests/cli/music.sh)
 checks it.
 
-The game has {count} pieces and {sounds} sounds, all written in MML: [music](../../{game}/music) and
-[sfx](../../{game}/sfx). All pieces share one motif, the degrees 1 5 4 | 5 2 3 of the scale: a wave that rises,
-falls back, and rises less.
+The game has {count} pieces and {sounds} sounds, all written in MML, in [music](../../{game}/music) and
+[sfx](../../{game}/sfx). All pieces share a motif of scale degrees, 1 5 4 | 5 2 3. It is like a wave: it rises,
+falls back, and then rises less than before.
+
+The column *form and bars* lists the sections of each piece, each with its number of bars.
 
 | piece | title | used for | key | tempo | form and bars | seconds |
 |---|---|---|---|---|---|---|
@@ -517,7 +519,7 @@ falls back, and rises less.
 
 ## Declarations and checks
 
-Comments in a piece declare its musical intent:
+Comments in each piece declare its key, tempo, form, tracks and chords:
 
 ```
 ;= key D minor
@@ -529,8 +531,9 @@ Comments in a piece declare its musical intent:
 ```
 
 `form` lists the sections. For each section, a line that starts with the section's name lists the chords: `|` separates
-bars, two chords in a bar take half of it each, and `%` repeats the previous bar. `A'` without its own line uses the
-chords of `A`. Keys are major, minor, harmonic minor, melodic minor, dorian, phrygian, lydian and mixolydian.
+bars, two chords in a bar last half a bar each, and `%` repeats the previous bar. If `A'` has no line, it uses the
+chords of `A`. A key can be major, minor, harmonic minor, melodic minor, dorian, phrygian, lydian or mixolydian.
+
 `tools/music.py GAME` reads the notes from the packer (`curtain sound GAME NAME --notes`) and checks them against these
 rules:
 
@@ -541,14 +544,22 @@ rules:
 A looping piece lasts at least {long:g} seconds before it loops, and the loop starts at the beginning of a section. A
 piece that does not loop lasts {short[0]:g} to {short[1]:g} seconds. No two pieces have the same key, tempo and chords.
 
+The table shows the results. *Leap* is the melody's widest interval and *range* is the melody's range, both in
+semitones. *Rests* is the melody's longest rest in bars, and *sections* is the number of different sections.
+
 {notes}
 
 ## Levels
 
-Loudness follows ITU-R BS.1770, as printed by `curtain sound`; pieces differ by at most {spread:g} LU. The peak is at
-most {peak:g} dB, at most {round:g} % of the samples are in the limiter's curve, and the mean is at most {dc:g} of
-full scale. To check the loop point, the piece is rendered without drums: its second difference within 10 ms of that
-point is compared with the largest in the four seconds around it.
+`curtain sound` prints the loudness of a piece, measured as in ITU-R BS.1770. These limits apply:
+
+* The loudness of any two pieces differs by at most {spread:g} LU.
+* The peak of a piece is at most {peak:g} dB.
+* At most {round:g} % of the samples of a piece are in the curved part of the limiter.
+* The mean of the samples is at most {dc:g} of full scale.
+* There is no click where the piece loops. To check this, the piece is rendered without drums. The largest second
+  difference (the change in slope from sample to sample) within 10 ms of the loop point must not exceed the largest one
+  in the rest of the four seconds before and after that point.
 
 {levels}
 
@@ -564,18 +575,18 @@ Each sound is measured until it stays below -60 dB. *Loudest* is the root mean s
 """
 
 RULES = (
-    ("notes of melody, second part, harmony and bass in the scale", IN_SCALE),
-    ("bass on chord tones", BASS_FITS),
+    ("notes of melody, second part, harmony and bass that are in the scale", IN_SCALE),
+    ("time in which the bass plays chord tones", BASS_FITS),
     ("chords on which the bass starts with the root or the note after `/`", ROOTS),
-    ("harmony on chord tones", HARMONY_FITS),
+    ("time in which the harmony plays chord tones", HARMONY_FITS),
     ("melody notes on strong beats that are chord tones", STRONG_FITS),
     ("melody moves of at most a whole tone", STEPS), ("bars in which the melody sounds", SINGS),
 )
 LIMITS = (
-    ("long melody notes a semitone above a chord tone", "at most " + percent(CLASHES)),
-    ("bars that repeat an earlier one, in all parts or in the melody", "at most " + percent(REPEATED)),
+    ("time in which the melody plays long notes a semitone above a chord tone", "at most " + percent(CLASHES)),
+    ("bars that repeat an earlier bar, in all parts or in the melody alone", "at most " + percent(REPEATED)),
     ("the melody's longest rest", f"at most {RESTS:g} bars"),
-    ("melody, second part and harmony a semitone apart in one octave", "less than a beat"),
+    ("longest clash of a semitone between melody, second part and harmony", "less than a beat"),
 )
 
 
@@ -620,12 +631,19 @@ def page(curtain, game):
 
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
-Rendering the sound of a frame takes 0.68 million instructions on the title screen, 1.35 million in a stage while the
-ship fires, and 1.42 million in the queen's last phase. On the machine named in [speed.md](speed.md), the last takes 70
-microseconds, 0.4 % of a frame. The counts are callgrind's: the difference between `curtain render roms/glasstide
---press fire --invincible --stage one` with and without `--wav`, for frames 600 to 1200. The count for the queen uses
-`--stage queen/flower`, and the command for the title screen names only the ROM. Sound is not part of the game state: a
-run has the same hashes with and without it."""
+Rendering the sound of a frame takes this many instructions:
+
+* on the title screen: 0.68 million
+* in a stage while the ship fires: 1.35 million
+* in the queen's last phase: 1.42 million
+
+On the machine named in [speed.md](speed.md), 1.42 million instructions take 70 microseconds, 0.4 % of a frame.
+
+Callgrind counted the instructions for frames 600 to 1200, with and without `--wav`; the numbers are the differences.
+The command for the stage is `curtain render roms/glasstide --press fire --invincible --stage one`. The command for the
+queen uses `--stage queen/flower` instead, and the command for the title screen has none of these three options.
+
+Sound is not part of the game state: a run has the same hashes with and without it."""
 
 # ---- the command ----
 

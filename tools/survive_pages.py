@@ -70,11 +70,11 @@ def harder(easier, more):
     if live + 2 < live_then:
         return "%d of %d bots live, compared with %d" % (live, BOTS, live_then)
     if live <= live_then and frames + frames // 5 + 60 < frames_then:
-        return "bots last %.1f s, compared with %.1f" % (frames / 60, frames_then / 60)
+        return "bots last %.1f s, compared with %.1f s" % (frames / 60, frames_then / 60)
     if a["rate"] > b["rate"] * 1.1 + 10 and live <= live_then:
         return "%d bullets a second, compared with %d" % (a["rate"] // 10, b["rate"] // 10)
     if 0 < a["gap"] < b["gap"] - 20 and live <= live_then:
-        return "the narrowest gap is %.1f px, compared with %.1f" % (a["gap"] / 10, b["gap"] / 10)
+        return "the narrowest gap is %.1f px, compared with %.1f px" % (a["gap"] / 10, b["gap"] / 10)
     return ""
 
 
@@ -103,19 +103,25 @@ def survive_page(folder):
     yield """# Clearable sections
 
 `make survive` writes this page. It lists the results of `curtain survive` for every stage and boss phase in *Glass
-Tide* at every difficulty, and for every page of the cookbook. [The guide](../guide/28-survive.md) explains the columns
-and their limits. Each run that the command found is a demo that passes `curtain verify`; the demos for phases are in
-`tests/demos/phases`. [game.md](game.md) shows the difficulty as curves.
+Tide* at every difficulty, and for every page of the cookbook. Each run that the command finds is saved as a demo that
+passes `curtain verify`; the demos for phases are in `tests/demos/phases`. [game.md](game.md) shows the difficulty as
+curves.
 
-`gap px` is the width of the widest ship that still gets through, tested up to 36 px; `last` is the average number of
-seconds that sixteen simple bots survive; `reaction` is in frames.
+[The guide](../guide/28-survive.md) explains the columns and their limits. In short:
+
+* `seconds`: the length of the run
+* `bots`: how many of sixteen simple bots survive
+* `last`: how many seconds the bots survive on average
+* `gap px`: the width in pixels of the widest ship that still gets through; widths up to 36 are tested
+* `bullets`: bullets and lasers fired per second
+* `reaction`: one in ten bullets on course for the ship arrives within this number of frames after it is fired
 
 ## Glass Tide
 """
     told, sections, difficulties = read(folder, "glasstide")
     yield from table(told, sections, difficulties)
-    yield "\n%s\n\nThese sections are harder at the easier difficulty:\n" % holding(folder, "glasstide")
-    worse = ["* %s: %s is harder than %s: %s" % (section, a, b, why) for section, a, b, one, two in
+    yield "\n%s\n\nThese sections are harder at an easier difficulty:\n" % holding(folder, "glasstide")
+    worse = ["* `%s` is harder on %s than on %s: %s" % (section, a, b, why) for section, a, b, one, two in
              pairs(told, sections, difficulties) for why in [harder(one, two)] if why]
     yield from worse or ["None."]
     yield "\n## The cookbook\n"
@@ -231,8 +237,8 @@ def falls(told, order, difficulties):
         for d in difficulties:
             for s, t in zip(of, of[1:]):
                 if group(s) == group(t) and rate(told[t][d]) <= rate(told[s][d]):
-                    yield "%s: `%s` has %.1f, but the next section, `%s`, has %.1f." % (
-                        d, s, rate(told[s][d]), t, rate(told[t][d]))
+                    yield "%s: %.1f in `%s`, but %.1f in the next section, `%s`" % (
+                        d, rate(told[s][d]), s, rate(told[t][d]), t)
             yield from lower(told, d, of, groups, group, lambda g, h: stage_of[g] == stage_of[h])
             yield from lower(told, d, of, stages, order.get, lambda a, b: True)
 
@@ -255,14 +261,20 @@ stage sections between them.
 
 ![Hits per minute over the sections of the game, one curve per difficulty](../images/game-curve.svg)
 
-**The measure is hits per minute** of 32 simple bots that fly each section to its end (`curtain survive --bots 32`):
-eight stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second. A bot flies on after a
-hit, and hits in the next 90 frames are ignored. The result shows how much of the field is dangerous, and how often.
-The measure is stable, because it averages hundreds of hits. The sixteen bots of [survive.md](survive.md) stop at their
-first hit, so they measure only the first seconds of a section. The narrowest gap measures how exact a path must be, but
-not how often it must be that exact. Bullets per second don't measure where the bullets fly. Bots neither learn nor fear
-a pattern, so a pattern that is hard to read is easier for them than for you. Numbers in parentheses are for the
-dodging bots only.
+**Each number is hits per minute**, averaged over the 32 simple bots of `curtain survive --bots 32`. The bots fly each
+section to its end. Eight bots stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second.
+A bot flies on after a hit, and hits in the next 90 frames are ignored. Numbers in parentheses are for the dodging bots
+alone. `one:wreck` is a section of stage one; `crab/pincers` is a phase of the boss `crab`.
+
+The result shows how much of the field is dangerous, and how often. It is stable because it averages hundreds of hits.
+The other measures in [survive.md](survive.md) show less:
+
+* The sixteen bots stop at their first hit, so they test only the first seconds of a section.
+* The narrowest gap shows how exact a path must be, but not how often it must be that exact.
+* Bullets per second don't show where the bullets fly.
+
+Bots don't have to read a pattern, so a pattern that is hard to read is easier for them than for you. They don't learn a
+pattern either.
 """
     yield "| section |%s" % "".join(" %s |" % d for d in difficulties)
     yield "|---|%s" % ("---:|" * len(difficulties))
@@ -270,12 +282,16 @@ dodging bots only.
         yield "| %s |%s" % (s, "".join(" %.1f (%.1f) |" % (rate(told[s][d]), rate(told[s][d], ["dodge"]))
                                        for d in difficulties))
     yield """
-Hits per minute must rise in each section from one difficulty to the next, within a stage from section to section, and
-within a boss from phase to phase. The averages must rise from a stage's first boss to its last, and from stage to
-stage. A stage can start easier than the previous stage ended. The caravan and the boss rush are separate and must rise
-only with the difficulty.
+Hits per minute must rise:
 
-**Exceptions:**
+* in each section, from one difficulty to the next
+* within a stage, from section to section, and within a boss fight, from phase to phase
+* on average, from a stage's first boss to its last, and from stage to stage
+
+A stage can start easier than the previous stage ended. The caravan and the boss rush are separate from the stages, so
+only the first rule applies to them.
+
+**Exceptions, in hits per minute:**
 """
     yield from ["* " + line for line in falls(told, order, difficulties)] or ["None."]
 

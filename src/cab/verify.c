@@ -140,7 +140,7 @@ static void markers_at(const struct demo *d, uint32_t frame, const struct demo_m
     }
 }
 
-/* "in stage one, boss queen, phase bloom, 12.3 s after it began; player 1 died 2.0 s before" */
+/* "in stage one, boss queen, phase bloom, 12.3 s after its start; player 1 died 2.0 s earlier" */
 static void say_place(const struct demo *d, uint32_t frame)
 {
     static const char *const kinds[MARKER_DEATH] = { "stage", "mark", "wave", "boss", "phase" };

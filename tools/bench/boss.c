@@ -113,8 +113,8 @@ static void parts(void)
         for (int i = -1; i < LEFT_OUTS; i++)
             for (int k = 0; k < FRAMES; k++)
                 frame(i < 0 ? &whole : &without[i], k > 0);
-    report_text("The next table shows the cost of each part other than bullets: the microseconds of the fight with %s "
-                "live bullets, minus those of the same fight without the part.",
+    report_text("The next table shows what each other part of the fight costs in microseconds. This is the time of the "
+                "fight with %s bullets, minus the time of the same fight without that part.",
                 report_count(whole.live / whole.frame.n));
     report_table(NULL, "part | tick> | draw>");
     for (int i = 0; i < LEFT_OUTS; i++)
@@ -138,11 +138,11 @@ void section_boss(void)
                 frame(&fights[i], k > 0); /* the first fetches its board into the caches */
     }
     report_section("A boss fight");
-    report_text("The table shows the microseconds per frame of a typical boss fight on 320x240 px. It has rings of 20 "
-                "to 200 bullets of 8 to 16 px: four in five bullets are rotated, one in five is blended, and two in "
-                "five run a motion program that turns or accelerates them. It also has a boss, 300 sparks, 8 rotating "
-                "lasers, 64 items, two tile layers and a row of text. The player flies around among them. The first "
-                "column is the number of live bullets.");
+    report_text("The table shows the microseconds per frame of a typical boss fight on 320x240 px. *Live* is the "
+                "number of live bullets. They are 8 to 16 px in size and fly in rings of 20 to 200. Four in five are "
+                "rotated, one in five is blended, and two in five run a motion program that turns or accelerates them. "
+                "The fight also has a boss, 300 sparks, 8 rotating lasers, 64 items, two tile layers, a row of text, "
+                "and a player who flies around.");
     report_table(NULL, "live> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum>");
     for (int i = 0; i < SIZES; i++)
         print_row(&fights[i]);

@@ -237,7 +237,7 @@ static void split_table(void)
 {
     static const char *const names[LAPS] = { "scripts", "motion", "hits", "events", "rest", "draw", "present" };
 
-    report_table("Nanoseconds per bullet and frame, by part; the engine skips hidden bullets (see the last table)",
+    report_table("Nanoseconds per bullet and frame, by part of the frame, with hidden bullets skipped",
                  "n> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum> | (hash)>");
     for (int i = 0; i < n_sizes; i++) {
         const char *cells[LAPS + 3] = { report_count(sizes[i].n) };
@@ -273,8 +273,8 @@ static const char *beside(struct size *s, int r)
 
 static void parts_table(void)
 {
-    report_table("Nanoseconds per bullet and frame for each part. Each cell lists the engine drawing all / (a) / (b) / "
-                 "(c); the last two columns divide the engine's tick plus draw by that of (b) and (c)",
+    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell lists the engine drawing all / (a) "
+                 "/ (b) / (c). The last two columns are the engine's tick plus draw, divided by that of (b) or (c)",
                  "n> | tick> | draw> | present> | vs (b)> | vs (c)>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
@@ -296,18 +296,22 @@ static void rivals_table(void)
 {
     static const char *const names[RIVALS] = { "the engine", "doubles, byte loop", "columns, words", "the minimum" };
 
-    report_text("**Compared with plain C.** Three programs without an engine run the same crowd from the same first "
-                "frame, with the player on the same path: (a) an *array of structs of doubles*, which tests every "
-                "bullet in full and branches per pixel; (b) *columns of int32*, tested 64 at a time and drawn with "
-                "masked 8-byte words that are prepared once per kind; (c) *the minimum*, the same columns with two "
-                "rows per vector and a kind's masks in registers, reduced to what this scene needs: no graze, no check "
-                "for leaving the field, every sprite 8x8 in one bank. All three store bullets grouped by kind, so they "
-                "need no sorting. None has scripts, motion programs, handles, deaths, or a state that can be saved. "
-                "Each converts its picture with one table lookup per pixel.");
-    report_text("The references draw every bullet. In the largest crowds the engine draws only the visible ones, which "
-                "is a different task. *Drawing all* is the engine's frame time when it, too, draws every bullet; the "
-                "ratios use that column.");
-    report_table("Microseconds per frame, and ratio to the engine drawing everything",
+    report_text(
+        "**Compared with plain C.** Three programs without an engine run the same crowd from the same first frame, "
+        "with the player on the same path:\n"
+        "\n"
+        "* (a) *array*: an array of structs of doubles. It tests every bullet in full and branches for every pixel.\n"
+        "* (b) *columns*: columns of int32. It tests 64 bullets at a time, and draws with masked 8-byte words that are "
+        "prepared once per bullet kind.\n"
+        "* (c) *minimum*: like (b), but reduced to what this scene needs. It has no graze and no test for leaving the "
+        "field. It relies on all sprites being 8x8 px with one palette bank each, so it draws two rows at once.\n"
+        "\n"
+        "All three store bullets grouped by kind, so they need no sorting. None has scripts, motion programs, handles, "
+        "deaths, or a state that can be saved. Each converts its picture with one table lookup per pixel.");
+    report_text("The three programs draw every bullet. In the largest crowds the engine skips hidden bullets, which is "
+                "less work. *Drawing all* is the engine's time when it draws every bullet too; the ratios use this "
+                "time. *Frames a second* is computed from the column *engine*.");
+    report_table("Microseconds per frame, and the ratio to the engine drawing all bullets",
                  "n> | engine> | drawing all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
                  "minimum> | ratio>");
     for (int i = 0; i < n_sizes; i++) {
@@ -325,7 +329,7 @@ static void rivals_table(void)
     report_plot(&(struct report_plot){
         "crowd", "A frame of the crowd: motion, hits, picture, pixels", "bullets", "ns per bullet and frame",
         .timed = true,
-        .described = "Nanoseconds per bullet by number of bullets, for the engine and the three references" });
+        .described = "Nanoseconds per bullet by number of bullets, for the engine and the three programs in plain C" });
     for (int r = 0; r < RIVALS; r++) {
         double x[MOST_SIZES], y[MOST_SIZES];
         for (int i = 0; i < n_sizes; i++) {
@@ -340,7 +344,8 @@ static void rivals_table(void)
 
 static void counts_table(void)
 {
-    report_table("Counts, the same in all four programs", "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
+    report_table("Counts over all frames. The programs agree; (c) counts neither tests nor grazes",
+                 "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
     for (int i = 0; i < n_sizes; i++) {
         const struct crowd_counts *c = &sizes[i].counts[0];
         report_row(0, report_count(sizes[i].n), report_count(sizes[i].frames), report_count((int64_t)c->moved),
@@ -348,36 +353,34 @@ static void counts_table(void)
                    report_count((int64_t)c->drawn), NULL);
     }
     report_table_end();
-    report_text("*Tested* counts the bullets whose path in the frame, taken as a box, comes within reach of the "
-                "player; each bullet can graze a player only once. At the end of the run for each n, all programs have "
-                "every bullet at the same position and show the same pixels, and the picture matches that of a "
-                "reference renderer that copies byte by byte without batches.");
+    report_text("A bullet is *tested* in a frame if the box around its path comes close enough to the player for an "
+                "exact test. Each bullet can graze a player only once. After the last frame for each n, all programs "
+                "have every bullet at the same position and show the same pixels. The picture is also the same as that "
+                "of a simple renderer that copies byte by byte.");
 }
 
 static void limits_table(void)
 {
-    report_text("**Limits of the machine.** Moving a bullet reads 16 bytes and writes 8. The memory's limit is the "
-                "bandwidth of `x[i] += v[i]` over as much memory as that many bullets take. Motion and hits together "
-                "visit every bullet once or twice, so at best they come close to this limit. An 8x8 sprite needs 8 "
-                "stores to 8 lines, which sets the limit for drawing all.");
-    report_text(
-        "When the bullets would cover the field %d times, the engine draws them front to back and skips *hidden* ones; "
-        "the column *hidden* shows their share in the last picture. They count as drawn but cause no stores, so the "
-        "last column, the draw time per bullet when skipping them, has no limit to compare with.",
-        VIDEO_OVERDRAW);
-    report_table(NULL, "n> | motion + hits> | of memory's limit> | drawing all> | of the stores' limit> | hidden> | "
-                       "draw, skipping them>");
+    report_text("**Limits of the machine.** Moving a bullet reads 16 bytes and writes 8. In the next table, the limit "
+                "for motion and hits is the memory bandwidth of `x[i] += v[i]` over the same amount of memory. The "
+                "limit for drawing a bullet is the time of the 8 stores that an 8x8 sprite needs.");
+    report_text("When the bullets have enough opaque pixels to cover the field %d times, the engine draws them front "
+                "to back and skips the *hidden* ones. The column *hidden* is their share of the bullets in the last "
+                "picture. The last column is the draw time per bullet, with hidden bullets skipped.",
+                VIDEO_OVERDRAW);
+    report_table(NULL, "n> | motion + hits> | share of the limit> | drawing all> | share of the limit> | hidden> | "
+                       "draw, skipping hidden>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
         double tick = samples_median(&s->laps[LAP_MOTION]) + samples_median(&s->laps[LAP_HITS]);
         double over = samples_median(&s->over);
-        report_row(
-            0, report_count(s->n),
-            report_string("%s of %s GB/s", report_figure(BYTES_MOVED * (double)s->n / tick), report_figure(s->update)),
-            report_percent(BYTES_MOVED * (double)s->n / tick / s->update),
-            report_string("%s of %s ns", report_figure(over / s->n), report_figure(STORES * limit_store())),
-            report_percent(STORES * limit_store() * s->n / over), report_percent((double)s->hidden / s->n),
-            s->hidden ? report_string("%s ns", per_bullet(&s->draw[0], s->n)) : "", NULL);
+        report_row(0, report_count(s->n),
+                   report_string("%s GB/s (limit %s)", report_figure(BYTES_MOVED * (double)s->n / tick),
+                                 report_figure(s->update)),
+                   report_percent(BYTES_MOVED * (double)s->n / tick / s->update),
+                   report_string("%s ns (limit %s)", report_figure(over / s->n), report_figure(STORES * limit_store())),
+                   report_percent(STORES * limit_store() * s->n / over), report_percent((double)s->hidden / s->n),
+                   s->hidden ? report_string("%s ns", per_bullet(&s->draw[0], s->n)) : "", NULL);
     }
     report_table_end();
 }
@@ -438,15 +441,15 @@ static void targets(void)
     double words = times(k16, 2), bytes = times(k16, 1);
     double growth = total(m1) / m1->n / (total(k16) / k16->n);
 
-    bench_target("a frame of 1,048,576 bullets of 8x8, skipping hidden ones", "6 ms, ideally 4.5",
+    bench_target("a frame with 1,048,576 bullets of 8x8 px, skipping hidden ones", "6 ms, ideally 4.5 ms",
                  report_string("%s ms", report_figure(total(m1) / 1e6)), total(m1) <= 6e6);
     bench_target("... drawing all", "6 ms", report_string("%s ms", report_figure(painted(m1) / 1e6)),
                  painted(m1) <= 6e6);
     bench_target("16,384 bullets, compared with plain C on columns of int32", "1.3 times as fast",
-                 report_string("%s times", report_figure(words)), words >= 1.3);
+                 report_string("%s times as fast", report_figure(words)), words >= 1.3);
     bench_target("16,384 bullets, compared with plain C on structs of doubles", "4 times as fast",
-                 report_string("%s times", report_figure(bytes)), bytes >= 4);
-    bench_target("growth of the cost per bullet from 16,384 to 1,048,576 bullets, skipping hidden ones",
+                 report_string("%s times as fast", report_figure(bytes)), bytes >= 4);
+    bench_target("cost per bullet with 1,048,576 bullets, relative to the cost with 16,384, skipping hidden ones",
                  "less than 2 times", report_string("%s times", report_figure(growth)), growth < 2);
 }
 
@@ -466,11 +469,12 @@ static void without_programs(void)
         if (f >= FRAMES / 8)
             samples_add(&ns, l.ns[LAP_MOTION] + l.ns[LAP_HITS]);
     }
-    report_text("**Without programs.** With %s bullets that fly straight forever all over the field and a player among "
-                "them, motion, keep box, swept hit test and graze take %s ns per bullet and frame.",
+    report_text("**Without programs.** In a scene of %s bullets that fly straight all over the field around a player, "
+                "motion and the tests for leaving the field, hits and grazes take %s ns per bullet and frame.",
                 report_count(N), samples_figure(&ns, N));
-    bench_target("motion, keep box, swept hit and graze for one of 16,384 bullets without programs", "0.5 ns",
-                 report_string("%s ns", report_figure(samples_median(&ns) / N)), samples_median(&ns) / N <= 0.5);
+    bench_target(
+        "motion, and the tests for leaving the field, hits and grazes, for one of 16,384 bullets without programs",
+        "0.5 ns", report_string("%s ns", report_figure(samples_median(&ns) / N)), samples_median(&ns) / N <= 0.5);
     samples_free(&ns);
     scene_close(&s);
 }
@@ -480,12 +484,11 @@ void section_crowd(void)
     static const int USUAL[] = { K1, 4096, K16, 65536, 262144, M1 };
 
     report_section("The crowd");
-    report_text(
-        "n bullets of 8x8 px, in 16 kinds and 8 banks and with a hit circle of 3 px, fly all over a field of 320x240 "
-        "px at 0.5 to 3 px/frame. Each flies for 60 frames, then turns around and comes back. In every frame, one in "
-        "sixty runs a step of its motion program and the others fly straight. A player with a hit circle of 2 px and a "
-        "graze ring of 12 px wanders among them. The sprites' pixels are reshuffled for each n. The scene is "
-        "`roms/bench` with the DIP switch `does=crowd`, on the same board that runs every game.");
+    report_text("In this scene, n bullets of 8x8 px fly all over a field of 320x240 px at 0.5 to 3 px/frame. There are "
+                "16 bullet kinds and 8 palette banks. Bullets have a hit radius of 3 px. Each flies for 60 frames, "
+                "then turns around and comes back. In every frame, one bullet in sixty therefore runs a step of its "
+                "motion program, and the others fly straight. A player with a hit radius of 2 px and a graze radius of "
+                "12 px moves among them. The scene is in `roms/bench` (DIP switch `does=crowd`).");
     for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
         run(USUAL[i]);
     const int n = find_60(total, 2500032), n_all = find_60(painted, M1);
@@ -496,15 +499,15 @@ void section_crowd(void)
     limits_table();
     struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n), *all = size_of(n_all);
     report_text("**Growth.** A bullet costs %s ns in a crowd of %s, %s ns in a crowd of %s, and %s ns in a crowd of "
-                "%s. The cost changes by a factor of %s from %s to %s, a range in which the fixed cost of a frame (an "
-                "empty picture, presenting) is negligible.",
+                "%s. From the second crowd to the third, the cost changes by a factor of %s. In the first crowd, much "
+                "of the cost is for presenting, which takes the same time for every crowd.",
                 per_bullet(&k1->total[0], k1->n), report_count(k1->n), per_bullet(&k16->total[0], k16->n),
                 report_count(k16->n), per_bullet(&m1->total[0], m1->n), report_count(m1->n),
-                report_figure(total(m1) / m1->n / (total(k16) / k16->n)), report_count(k16->n), report_count(m1->n));
+                report_figure(total(m1) / m1->n / (total(k16) / k16->n)));
     report_text(
         "**Sixty frames a second.** One core reaches 60 frames a second with **%s bullets**. A frame then takes %s of "
-        "the 16.67 ms, and %s of the bullets are hidden and skipped. When the engine draws all of them, it reaches 60 "
-        "frames a second with **%s bullets**, at %s ms per frame. The chip's maximum is %s.",
+        "the 16.67 ms, and %s of the bullets are hidden and skipped. When the engine draws all bullets, it reaches 60 "
+        "frames a second with **%s bullets**, at %s ms per frame. A board can have at most %s bullets.",
         report_count(found->n), samples_figure(&found->total[0], 1e6), report_percent((double)found->hidden / found->n),
         report_count(all->n), report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));
     without_programs();

@@ -165,21 +165,21 @@ void section_game(void)
 
     struct pace tick = pace_of(ns, demo.frames, 0), both = pace_of(ns, demo.frames, 1);
     report_section("The built-in game");
-    report_text("The demo of a complete run (`%s`) has %s frames (%s minutes). Each frame's time is the median of %d "
-                "runs. At the "
-                "end of each run, the hashes match the recorded ones.",
+    report_text("The demo of a complete run (`%s`) has %s frames (%s minutes). The time of each frame is the median of "
+                "%d runs. At the end of each run, the hashes match those in the demo.",
                 BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
-    report_table(NULL, "| frames a second> | in the slowest 600 frames> | starting at second>");
+    report_table(NULL,
+                 "| frames a second> | frames a second in the slowest 600 frames> | second in which these start>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),
                report_count(tick.at / SECOND), NULL);
     report_row(0, "tick and draw", report_count((int64_t)both.all), report_count((int64_t)both.slowest),
                report_count(both.at / SECOND), NULL);
     report_table_end();
     plot_run(ns, demo.frames);
-    bench_target("the built-in game's whole run with drawing", "2,000 frames a second", report_count((int64_t)both.all),
-                 both.all >= 2000);
-    bench_target("... in its slowest 600 frames", "1,000 frames a second", report_count((int64_t)both.slowest),
-                 both.slowest >= 1000);
+    bench_target("a complete run of the built-in game, with drawing", "2,000 frames a second",
+                 report_string("%s frames a second", report_count((int64_t)both.all)), both.all >= 2000);
+    bench_target("... in its slowest 600 frames", "1,000 frames a second",
+                 report_string("%s frames a second", report_count((int64_t)both.slowest)), both.slowest >= 1000);
     free(ns);
     demo_free(&demo);
     rom_image_free(&image);
@@ -219,8 +219,8 @@ void section_games(void)
     if (!rom_image_load(BENCH_GAME, false, &image, err, sizeof err))
         report_fail(err);
     report_section("Whole games");
-    report_text("Each recorded game of `tests/demos/glasstide`: frames a second, each frame's time being the median of "
-                "%d runs. Two boards, one with and one without drawing, alternate every second.",
+    report_text("The table shows the recorded games of `tests/demos/glasstide`. The time of each frame is the median "
+                "of %d runs. Two boards, one with and one without drawing, alternate every second.",
                 RUNS);
     report_table(NULL,
                  "| frames> | ticks a second> | with drawing> | in the slowest 600 frames> | starting at second>");
@@ -270,9 +270,9 @@ void section_memory(void)
     double usual = (double)ram_of("examples/first") / (1 << 20), game = (double)ram_of(BENCH_GAME) / (1 << 20);
 
     report_section("Memory");
-    report_text("A bullet slot takes **%s bytes** of RAM: its columns and the events it can raise in one frame. A "
+    report_text("A bullet slot takes **%s bytes** of RAM: its columns, and the events it can raise in one frame. A "
                 "snapshot copies %s bytes for each live bullet and nothing for free slots. A board with the default "
-                "capacities (`examples/first`, which sets none) has **%s MiB** of RAM, 4 MiB of it for Lua; the "
+                "capacities, such as that of `examples/first`, has **%s MiB** of RAM, including 4 MiB for Lua. The "
                 "built-in game's board has %s MiB.",
                 report_figure(reserved), report_figure(live_bytes()), report_figure(usual), report_figure(game));
     bench_target("RAM of a board with the default capacities", "8 MiB", report_string("%s MiB", report_figure(usual)),

@@ -61,10 +61,11 @@ static void dearest_frames(void)
     const char *what = "";
 
     report_section("The most expensive frames");
-    report_text("Work in C counts like the work of scripts. For each feature whose work the manifest does not limit, "
-                "the table has a frame with as much of it as possible: its counted work, and the time of its tick and "
-                "its picture in seconds. A frame that counts more than %s ends in a fault.",
-                report_count(WORK_LIMIT));
+    report_text(
+        "Work done in C is counted like the work of scripts. The table has a frame for each feature whose work the "
+        "manifest does not limit, with as much of that work as possible. It shows the units of work counted, and the "
+        "seconds that the tick and the picture take. A frame with more than %s units ends in a fault.",
+        report_count(WORK_LIMIT));
     report_table(NULL, "a frame of | counted> | tick> | picture> | ends");
     bench_own_clock(true);
     for (int i = 0; i < DEAREST_COUNT; i++) {
@@ -78,7 +79,7 @@ static void dearest_frames(void)
     bench_own_clock(false);
     report_table_end();
     bench_target("the most expensive frame of any feature", "2 s",
-                 report_string("%s s: %s", report_figure(worst), what), worst < 2);
+                 report_string("%s s, for %s", report_figure(worst), what), worst < 2);
 }
 
 void section_guards(void)
@@ -88,10 +89,12 @@ void section_guards(void)
 
     report_section("Endless loops");
     report_text(
-        "A frame that runs forever ends in a fault after %s instructions. Some operations take longer than their "
-        "instruction count suggests. The table lists the slowest known operations, with the seconds until the fault.",
+        "A frame ends in a fault after %s units of [work](../guide/20-determinism.md#how-much-work-a-frame-may-do), so "
+        "no script can loop forever. Some operations take longer than their units suggest. The table lists the slowest "
+        "known operations, with the seconds until the fault. Each operation runs in an endless loop, in most cases "
+        "four times per pass.",
         report_count(WORK_LIMIT));
-    report_table(NULL, "a loop of | seconds> | instructions counted per operation>");
+    report_table(NULL, "operation | seconds> | units of work per pass>");
     bench_own_clock(true);
     for (int i = 0; i < WORST_COUNT; i++) {
         uint64_t rounds;
@@ -104,6 +107,6 @@ void section_guards(void)
     bench_own_clock(false);
     report_table_end();
     bench_target("time until the slowest endless loop is stopped", "30 s",
-                 report_string("%s s: %s", report_figure(worst), what), worst < 30);
+                 report_string("%s s, for %s", report_figure(worst), what), worst < 30);
     dearest_frames();
 }

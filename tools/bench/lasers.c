@@ -47,9 +47,10 @@ void section_lasers(void)
     measure(&s, &still, &empty);
     scene_close(&s);
     report_section("Lasers");
-    report_text("The table shows the microseconds that %s circling curves add to a frame. Each has 64 points, is 8 px "
-                "wide and moves at 2.5 px/frame. The player stands among them, so the tick includes grazes and hits.",
-                report_count(CURVES));
+    report_text(
+        "The table shows how many microseconds %s circling curved lasers add to a frame. Each has 64 points, is 8 px "
+        "wide and moves at 2.5 px/frame. The player is among them, so the tick includes grazes and hits.",
+        report_count(CURVES));
     report_table(NULL, "drawn with | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {
         bench_scene(&s, &(struct scene_want){ .does = "lasers", .picture = WAYS[i].dip, .n = CURVES, .bullets = 64 });
@@ -62,7 +63,7 @@ void section_lasers(void)
         us = i == 0 ? t + d : us;
     }
     report_table_end();
-    bench_target("64 curves of 64 points: tick and draw", "300 µs", report_string("%s µs", report_figure(us)),
+    bench_target("64 curved lasers of 64 points: tick and draw", "300 µs", report_string("%s µs", report_figure(us)),
                  us < 300);
     for (int i = 0; i < COUNT; i++) {
         samples_free(&tick[i]);

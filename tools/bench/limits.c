@@ -163,10 +163,12 @@ void section_machine(void)
     static const size_t SIZES[] = { 16 << 10, 512 << 10, 8 << 20, 64 << 20, 256 << 20 };
 
     report_section("The machine");
-    report_text("The table shows memory bandwidth in GB/s for repeated passes over a block of the given size. The "
-                "smallest block fits in the first-level cache, the largest exceeds every cache. *Copy* counts bytes "
-                "read and bytes written; it uses the C library. *Update* is `x[i] += v[i]`, which is how bullets move: "
-                "two reads and one write. *Read* and *update* are plain C with the flags above.");
+    report_text("The table shows memory bandwidth in GB/s for repeated passes over a block of memory. The smallest "
+                "block fits in the first-level cache; the largest exceeds every cache.\n"
+                "\n"
+                "* *Copy* is the C library's `memcpy`. Bytes read and bytes written both count.\n"
+                "* *Read* reads the whole block, in plain C.\n"
+                "* *Update* is `x[i] += v[i]` in plain C, which is how bullets move: two reads and one write.");
     report_table(NULL, "memory> | copy> | read> | update>");
     for (size_t i = 0; i < sizeof SIZES / sizeof *SIZES; i++)
         report_row(0, size_name(SIZES[i]), rate(copy, SIZES[i], 1), rate(read_all, SIZES[i], 1),
@@ -175,8 +177,8 @@ void section_machine(void)
 
     size_t l1 = 16 << 10;
     double in_turn = time_of(&(struct work){ store_in_turn, l1 }) / (double)(l1 / 8);
-    report_text("An 8-byte store takes %s ns when stores are sequential, and **%s ns** when each group of 8 goes to 8 "
-                "different lines, as the rows of a sprite in a 320x240 picture do. The latter limits drawing: an 8x8 "
-                "bullet needs 8 such stores, which take %s ns.",
+    report_text("An 8-byte store takes %s ns if the stores are sequential. It takes **%s ns** if every 8 stores go to "
+                "8 rows of a picture, as they do when a sprite is drawn. An 8x8 bullet needs 8 such stores, so drawing "
+                "it takes at least %s ns.",
                 report_figure(in_turn), report_figure(limit_store()), report_figure(SIDE * limit_store()));
 }

@@ -14,10 +14,10 @@ static const struct look {
     { "none", NULL, 0, false },
     { "dots", NULL, 0, false },
     { "sparks_fly", "a spark of 12 px that flies, with gravity, drag and colours", 0, true },
-    { "sparks_burst", "a spark that spawns at a point, 64 at a time", 0, false },
+    { "sparks_burst", "a spark that spawns at a point, with 63 others", 0, false },
     { "sparks_ring", "a spark that spawns on a ring", 0, false },
     { "sparks_row", "a spark that spawns on a line", 0, false },
-    { "trails", "a trail that emits a spark", 1, false },
+    { "trails", "a trail that emits a spark in every frame", 1, false },
     { "stand", "a stationary sprite of 12 px", 1, true },
     { "follow", "a sprite that follows a bullet", 1, true },
 };
@@ -52,7 +52,7 @@ void looks_prices(void)
         bench_scene(&runs[i].scene,
                     &(struct scene_want){ .does = "looks", .price = LOOKS[i].dip, .n = N, .bullets = N, .sparks = N });
     measure();
-    report_text("The next table shows the nanoseconds that each of %s visual effects adds to a board without them.",
+    report_text("**Effects.** The next table shows how many nanoseconds each of %s visual effects adds to a frame.",
                 report_count(N));
     report_table(NULL, "an effect | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {

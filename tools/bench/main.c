@@ -44,30 +44,42 @@ static struct {
 static const char ABOUT[] =
     "# Speed: the cost of a frame\n"
     "\n"
-    "`make bench` measures and writes this page and its plots; do not edit them. All times are for one core of the "
-    "machine\n"
-    "named below. Each run also compares the engine with three independent programs: all four must agree on every "
-    "move, hit\n"
-    "and pixel, or the run fails.\n"
+    "`make bench` measures and writes this page and its plots; do not edit them. Each run also checks the engine "
+    "against\n"
+    "three [independent programs](#the-crowd): all four must agree on every move, hit and pixel, or the run fails.\n"
     "\n"
-    "* Each number is the median over many frames; **±** is half the interquartile range. Times are wall-clock times, "
-    "except\n"
-    "  for long measurements that may be interrupted, which use CPU time.\n"
-    "* The clock rate of a shared machine can change within seconds, so absolute times vary. The programs under "
-    "comparison\n"
-    "  take turns, each running a slice of frames; the first frame of a slice is a warm-up. Each round gives one "
-    "ratio; the\n"
-    "  page shows the median of the ratios. Each section ends with the clock rate during the measurement.\n"
-    "* A *frame* is the work done sixty times a second: the tick (scripts, motion, hits, events, rest), the picture "
-    "(draw),\n"
-    "  and its conversion to 32-bit pixels (present). *Hash* is the time to hash the state, which a demo does once a "
-    "second;\n"
-    "  it is not part of the sums. Bullets are tested against players as they move, so *motion* includes that test; "
-    "*hits*\n"
-    "  reports the results and includes all other collisions. Sixty frames a second leave 16.67 ms for each.\n"
-    "* A *straight* bullet runs no program, and no player comes near it.\n"
-    "* The measurements use one thread, no graphics card, and the compiler flags named below.\n"
-    "* px is a pixel, a frame is 1/60 s, 1 GB is 10^9 bytes.\n"
+    "All measurements except those under [Threads](#threads) use one thread, and none uses a graphics card. The "
+    "machine and\n"
+    "the compiler flags are named below.\n"
+    "\n"
+    "* Each number is the median over many frames. The number after **±** is half the interquartile range. Short times "
+    "are\n"
+    "  wall-clock times. Long times are CPU times, which exclude interruptions.\n"
+    "* The CPU's speed can change within seconds on a shared machine. Programs that are compared therefore take turns "
+    "of a\n"
+    "  few frames. The first frame of each turn is a warm-up and does not count. Most sections end with the CPU's "
+    "speed\n"
+    "  during the measurement.\n"
+    "* **▶** marks the standard case in a table. If the table has the columns *difference* and *ratio*, they compare "
+    "the\n"
+    "  other rows with this case. A ratio is the median of many ratios, so it can differ slightly from the ratio of "
+    "the\n"
+    "  printed medians.\n"
+    "* px means pixels, and 1 GB is 10^9 bytes.\n"
+    "\n"
+    "A *frame* is the work done sixty times a second, so it may take up to 16.67 ms. The tables divide it into these "
+    "parts:\n"
+    "\n"
+    "* the *tick*: scripts, motion, hits, events, and the rest. Bullets are tested against players as they move, so "
+    "*motion*\n"
+    "  includes these tests. *Hits* turns the results of these tests into events, and makes all other collision "
+    "tests.\n"
+    "* *draw*: drawing the picture\n"
+    "* *present*: converting the picture to 32-bit pixels\n"
+    "\n"
+    "A demo stores a hash of the state once a second; *hash* is the time to compute it, and is not part of the sums. A "
+    "bullet\n"
+    "that flies *straight* runs no motion program and never comes near a player.\n"
     "\n";
 
 const struct rom *bench_rom(void)
@@ -152,12 +164,14 @@ int main(int argc, char **argv)
     double from = bench_now();
     bench_own_clock(false);
     report_run(&o, SECTIONS, COUNT);
-    snprintf(intro, sizeof intro, "%s%sMeasured on: %s; the bench had its core for %s of the time.\n\n", ABOUT,
-             commit_line(), report_machine(),
+    snprintf(intro, sizeof intro,
+             "%s%sMeasured on: %s; the bench was running for %s of the time.\n"
+             "\n",
+             ABOUT, commit_line(), report_machine(),
              report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
     report_finish(intro, "## Targets\n"
                          "\n"
-                         "The table shows the engine's design targets, and whether this run met them.\n"
+                         "The table shows the engine's design targets and whether this run met them.\n"
                          "\n"
                          "| | measured | target | |\n"
                          "|---|---|---|---|\n");

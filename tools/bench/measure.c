@@ -129,8 +129,8 @@ void bench_look(void)
 void bench_say_clock(void)
 {
     if (looks.n)
-        report_text("Clock rate during this section: one step of a chain of additions took %s ns (the median of %s "
-                    "samples; 90 %% of them took %s to %s ns).",
+        report_text("CPU speed during this section: one step in a chain of additions took %s ns (the median of %s "
+                    "samples; 90 %% of them were between %s and %s ns).",
                     report_string("%s", report_figure(samples_median(&looks))), report_count(looks.n),
                     report_string("%s", report_figure(samples_quantile(&looks, 0.05))),
                     report_figure(samples_quantile(&looks, 0.95)));

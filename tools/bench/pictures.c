@@ -19,7 +19,7 @@ static const struct way {
     { "flipped", "free sprites, flipped" },
     { "blended", "bullets of one kind, blended (`add`)" },
     { "blended_banks", "blended, each in its own bank" },
-    { "ramp", "blended by a ramp's rule (`{ ramp = \"add\" }`)" },
+    { "ramp", "blended by a ramp (`{ ramp = \"add\" }`)" },
 };
 enum { COUNT = sizeof WAYS / sizeof *WAYS };
 static const int SIDES[] = { 8, 16, 32, 64, 128 };
@@ -82,7 +82,7 @@ static void presenting(void)
     double us = samples_median(&ns) / 1e3;
     report_text("**Presenting**: converting 320x240 px from palette indices to 32-bit pixels takes **%s µs**.",
                 samples_figure(&ns, 1e3));
-    bench_target("converting 320x240 px through the palette", "20 µs", report_string("%s µs", report_figure(us)),
+    bench_target("converting 320x240 px to 32-bit pixels", "20 µs", report_string("%s µs", report_figure(us)),
                  us < PRESENT_US);
     samples_free(&ns);
     scene_close(&s);
@@ -98,8 +98,8 @@ void section_pictures(void)
     for (int i = 0; i < SIZES; i++)
         measure(SIDES[i], how_many(SIDES[i]), ns[i]);
     report_section("Pictures");
-    report_text("The table shows the nanoseconds per sprite by size. In each sprite 13 of 16 pixels, at random "
-                "positions, are opaque. The time of an empty picture, %s µs, is subtracted.",
+    report_text("The table shows the nanoseconds per sprite, by the size of the sprite in px. In each sprite, 13 of 16 "
+                "pixels are opaque, at random positions. The time of an empty picture, %s µs, is subtracted.",
                 samples_figure(&empty[0], 1e3));
     report_table(NULL, "| 8x8> | 16x16> | 32x32> | 64x64> | 128x128>");
     for (int w = 0; w < COUNT; w++) {

@@ -28,32 +28,31 @@ static const struct price MOTION[] = {
     { "go_to", "runs `go_to`", PLAIN },
     { "polar", "runs `polar`", PLAIN },
     { "orbit", "runs `orbit` around a point", PLAIN },
-    { "around", "runs `orbit` around its `around`", GROUPS },
+    { "around", "runs `orbit` around its `around` target", GROUPS },
     { "wave", "runs `wave`", PLAIN },
     { "bounce", "runs `bounce`, with no wall nearby", PLAIN },
     { "path", "runs `path`", PLAIN },
     { "await", "runs `wait_for` with `near`", PLAIN },
     { "signal", "runs `wait_for` with `tag`", PLAIN },
     { "named", "runs `turn` with a declared value", GROUPS },
-    { "mixed",
-      "runs one of ten programs, one per op (`wait kind bank dir aim turn home speed accel loop`), in equal numbers",
+    { "mixed", "runs one of ten programs, one for each op of `wait kind bank dir aim turn home speed accel loop`",
       PLAIN },
     { "fine", "is `fine` and flies straight", PLAIN },
     { "fine_drive", "is `fine` and runs `turn` and `speed`", PLAIN },
     { "frozen", "is `frozen`", GROUPS },
-    { "delay", "waits for its delay", PLAIN },
-    { "task", "has a Lua task that waits one frame", PLAIN },
+    { "delay", "waits for its `delay` to end", PLAIN },
+    { "task", "has a Lua task that wakes in every frame", PLAIN },
     { "half", "", UNLISTED },
 };
 
 static const struct price SHAPES[] = {
     { "straight", "flies straight", PLAIN },
-    { "circle", "is a circle, close to the player", PLAIN },
-    { "box", "is a box, close to the player", PLAIN },
-    { "capsule", "is a capsule, close to the player", PLAIN },
-    { "circles", "is three circles, close to the player", PLAIN },
-    { "turned_circles", "is three circles with `turns`, close to the player", PLAIN },
-    { "hp", "has hp, while 64 distant shots search for such bullets", GROUPS },
+    { "circle", "has a circle as hitbox, close to the player", PLAIN },
+    { "box", "has a box as hitbox, close to the player", PLAIN },
+    { "capsule", "has a capsule as hitbox, close to the player", PLAIN },
+    { "circles", "has three circles as hitbox, close to the player", PLAIN },
+    { "turned_circles", "has three circles with `turns` as hitbox, close to the player", PLAIN },
+    { "hp", "has hp, while 64 distant shots look for bullets with hp", GROUPS },
 };
 
 static const struct price VERBS[] = {
@@ -64,13 +63,13 @@ static const struct price VERBS[] = {
     { "turn_all", "is turned through a group", PLAIN },
     { "aim_all", "is aimed through a group", PLAIN },
     { "each", "is visited by `bullet.each` and written", PLAIN },
-    { "clear_circle", "is tested by a `clear` in a circle, and is outside it", PLAIN },
-    { "clear_box", "is tested by a `clear` in a box, and is outside it", PLAIN },
-    { "clear_line", "is tested by a `clear` along a line, and is not on it", PLAIN },
-    { "sweep", "is tested by a `bullet.sweep`, and not reached", PLAIN },
-    { "near", "is tested by `query.near`, and not found", PLAIN },
-    { "near_box", "is tested by `query.box`, and not found", PLAIN },
-    { "near_line", "is tested by `query.line`, and not found", PLAIN },
+    { "clear_circle", "is tested by a `clear` in a circle, but is outside it", PLAIN },
+    { "clear_box", "is tested by a `clear` in a box, but is outside it", PLAIN },
+    { "clear_line", "is tested by a `clear` along a line, but is not on it", PLAIN },
+    { "sweep", "is tested by a `bullet.sweep`, but not reached", PLAIN },
+    { "near", "is tested by `query.near`, but not found", PLAIN },
+    { "near_box", "is tested by `query.box`, but not found", PLAIN },
+    { "near_line", "is tested by `query.line`, but not found", PLAIN },
     { "found", "is found by `query.box`", PLAIN },
 };
 
@@ -164,13 +163,13 @@ static struct run *print_prices(const struct price *prices, int n, const char *c
 static void print_motion(void)
 {
     enum { COUNT = sizeof MOTION / sizeof *MOTION, HALF = COUNT - 1 };
-    struct run *runs = print_prices(MOTION, COUNT, "a bullet that | total> | beyond straight> | ratio>");
+    struct run *runs = print_prices(MOTION, COUNT, "a bullet that | total> | difference> | ratio>");
     double half = samples_median(&runs[HALF].ns) / 1e3;
 
-    report_text("With %s bullets, half of which run those ten programs (in equal numbers, with an op active in every "
-                "frame), the tick takes **%s µs**.",
+    report_text("If half of the %s bullets run these ten programs, in equal numbers and with an op active in every "
+                "frame, the tick takes **%s µs**.",
                 report_count(N), samples_figure(&runs[HALF].ns, 1e3));
-    bench_target("the tick of 4,096 bullets, half of them running programs, all ops equally often", "60 µs",
+    bench_target("the tick of 4,096 bullets, half of which run motion programs", "60 µs",
                  report_string("%s µs", report_figure(half)), half < 60);
     free_runs(runs, COUNT);
 }
@@ -201,10 +200,11 @@ static void fire_in_c(void)
             bullets_drop(&s.b->bullets, i);
         slots_trim(&s.b->bullets.s);
     }
-    report_text("**C only.** `bullets_fire`, the C function behind a script's call, takes %s ns: it finds a free slot, "
-                "computes the velocity from the direction and writes all columns. When a script passes a table, the "
-                "rest of the time goes to Lua, to reading and checking arguments, to the call's digest, and to the "
-                "single frame the bullet lives.",
+    report_text("**C only.** Everything in this table calls the C function `bullets_fire`, which takes %s ns. It finds "
+                "a free slot, computes the velocity from the direction, and writes all columns. The rest of a "
+                "`bullet.fire` call is time for Lua, for reading and checking arguments, for the "
+                "[digest](../internals/design.md#snapshots-and-hashes) of the call, and for the one frame that the "
+                "bullet lives.",
                 samples_figure(&ns, N));
     samples_free(&ns);
     scene_close(&s);
@@ -236,7 +236,7 @@ static void item_prices(void)
                 samples_add(&tick[i], ticked - from);
                 samples_add(&draw[i], bench_now() - ticked);
             }
-    report_text("The next table shows the nanoseconds that each of %s items of 12 px adds to a board without items.",
+    report_text("**Items.** The next table shows how many nanoseconds each of %s items of 12 px adds to a frame.",
                 report_count(ITEMS));
     report_table(NULL, "an item that | tick> | draw>");
     for (int i = 1; i < ROWS; i++)
@@ -253,18 +253,19 @@ static void item_prices(void)
 void section_prices(void)
 {
     report_section("Cost per bullet");
-    report_text("The table shows the nanoseconds of a tick for each of %s bullets that all do the same thing in every "
-                "frame, the difference from a straight bullet, and the ratio to it. The measurements are interleaved. "
-                "Nothing is drawn, and no bullet comes near the player unless stated.",
-                report_count(N));
+    report_text(
+        "The table shows the nanoseconds that a tick takes per bullet. There are %s bullets, which all do the same "
+        "thing in every frame. Nothing is drawn, and no bullet comes near the player unless the row says so.",
+        report_count(N));
     print_motion();
-    report_text("Hits. A *close* bullet needs the exact test in every frame but never touches anything.");
-    print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | total> | beyond straight> | ratio>");
-    report_text("In the next table, a script acts on all bullets once per frame:");
-    print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | total> | beyond straight> | ratio>");
-    report_text("The next table shows the nanoseconds it takes to fire one bullet, in patterns of 64. Each bullet "
-                "despawns in the same frame.");
-    print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | total> | beyond the first> | ratio>");
+    report_text("**Hits.** In the next table, a bullet *close* to the player needs the exact test in every frame, but "
+                "never touches the player.");
+    print_others(SHAPES, sizeof SHAPES / sizeof *SHAPES, "a bullet that | total> | difference> | ratio>");
+    report_text("**Scripts.** In the next table, a script acts on all bullets once per frame.");
+    print_others(VERBS, sizeof VERBS / sizeof *VERBS, "a bullet that | total> | difference> | ratio>");
+    report_text("**Firing.** The next table shows the nanoseconds that firing takes per bullet. Patterns fire 64 "
+                "bullets at a time. Each bullet despawns in the frame in which it is fired.");
+    print_others(FIRING, sizeof FIRING / sizeof *FIRING, "fired by | total> | difference> | ratio>");
     fire_in_c();
     floor_prices();
     item_prices();

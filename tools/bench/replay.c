@@ -100,17 +100,19 @@ void section_replay(void)
 
     double median = samples_median(&rate);
     report_section("Replay and reload");
-    report_text("**Verifying** a demo of the whole run processes **%s frames a second** on one core (the median of %d "
-                "runs). It compares every part's checksum after every frame, and every row of hashes.",
+    report_text("**Verifying** a demo of the complete run processes **%s frames a second** on one core (the median of "
+                "%d runs). It compares the checksums of all parts of the state after every frame, and their full "
+                "hashes once a second.",
                 report_count((int64_t)median), ROUNDS);
-    report_text("**Reloading.** When a script of the game changes after five minutes of play (%s frames), the changed "
-                "game reaches the same frame **%s s** later, including packing the folder; a minute after the start of "
-                "a stage it takes %s s.",
+    report_text("**Reloading.** If a script changes after five minutes of play (%s frames), the changed game reaches "
+                "the same frame **%s s** later. This includes packing the folder. After one minute of play from a "
+                "practice start, a reload takes %s s.",
                 report_count(FIVE_MINUTES), report_figure(whole), report_figure(piece));
-    bench_target("verifying the built-in game's whole run", "3,000 frames a second", report_count((int64_t)median),
-                 median >= 3000);
+    bench_target("verifying a demo of the complete run", "3,000 frames a second",
+                 report_string("%s frames a second", report_count((int64_t)median)), median >= 3000);
     bench_target("a reload after five minutes of play", "8 s", report_string("%s s", report_figure(whole)), whole <= 8);
-    bench_target("... a minute after a practice start", "1 s", report_string("%s s", report_figure(piece)), piece <= 1);
+    bench_target("... after a minute of play from a practice start", "1 s", report_string("%s s", report_figure(piece)),
+                 piece <= 1);
     samples_free(&rate);
     demo_free(&demo);
     rom_image_free(&image);

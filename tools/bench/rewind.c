@@ -200,20 +200,19 @@ static void report_snapshots(struct past_run *r)
 {
     double us = samples_median(&r->again) / 1e3, key_us = samples_median(&r->key) / 1e3;
 
-    report_text(
-        "**A snapshot** of the built-in game (`board_save`) has %s bytes, %s at most. Saving it to recently "
-        "used memory takes **%s µs** (%s at the 99th percentile). The host's rewind history has %d MiB, so each "
-        "key frame is written to cold memory. That takes **%s µs** (%s at the 99th percentile). For comparison, "
-        "the C library copies the same number of bytes there as one block in %s µs. The host takes a key frame "
-        "every few frames, which costs %s µs per frame.",
-        report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
-        samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3), REWIND_BYTES >> 20,
-        samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
-        samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
+    report_text("**A snapshot** of the built-in game (`board_save`) has %s bytes (the median), and %s at most. Saving "
+                "it to recently used memory takes **%s µs**; the 99th percentile is %s µs. The rewind history has %d "
+                "MiB, so each of its key frames is written to memory that is not in a cache. That takes **%s µs**; the "
+                "99th percentile is %s µs. For comparison, `memcpy` takes %s µs to copy the same number of bytes to "
+                "such memory. A key frame is saved every few frames, which costs %s µs per frame on average.",
+                report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
+                samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3),
+                REWIND_BYTES >> 20, samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
+                samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
     bench_target("a snapshot of the built-in game", "20 µs", report_string("%s µs", report_figure(us)),
                  us < SNAPSHOT_US);
-    bench_target("... as a rewind key frame, in cold memory", "20 µs", report_string("%s µs", report_figure(key_us)),
-                 key_us < SNAPSHOT_US);
+    bench_target("... saved as a key frame of the rewind history", "20 µs",
+                 report_string("%s µs", report_figure(key_us)), key_us < SNAPSHOT_US);
 }
 
 static void report_late(struct past_run *r)
@@ -221,10 +220,10 @@ static void report_late(struct past_run *r)
     double worst = samples_quantile(&r->late, 1) / 1e6;
     const char *median = report_figure(samples_median(&r->late) / 1e6);
 
-    report_text("At frame %s a step back takes %s ms (the median of %d consecutive steps), and %s ms at worst.",
+    report_text("At frame %s, a step back takes %s ms (the median of %d consecutive steps). The slowest takes %s ms.",
                 report_count(LATE), median, LATE_STEPS, report_figure(worst));
-    bench_target("a step back at frame 36,000", "16 ms", report_string("%s ms, worst %s", median, report_figure(worst)),
-                 worst < STEP_MS);
+    bench_target("a step back at frame 36,000", "16 ms",
+                 report_string("median %s ms, worst %s ms", median, report_figure(worst)), worst < STEP_MS);
 }
 
 static void report_steps(struct past_run *r, double kept, int keys, uint64_t again)
@@ -233,17 +232,17 @@ static void report_steps(struct past_run *r, double kept, int keys, uint64_t aga
     const char *median = report_figure(samples_median(&r->step) / 1e6);
     const char *slow = report_figure(samples_quantile(&r->step, 0.99) / 1e6);
 
-    report_text("**Rewind.** The densest minute of the run ends at second %s and has %s bullets on average. At that "
-                "point the history covers %s seconds in %d key frames. Stepping back through that minute frame by "
-                "frame takes %s ms per step, %s at the 99th percentile, and %s at worst. A step replays %s frames on "
-                "average, %s at most. Each restored frame has its original hash.",
-                report_count(r->end / SECOND), report_count((int64_t)(r->bullets + 0.5)), report_figure(kept), keys,
-                median, slow, report_figure(worst), report_figure((double)again / MINUTE),
-                report_count((int64_t)r->most_ticks));
-    bench_target("rewind history in 64 MiB at the end of the built-in game's densest minute", "60 s",
+    report_text(
+        "**Rewind.** The densest minute of the run ends at second %s and has %s bullets on average. At that point the "
+        "history covers %s seconds with %d key frames. Stepping back through that minute, one frame at a time, takes "
+        "%s ms per step (the median). The 99th percentile is %s ms, and the slowest step takes %s ms. A step replays "
+        "%s frames on average, and %s at most. Each restored frame has its original hash.",
+        report_count(r->end / SECOND), report_count((int64_t)(r->bullets + 0.5)), report_figure(kept), keys, median,
+        slow, report_figure(worst), report_figure((double)again / MINUTE), report_count((int64_t)r->most_ticks));
+    bench_target("rewind history that fits in 64 MiB, at the end of the built-in game's densest minute", "60 s",
                  report_string("%s s", report_figure(kept)), kept >= 60);
     bench_target("a step back in that minute", "16 ms",
-                 report_string("%s ms, 99th percentile %s, worst %s", median, slow, report_figure(worst)),
+                 report_string("median %s ms, 99th percentile %s ms, worst %s ms", median, slow, report_figure(worst)),
                  worst < STEP_MS);
 }
 

@@ -12,12 +12,12 @@ static const struct landscape {
     const char *what, *map[VIEW_LAYERS], *plane;
     bool lines, blend;
 } VIEWS[] = {
-    { "nothing, the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
+    { "nothing; the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
     { "a layer without holes", { "sea", NULL, NULL }, NULL, false, false },
     { "the same, each line shifted by a wave", { "sea", NULL, NULL }, NULL, true, false },
     { "a layer with holes", { "clouds", NULL, NULL }, NULL, false, false },
     { "the same, blended", { "clouds", NULL, NULL }, NULL, false, true },
-    { "a plane over half of the field", { NULL, NULL, NULL }, "slabs", false, false },
+    { "a plane that covers half of the field", { NULL, NULL, NULL }, "slabs", false, false },
     { "three layers with shifted lines, and a plane with fog", { "sea", "clouds", "clouds" }, "slabs", true, false },
 };
 enum { COUNT = sizeof VIEWS / sizeof *VIEWS };
@@ -148,7 +148,7 @@ static const struct look {
     { "100 letters in cells", letters },
     { "the same with outlines", rims },
     { "a flash", flash },
-    { "a shake without a background: edges are mirrored", bare_shaken },
+    { "a shake without a background, with mirrored edges", bare_shaken },
     { "a shake of a layer without holes", layer_shaken },
 };
 enum { LOOK_COUNT = sizeof LOOKS / sizeof *LOOKS };
@@ -166,8 +166,8 @@ static void look_prices(struct stand *s)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text("The next table shows what other parts of the same picture cost, in microseconds:");
-    report_table(NULL, "part | total> | beyond the first>");
+    report_text("The next table shows the same for a picture with other things instead of a background.");
+    report_table(NULL, "part | total> | difference>");
     for (int i = 0; i < LOOK_COUNT; i++)
         report_row(i == 0, LOOKS[i].what, samples_figure(&draw[i], 1e3),
                    i ? report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / 1e3) : "", NULL);
@@ -193,10 +193,9 @@ void scenery_prices(void)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text(
-        "The next table shows what backgrounds over a field of 240 x 320 px cost, in microseconds for a picture with "
-        "little else in it:");
-    report_table(NULL, "background | total> | beyond the first>");
+    report_text("The next table shows how many microseconds it takes to draw a picture with a background and little "
+                "else, on a field of 240 x 320 px.");
+    report_table(NULL, "background | total> | difference>");
     for (int i = 0; i < COUNT; i++)
         report_row(i == 0, VIEWS[i].what, samples_figure(&draw[i], 1e3),
                    i ? report_figure((samples_median(&draw[i]) - samples_median(&draw[0])) / 1e3) : "", NULL);

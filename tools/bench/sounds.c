@@ -253,23 +253,26 @@ void section_sound(void)
     }
     measure_seq(&seq);
     report_section("Sound");
-    report_text("The table shows the microseconds for the 800 stereo samples of a frame, and for the tick that "
-                "advances all voices by a frame. With a piece of 16 tracks, each with 12 notes a second, the tick "
-                "takes %s µs, including note starts and ends. The target of 100 µs is for the row with 16 samples and "
-                "8 FM voices with feedback. 24 FM voices take longer, and so do samples far above their original "
-                "pitch, which pass through a 64-tap filter. The plain loop only multiplies 24 voices of 16-bit samples "
-                "by a gain and adds them up for the left and right channels.",
+    report_text("The table shows the microseconds to compute the sound of one frame (800 values for each of the two "
+                "channels), and the microseconds of the tick that advances all voices by a frame. For a music piece "
+                "with 16 tracks of 12 notes a second each, the tick takes %s µs, including the sequencer. The target "
+                "of 100 µs applies to the second row. Samples that play far above their original pitch take longer, "
+                "because they pass through a 64-tap filter. The *plain loop* only multiplies 24 voices of 16-bit "
+                "samples by a gain and adds them up for each channel.",
                 samples_figure(&seq, 1e3));
     table(bands, N, &plain);
-    report_text("A game without sound has no voices and no sequencer, and no sound code runs in its frames. Compared "
-                "with the engine before sound was added (`make compare BASE=ed089444 GAME=examples/first START= "
-                "FRAMES=600` on the commit that added it, interleaved), a frame takes 1.01 times the time and 1.000 "
-                "times the instructions, and loading takes 1.00 times the time and 1.002 times the instructions. The "
-                "Lua heap is the same; RAM grew by 448 bytes to 6,075,008, a snapshot by 512 bytes to 315,904.");
+    report_text("A game without sound has no voices and no sequencer, and no sound code runs in its frames. The commit "
+                "that added sound was compared with its predecessor for such a game (`make compare BASE=ed089444 "
+                "GAME=examples/first START= FRAMES=600`):\n"
+                "\n"
+                "* A frame takes 1.01 times the time and 1.000 times the instructions.\n"
+                "* Loading takes 1.00 times the time and 1.002 times the instructions.\n"
+                "* RAM grew by 448 bytes to 6,075,008 bytes, and a snapshot by 512 bytes to 315,904 bytes. The Lua "
+                "heap did not grow.");
     const double most = samples_median(&bands[1].mix) / 1e3, tick = mean(&seq) / 1e3;
-    bench_target("a frame of 24 voices: 16 samples, 8 voices of 4-operator FM with feedback", "100 µs",
-                 report_string("%s µs", report_figure(most)), most <= 100);
-    bench_target("the sound tick of a piece with 16 tracks, on average", "0.5 µs",
+    bench_target("the sound of a frame with 24 voices: 16 samples, and 8 voices of 4-operator FM with feedback",
+                 "100 µs", report_string("%s µs", report_figure(most)), most <= 100);
+    bench_target("the sound tick of a music piece with 16 tracks, on average", "0.5 µs",
                  report_string("%s µs", report_figure(tick)), tick <= 0.5);
     for (int i = 0; i < N; i++) {
         free(bands[i].block);

@@ -231,8 +231,8 @@ static void table(void)
         free_flock(&f);
     }
     report_table_end();
-    report_text("A thread that is woken pays off here %s. One that spins pays off %s, but it occupies a full core all "
-                "the time. Fights have 500 to 10,000 bullets, whose actions must happen in slot order. The engine "
+    report_text("A thread that sleeps pays off %s. A thread that spins pays off %s, but it keeps a core busy all the "
+                "time. Fights have 500 to 10,000 bullets, and their actions must happen in slot order. The engine "
                 "therefore uses one thread.",
                 from_on(least[SLEEPS]), from_on(least[SPINS]));
 }
@@ -242,11 +242,14 @@ void section_threads(void)
     pthread_t thread;
 
     report_section("Threads");
-    report_text("Would a second thread help? The table shows microseconds for the cheapest work in a frame: motion and "
-                "keep box of n bullets in columns, without the engine. *Halves*: the second thread processes one half, "
-                "and the frame continues when both are done; the thread waits by spinning, or sleeps until it is "
-                "woken. *Alternating*: the threads take turns, one moving all bullets in one frame and the other in "
-                "the next, so every column comes from the other core's cache.");
+    report_text("Would a second thread help? The table shows the microseconds for the cheapest work in a frame: moving "
+                "n bullets and testing whether they have left the field, in plain C. The ratios are relative to one "
+                "thread; below 1 is faster.\n"
+                "\n"
+                "* *Halves*: each thread moves half of the bullets, and the frame continues when both are done. Until "
+                "the next frame, the second thread spins, or it sleeps until it is woken.\n"
+                "* *Alternating*: one thread moves all bullets in one frame, and the other thread in the next. Each "
+                "then has to fetch the columns from the other core's cache.");
     if (sysconf(_SC_NPROCESSORS_ONLN) < 2) {
         report_text("Not measured: this machine has one core.");
         return;

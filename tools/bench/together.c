@@ -77,7 +77,8 @@ static void print(struct run *runs)
         draws += i && i < ALL ? samples_median(&runs[i].draw) - draw : 0;
     }
     report_table_end();
-    report_text("Beyond the first row, the times of the parts add up to %s µs for the tick and %s µs for the picture.",
+    report_text("Every row includes the cleared field and the player. If these are counted only once, the parts add up "
+                "to %s µs for the tick and %s µs for the picture.",
                 report_string("%s", report_figure(ticks / 1e3)), report_figure(draws / 1e3));
 }
 
@@ -99,7 +100,7 @@ void section_together(void)
     check(runs[ALL].scene.b);
     report_section("All together");
     report_text("The table shows the microseconds per frame on 320x240 px. The player flies around among everything, "
-                "so bullets and lasers constantly graze and hit it.");
+                "and is constantly grazed and hit.");
     print(runs);
     const double us = samples_median(&runs[ALL].frame) / 1e3;
     bench_target("8,192 bullets, 64 lasers, 512 items, 2,048 sparks, three layers and a plane: tick and draw", "2 ms",

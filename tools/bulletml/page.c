@@ -16,19 +16,20 @@ static const char ABOUT[] =
     "\n"
     "`make bulletml` measures and writes this page; do not edit it. It runs the BulletML documents of seven Debian "
     "packages\n"
-    "in a test game on a board, and in libbulletml 0.0.6, the library their games use. Both get the same random "
-    "numbers, the\n"
-    "same rank and the same player, who circles the lower half of a field of 320 x 240 px. Every bullet is compared in "
-    "each\n"
-    "of 1,500 frames, at ranks 0, 0.35, 0.5 and 1: it must appear and vanish in the same frame and stay within 1/16 px "
-    "of\n"
-    "libbulletml's. Otherwise the command fails. When libbulletml's bullet is more than 192.4 px horizontally or 152.4 "
-    "px\n"
-    "vertically from the centre, it is removed on both sides, because documents do not define borders.\n"
+    "in Curtain and in libbulletml 0.0.6, the library that the games in these packages use. Both get the same random "
+    "numbers,\n"
+    "the same rank and the same player, who circles the lower half of a field of 320 x 240 px.\n"
     "\n"
-    "The list of documents is `tools/bulletml/documents.list`; the same folder has the runner, the comparison and the "
-    "code\n"
-    "for the board. `tests/bulletml` holds libbulletml's answers for single elements, which `make test` compares.\n"
+    "Every bullet is compared in each of 1,500 frames, at ranks 0, 0.35, 0.5 and 1. It must appear and vanish in the "
+    "same\n"
+    "frames as in libbulletml, and stay within 1/16 px of its position there; otherwise the command fails. BulletML "
+    "documents\n"
+    "do not define the borders of the field. The comparison therefore removes a bullet from both sides when its "
+    "position in\n"
+    "libbulletml is more than 192.4 px horizontally or 152.4 px vertically from the centre.\n"
+    "\n"
+    "The list of documents is `tools/bulletml/documents.list`; the tool is in the same folder. `tests/bulletml` has\n"
+    "libbulletml's results for single elements, which `make test` compares with Curtain's.\n"
     "\n";
 
 static const char CONCLUSIONS[] = "| | |\n|---|---:|\n";
@@ -133,22 +134,22 @@ static void section_documents(void)
     }
     failed |= s.listed > TOOL_EXCEPTIONS_MOST;
     conclude("documents within 1/16 px", report_string("%d of %d", s.alike, s.documents));
-    conclude("documents excused because the last bit of a double decides them", report_string("%d", s.listed));
+    conclude("documents excused because they [depend on the last bit](#decided-by-the-last-bit) of a double",
+             report_string("%d", s.listed));
     conclude("bullets compared", report_count(s.bullets));
     conclude("positions compared (one bullet in one frame)", report_count(s.places));
     conclude("greatest distance", report_string("%.5f px", s.greatest));
-    conclude("frames", report_string("%d, at %d ranks", ALL_FRAMES, ALL_RANKS));
+    conclude("frames compared per document", report_string("%d, at each of %d ranks", ALL_FRAMES, ALL_RANKS));
     report_section("Every document");
-    report_text("Bullets and positions are totals over all four ranks. The greatest distance is in px, at the rank in "
-                "the next column. A name is the path in the package, without `/usr/share/games` or `/usr/share/doc`.");
+    report_text(
+        "*Bullets* and *positions* are totals over all four ranks. *Greatest distance* is in px, and occurred at the "
+        "*rank* next to it. A document's name is its path without `/usr/share/games` or `/usr/share/doc`.");
     report_table(NULL, "document|bullets>|positions>|most at once>|greatest distance>|rank>|");
     for (int i = 0; i < documents.n; i++)
         document_row(documents.path[i], &r[i]);
     report_table_end();
-    report_text("%s bullets left the area and were removed at the position that libbulletml gives. By the board's own "
-                "position, %s "
-                "of them would have left in a different frame: no two methods of calculation agree on every bullet "
-                "that ends a frame next to a border.",
+    report_text("%s bullets left the area. By Curtain's positions, %s of them would have left it in a different frame, "
+                "because they were so close to the border that a rounding error made the difference.",
                 report_count(s.left), report_count(s.otherwise));
     all_free(r, documents.n);
 }
@@ -163,13 +164,14 @@ static void section_loop(void)
     for (int i = 0; i < documents.n; i++)
         add(&s, &r[i]);
     report_section("Restarted");
-    report_text("Most documents end within 1,500 frames. With `loop = true`, a root that has ended restarts, as the "
-                "bosses of these games do. Even then, %d of %d documents are within 1/16 px. This compares %s "
-                "positions of %s bullets; the greatest distance within the limit is %.5f px.",
+    report_text("Most documents end within 1,500 frames. With `loop = true`, a document restarts when it ends, as in "
+                "the boss fights of these games. In this mode, %d of %d documents stay within 1/16 px. The comparison "
+                "covers %s positions of %s bullets. The greatest distance in these documents is %.5f px.",
                 s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
     if (s.alike < s.documents) {
-        report_text("When a bullet aims from within a pixel of the player, the accumulated rounding error of a few "
-                    "ten-thousandths of a pixel changes the aim so much that the next bullet visibly differs:");
+        report_text(
+            "When a bullet aims at the player from less than a pixel away, a rounding error of a few ten-thousandths "
+            "of a pixel changes the direction visibly. This happens in the following documents:");
         report_table(NULL, "document|greatest distance>|frame>|rank>|");
         for (int i = 0; i < documents.n; i++) {
             const struct compared *c = &r[i].board[worst(&r[i])];
@@ -209,12 +211,13 @@ static void section_rounding(void)
     int n = 0;
 
     report_section("Decided by the last bit");
-    report_text("Doubles round to nearest, but no document requires it: rounding down, up or towards zero is "
-                "equally valid. These documents behave differently in libbulletml itself under a different rounding "
-                "mode, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. Only "
-                "such documents can be excused, in `%s`.",
-                TOOL_EXCEPTIONS);
-    report_table(NULL, "document|rank>|rounding|to nearest (first side) compared with this rounding (second side)");
+    report_text(
+        "BulletML does not say how numbers are rounded. Doubles normally round to nearest, but rounding down, up or "
+        "towards zero is equally valid. The documents below behave differently in libbulletml itself when the rounding "
+        "mode changes, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. Only "
+        "such documents may differ from libbulletml, and only if they are listed in `%s`.",
+        TOOL_EXCEPTIONS);
+    report_table(NULL, "document|rank>|rounding|difference (first side: to nearest; second side: this rounding)");
     for (int i = 0; i < documents.n; i++) {
         bool any = false;
         for (int k = 0; k < ALL_RANKS; k++)
@@ -223,8 +226,8 @@ static void section_rounding(void)
     }
     report_table_end();
     report_text("%s", exceptions.n ? ""
-                                   : "For all of them, the board matches libbulletml when libbulletml rounds to "
-                                     "nearest, so the list is empty.");
+                                   : "When libbulletml rounds to nearest, Curtain matches it for all of these "
+                                     "documents, so the list is empty.");
     conclude("documents that libbulletml itself runs differently in another rounding mode", report_string("%d", n));
     all_free(r, documents.n);
 }
@@ -239,19 +242,21 @@ static void section_speed(void)
         failed = true;
         return;
     }
-    conclude("speed relative to libbulletml, bullets with actions", report_string("%.1f", t.scripted));
-    conclude("relative to a fast host of libbulletml", report_string("%.1f", t.scripted_quick));
-    conclude("speed relative to libbulletml, bullets without actions", report_string("%.1f", t.straight));
-    conclude("relative to the fast host", report_string("%.1f", t.straight_quick));
+    conclude("[speed](#speed) relative to a plain host of libbulletml, for bullets with actions",
+             report_string("%.1f times as fast", t.scripted));
+    conclude("... relative to a fast host", report_string("%.1f times as fast", t.scripted_quick));
+    conclude("speed relative to a plain host of libbulletml, for bullets without actions",
+             report_string("%.1f times as fast", t.straight));
+    conclude("... relative to a fast host", report_string("%.1f times as fast", t.straight_quick));
 }
 
 static void section_sheet(void)
 {
     failed |= !tool_sheet(&documents, TOOL_SHEET);
     report_section("Pictures");
-    report_text("These are the 64 documents with the most bullets in the field at the same time, at rank 1 and "
-                "restarted when they end. Each is shown in its frame with the most bullets. A bullet's colour depends "
-                "on its number. Only bullets are shown; the documents belong to their games.");
+    report_text("These are the 64 documents with the most bullets in the field at once, each in the frame with the "
+                "most bullets. They run at rank 1 and restart when they end. A bullet's colour depends on its number. "
+                "Only bullets are shown; the documents belong to their games.");
     report_text("![Eight rows of eight small black fields with patterns of coloured dots, each with the name of its "
                 "document under it](../images/bulletml.png)");
 }

@@ -148,7 +148,7 @@ static bool race(const char *path, const char *what, int roots, int from, int fr
 }
 
 static const char columns[] =
-    "document|bullets>|scripted>|plain host, ns per bullet>|fast host>|board>|ratio to plain>|ratio to fast>";
+    "document|bullets>|runners>|plain host>|fast host>|Curtain>|ratio to plain>|ratio to fast>";
 
 static int by_size(const void *a, const void *b)
 {
@@ -221,13 +221,16 @@ bool tool_speed(struct tool_times *out)
 
     report_section("Speed");
     report_text("%s", report_machine());
-    report_text("The same documents run from the same positions in one process, in as many copies as needed for 1,000 "
-                "to 64,000 active bullets. Ten frames of the board alternate with ten of each host; the table shows "
-                "medians of 100. A frame of the board is a whole tick, including hits and leaving the field. A frame "
-                "of libbulletml runs its runners, moves the bullets, and tests them against a box. libbulletml returns "
-                "a bullet's direction and speed, and its host computes the velocity: the plain host does so in every "
-                "frame, the fast host only when they change. Both hosts delete runners that have ended. A host with "
-                "far more bullets than fit in its caches waits for memory.");
+    report_text(
+        "libbulletml only computes the directions and speeds of bullets; a *host* moves them. The *plain host* "
+        "computes a bullet's velocity in every frame; the *fast host* computes it only when the direction or speed "
+        "changes. Both free a bullet's actions when they have ended, and test whether bullets have left a box.\n"
+        "\n"
+        "Curtain and both hosts run the same documents from the same positions, in one process, in turns of ten "
+        "frames. A document runs in as many copies as needed for 1,000 to 64,000 active bullets. *Runners* is the "
+        "number of bullets and documents whose actions are running. The times are medians of 100 frames, in ns per "
+        "bullet. The ratios say how many times as fast Curtain is. Curtain's frame is a whole tick, including hit "
+        "tests. With the most bullets, the hosts are slow because the bullets do not fit in the CPU's caches.");
     if (!scripted(ratio) || !straight(line))
         return false;
     *out = (struct tool_times){ median(ratio, DOCUMENTS * SIZES, PLAIN), median(ratio, DOCUMENTS * SIZES, QUICK),

@@ -138,12 +138,12 @@ void section_costs(void)
 {
     report_section("Cost");
     report_text("Measured on: %s. A frame lasts 16.7 ms.\n"
-                "The host composes the window when it shows more than an integer-scaled picture: smooth scaling, the "
-                "CRT filter, a\n"
-                "border, or side panels.",
+                "The host composes the window itself if it shows anything besides an integer-scaled picture, such as "
+                "smooth scaling, the\n"
+                "CRT filter, a border, or side panels.",
                 report_machine());
     windows();
-    report_text("Run-ahead (`run_ahead = 1`) takes a snapshot, a tick and a restore in each frame:");
+    report_text("Run-ahead (`run_ahead = 1`) adds a snapshot, a tick and a restore to each frame:");
     report_table("Microseconds, medians over a recorded run",
                  "game|snapshot, bytes>|tick>|run-ahead>|99th percentile>");
     looking("roms/glasstide", "roms/glasstide/demos/run.demo");

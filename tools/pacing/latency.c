@@ -215,18 +215,18 @@ void section_latency(void)
         report_fail("no folder for a game to measure with");
     setenv("XDG_DATA_HOME", folder, 1);
     report_section("Input latency");
-    report_text(
-        "The whole host runs on a port with a simulated clock and screen. For %d presses at random times, the delay is "
-        "measured\n"
-        "from the press to the start of the refresh that shows it. A frame takes 3 ms from polling the inputs to "
-        "presenting the\n"
-        "picture, and the host wakes up to 1 ms late whenever it waits. The host polls the inputs just before the "
-        "tick, so a\n"
-        "press waits half a frame on average. A game shows a press in *the same* tick, as a moving ship does, or in "
-        "*the next*,\n"
-        "as a task does that acts on the previous frame's input. `run_ahead = 1` removes that extra frame. A frame is "
-        "1/60 s.",
-        PRESSES);
+    report_text("The complete host runs on a port with a simulated clock and screen. The test presses a button %d "
+                "times at random\n"
+                "moments, and measures the delay from each press to the start of the refresh that shows it. A frame "
+                "takes 3 ms from\n"
+                "polling the inputs to presenting the picture, and whenever the host waits, it resumes up to 1 ms "
+                "late. The host polls\n"
+                "the inputs just before the tick, so a press waits half a frame on average. Some games show a press in "
+                "*the same* tick,\n"
+                "for example when the ship moves. Others show it in *the next* tick, because a task acts on the input "
+                "of the previous\n"
+                "frame. `run_ahead = 1` removes this extra frame of delay. A frame is 1/60 s.",
+                PRESSES);
     report_table(NULL, "screen|vsync|shown in tick|run_ahead|min>|mean>|max>|mean, frames>");
     for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)
         for (int n = 0; n < 8; n++)

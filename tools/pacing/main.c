@@ -14,18 +14,18 @@ enum { COUNT = sizeof SECTIONS / sizeof *SECTIONS };
 static const char ABOUT[] =
     "# Pacing: frames, screens and input latency\n"
     "\n"
-    "`make pacing` measures and writes this page; do not edit it. `make test` recomputes and compares the simulated "
-    "numbers;\n"
-    "times depend on the machine.\n"
+    "`make pacing` takes the measurements and writes this page; do not edit it. `make test` repeats the simulations "
+    "and\n"
+    "compares the results, but not the times under [Cost](#cost), which depend on the machine.\n"
     "\n"
-    "A game always runs at 60 ticks a second, whatever the screen's refresh rate, so a replay takes as long as the "
-    "original\n"
-    "run, and sound needs no resampling. With `vsync = yes` the host presents frames in time with the refresh, "
-    "without\n"
-    "tearing, and the number of ticks per refresh follows from the tick rate and the refresh rate alone\n"
+    "A game always runs at 60 ticks a second, whatever the screen's refresh rate. A replay therefore takes as long as "
+    "the\n"
+    "original run, and sound needs no resampling. With `vsync = yes`, the host presents each frame in sync with the "
+    "refresh,\n"
+    "without tearing. The number of ticks per refresh then depends only on the tick rate and the refresh rate\n"
     "(`src/cab/host/pace.h`). With `vsync = no`, or when the refresh rate is unknown, a tick is due every 1/60 s of "
     "the\n"
-    "host's clock and is shown immediately.\n"
+    "host's clock, and its frame is shown immediately.\n"
     "\n";
 
 int main(int argc, char **argv)

@@ -31,14 +31,15 @@ static void row(double hz, bool waits, int stalls)
 void section_screens(void)
 {
     report_section("Screens");
-    report_text(
-        "For each screen, ten minutes are simulated, in which 36,000 ticks are due. A frame takes 2 to 5 ms, and the "
-        "host wakes\n"
-        "up to 1 ms late whenever it waits. Each refresh shows zero, one or two new ticks. *Required* is the number of "
-        "refreshes\n"
-        "that must show none or two because the rates differ, and *extra* is the number beyond that. *Off* is the "
-        "largest\n"
-        "deviation of the ticks from the clock. *To the screen* is the average time a tick waits for its refresh.");
+    report_text("Each screen is simulated for ten minutes, in which 36,000 ticks are due. A frame takes 2 to 5 ms to "
+                "compute, and\n"
+                "whenever the host waits, it resumes up to 1 ms late. The columns are:\n"
+                "\n"
+                "* *none*, *one* and *two*: how many refreshes show no new tick, one new tick, and two new ticks\n"
+                "* *required*: how many refreshes must show none or two because the rates differ\n"
+                "* *extra*: how many more refreshes than that show none or two\n"
+                "* *off*: the largest deviation of the ticks from the clock\n"
+                "* *to the screen*: the average time that a tick waits for its refresh");
     report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");
     for (int waits = 1; waits >= 0; waits--)
         for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)

@@ -171,7 +171,7 @@ static double each(const struct need *n, int i)
 
 static void print_slots(const struct need *n)
 {
-    printf("| one more of | bytes of RAM |\n|---|---|\n");
+    printf("| capacity | bytes of RAM per unit |\n|---|---|\n");
     for (int i = 0; i < MANIFEST_NUMBERS; i++)
         if (is_capacity(i) && strncmp(manifest_numbers[i].name, "board.values.", 13) != 0 &&
             (*number((struct manifest *)&n->cart.m, i) > 0 || strcmp(manifest_numbers[i].name, "board.bulletml") != 0))
@@ -233,8 +233,8 @@ int main(int argc, char **argv)
     open_game(&n, argv[1]);
     print_slots(&n);
     close_game(&n);
-    printf("| KiB of | RAM | Lua | slots | other | snapshot at the end | picture and drawing | sound | stack: power-on "
-           "| tick | picture | sound |\n"
+    printf("| KiB | RAM | Lua | slots | other | snapshot at the end | picture and drawing | sound | stack: power-on "
+           "| stack: tick | stack: picture | stack: sound |\n"
            "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int i = 1; i < argc; i++)
         print_game(argv[i]);

@@ -165,7 +165,7 @@ static void frames(const void *plain, size_t size, const char *section)
     }
     if (curtain_hash(c) != board_hash(own.b))
         fail("the two are not the same run");
-    printf("| a frame with picture and sound, %d of %s | %.3f ms | %.3f ms | %.3f |\n", TURNS * FRAMES, section,
+    printf("| a frame with picture and sound, %d frames | %.3f ms | %.3f ms | %.3f |\n", TURNS * FRAMES,
            middle(mine, TURNS) / FRAMES, middle(its, TURNS) / FRAMES, middle(ratio, TURNS));
     curtain_close(c);
     free(memory);

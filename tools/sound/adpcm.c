@@ -104,19 +104,21 @@ void section_adpcm(void)
     const bool equal = decoded() == ffmpeg_5_1_9;
 
     report_section("Samples in a ROM");
-    report_text("A ROM stores sound as 16-bit values or as IMA ADPCM, a quarter of the size, in blocks of %d values "
-                "that decode\n"
-                "independently. A difference is decoded as `(2n + 1) * step >> 3`. Of %s values in blocks of random "
-                "data, %s from ffmpeg's.",
-                (int)ADPCM_SAMPLES, report_count(DECODED), equal ? "none\ndiffers" : "some\ndiffer");
+    report_text("A ROM stores sound as 16-bit values or as IMA ADPCM, which takes a quarter of the space. Blocks of %d "
+                "ADPCM values are\n"
+                "decoded independently. A difference is decoded as `(2n + 1) * step >> 3`. In a test with blocks of "
+                "random data, %s of\n"
+                "the %s values differ from ffmpeg's.",
+                (int)ADPCM_SAMPLES, equal ? "none" : "some", report_count(DECODED));
     report_table(NULL, "sound|ADPCM, SNR, dB>|16 bits, SNR, dB>");
     for (size_t k = 0; k < sizeof TONES / sizeof *TONES; k++)
         report_row(1, TONES[k].what, ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_PACKED)),
                    ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_EXACT)), NULL);
     report_table_end();
     const int apart = loop_apart();
-    report_text("Loops are exact: %d of 17,000 values in eight passes differ from the first pass.", apart);
+    report_text("Loops are exact: in eight passes of a loop, %d of 17,000 values differ from the first pass.", apart);
     ear_figure("ADPCM values that ffmpeg decodes differently",
                report_string(equal ? "0 of %s" : "some of %s", report_count(DECODED)), "0 of 96,455", equal);
-    ear_figure("values of a loop that differ from its first pass", report_string("%d", apart), "0", apart == 0);
+    ear_figure("values of later passes of a loop that differ from the first pass", report_string("%d", apart), "0",
+               apart == 0);
 }

@@ -118,11 +118,11 @@ void section_clicks(void)
 
     sway(&border, &elsewhere);
     report_section("Clicks");
-    report_text("Every voice has two slots, for a note and its tail: when another note steals the voice, the old note "
-                "fades within %d\n"
-                "samples. A click shows as a second-order difference larger than its surroundings. The table is "
-                "for a loud sine at\n"
-                "note 57:",
+    report_text("Every voice has two slots: one for a note and one for the tail of the previous note. When another "
+                "note steals the voice,\n"
+                "the old note fades out within %d samples. In a click, the second difference (the change in slope from "
+                "sample to sample)\n"
+                "is larger than in the samples around it. The table is for a loud sine at note 57:",
                 (int)VOICE_FADE);
     report_table(NULL, "transition|largest second difference>|prototype>");
     report_row(1, "vibrato, slides, volume and pan: at frame boundaries", report_string("%d", border), "104", NULL);
@@ -130,13 +130,13 @@ void section_clicks(void)
     report_row(1, "a voice stolen by another note", report_string("%d", kept), "185", NULL);
     report_row(0, "the same, without a tail", report_count(cut), "15,671", NULL);
     report_table_end();
-    report_text("An FM note with an attack of 1 ms was started at each of the 800 samples of a frame. Shifted back to "
-                "the same start, the\n"
-                "notes differ by at most %d of 32,767 (most for the note started at sample %d).",
+    report_text("An FM note with an attack of 1 ms was started at each of the 800 samples of a frame. With their "
+                "starts aligned, the 800\n"
+                "notes differ by at most %d of 32,767; the note started at sample %d differs most.",
                 moved, at);
     ear_figure("frame boundaries, largest second difference (elsewhere)", report_string("%d (%d)", border, elsewhere),
                "104 (123)", border <= elsewhere && border <= 104);
     ear_figure("a stolen voice, largest second difference", report_string("%d", kept), "185", kept <= 185);
-    ear_figure("notes started at every sample of a frame and shifted back, largest difference",
+    ear_figure("notes started at each sample of a frame, largest difference after alignment",
                report_string("%d of 32,767", moved), "7 of 32,767", moved <= 7);
 }

@@ -73,10 +73,10 @@ static void operators(void)
     const double four = four_ops(pitch_step(60 * PITCH_ONE));
     report_row(1, "4, each modulates the next", "2, 1, 2", "60", ear_db(four), "75.2", NULL);
     report_table_end();
-    report_text("At a depth of one radian, the SNR is %s dB below the prototype's; at greater depths it exceeds the "
-                "prototype's.",
-                ear_db(CASES[0].mark - first));
-    ear_figure("2-operator FM, SNR", report_string("%s dB at least", ear_db(least)), "70.0 dB at least", least >= 70);
+    report_text(
+        "At a depth of one radian, the SNR is %s dB lower than the prototype's. At greater depths it is higher.",
+        ear_db(CASES[0].mark - first));
+    ear_figure("2-operator FM, SNR", report_string("at least %s dB", ear_db(least)), "at least 70.0 dB", least >= 70);
     ear_figure("4-operator FM, SNR", report_string("%s dB", ear_db(four)), "75.2 dB", four >= 75.2);
 }
 
@@ -129,11 +129,13 @@ static void feedback(void)
     static const double STRENGTHS[] = { 0.196, 0.393, 0.785, 1, 1.25, 1.5 };
     double most = 0, above = 0;
 
-    report_text("Feedback, `y = sin(p + b y)`, is read from a table with a row for each b, indexed by the phase. Chips "
-                "take y from the\n"
-                "last two samples, which acts like a smaller b on higher notes, so the engine picks the row by pitch. "
-                "The table shows the\n"
-                "largest deviation of the first eight harmonics from the chips', in dB, for harmonics above -40 dB:");
+    report_text("Feedback, `y = sin(p + b y)`, is read from a table that has a row for each b and is indexed by the "
+                "phase p. FM chips\n"
+                "take y from the last two samples instead, which acts like a smaller b on higher notes. To sound like "
+                "the chips, the\n"
+                "engine therefore picks the row by b and pitch. The table below compares the first eight harmonics "
+                "with those of the\n"
+                "chips. It shows the largest difference in dB, for harmonics above -40 dB:");
     report_table(NULL, "b, radians|note 36>|48>|60>|72>|84>|96>");
     for (size_t k = 0; k < sizeof STRENGTHS / sizeof *STRENGTHS; k++) {
         const char *cells[7] = { report_string("%.3f", STRENGTHS[k]) };
@@ -146,21 +148,22 @@ static void feedback(void)
         report_cells(1, cells, 7);
     }
     report_table_end();
-    report_text(
-        "Up to note 84, the table has a close row for every b of the chips. Above note 84 it doesn't: at note 96 with "
-        "b of 1 or\n"
-        "more, harmonics are up to %.2f dB off, so a high note with strong feedback does not sound like the chips.",
-        above);
-    ear_figure("feedback compared with chips, up to note 84, b up to 1.5", report_string("%.2f dB off", most),
+    report_text("Up to note 84, the table has a row that is close to the chips for every b. Above note 84 it doesn't: "
+                "at note 96 with b\n"
+                "of 1 or more, harmonics are up to %.2f dB off, so a high note with strong feedback does not sound "
+                "like the chips.",
+                above);
+    ear_figure("feedback compared with FM chips, up to note 84, b up to 1.5", report_string("%.2f dB off", most),
                "1 dB off", most <= 1);
 }
 
 void section_fm(void)
 {
     report_section("FM");
-    report_text("FM has two or four operators and eight algorithms; each operator has a separate envelope, ratio and "
-                "detune. A sine is a\n"
-                "polynomial in 16-bit lanes, which compilers vectorise. The table compares it with the same "
+    report_text("FM has two or four operators and eight algorithms. Each operator has a separate envelope, ratio and "
+                "detune. A sine is\n"
+                "computed as a polynomial in 16-bit lanes, which compilers vectorise. The table compares the engine's "
+                "FM with the same\n"
                 "computation in doubles:");
     operators();
     feedback();

@@ -72,14 +72,14 @@ void section_levels(void)
     double most = -999, most_level = -999;
 
     report_section("Envelopes");
-    report_text(
-        "A level is a function of the note's age. It is evaluated every %d samples and interpolated linearly in "
-        "between; in a\n"
-        "block that contains a corner, it is evaluated at every sample. The table shows the largest error of the level "
-        "at any\n"
-        "age, and the largest error, over %d frames, of a sine that starts at sample %d of a frame; the latter\n"
-        "includes the sine's quantisation:",
-        (int)SND_BLOCK, (int)FRAMES, (int)AT);
+    report_text("The level of an envelope is a function of the note's age. The engine evaluates it every %d samples "
+                "and interpolates\n"
+                "linearly in between; in a block that contains a corner of the envelope, it evaluates every sample. In "
+                "the table, *level*\n"
+                "is the largest error of the level at any age. *Heard* is the largest error of a sine over %d frames. "
+                "The sine starts at\n"
+                "sample %d of a frame, and the error includes its quantisation:",
+                (int)SND_BLOCK, (int)FRAMES, (int)AT);
     report_table(NULL, "envelope|level, dB of full scale>|prototype, dB>|heard, dB of its full level>");
     for (int k = 0; k < 4; k++) {
         const double db = worst(CASES[k].settings);
@@ -89,6 +89,7 @@ void section_levels(void)
         report_row(1, CASES[k].what, ear_db(level), CASES[k].prototype, ear_db(db), NULL);
     }
     report_table_end();
-    ear_figure("levels, worst error", report_string("%s dB", ear_db(most_level)), "-84.2 dB", most_level <= -84.2);
+    ear_figure("envelope levels, worst error", report_string("%s dB", ear_db(most_level)), "-84.2 dB",
+               most_level <= -84.2);
     ear_figure("envelopes as heard, worst error", report_string("%s dB", ear_db(most)), "-60.3 dB", most <= -60.3);
 }

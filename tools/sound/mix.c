@@ -90,11 +90,11 @@ static void noise(void)
         sum = fabs(sum / (n - LAGS) / power);
         most = sum > most ? sum : most;
     }
-    report_text("Noise is a hash of the sample's index, so it needs no state. Its mean is %.1f of 32,767 and its level "
-                "(rms) %.0f;\n"
-                "true noise has 18,918. No lag up to %d has a correlation above %.4f. True noise has about 0.0037; the "
-                "prototype was\n"
-                "below that by chance.",
+    report_text("Noise is a hash of the sample's index, so it needs no state. On a scale of 32,767, its mean is %.1f "
+                "and its RMS level is\n"
+                "%.0f; the RMS level of true noise is 18,918. The autocorrelation at lags up to %d is at most %.4f. "
+                "True noise has\n"
+                "about 0.0037; the prototype was below that by chance.",
                 mean, sqrt(power), LAGS - 1, most);
     ear_figure("noise, largest autocorrelation", report_string("%.4f", most), "0.0032; true noise 0.0037",
                most < 0.004);
@@ -103,11 +103,12 @@ static void noise(void)
 void section_mix(void)
 {
     report_section("The mix");
-    report_text("There are sixteen voices for music and eight for sounds. A volume of 127 is a third of full scale. "
-                "The mix is exact up\n"
-                "to half of full scale. Above that, a memoryless curve reaches full scale at an input of twice full "
-                "scale, so loud\n"
-                "passages saturate softly and never clip. The table is for a sine of 1 kHz:");
+    report_text("There are sixteen voices for music and eight for sounds. A voice with a volume of 127 reaches a third "
+                "of full scale. The\n"
+                "mix is exact up to half of full scale. Above that, a limiter without memory follows a curve that "
+                "reaches full scale at\n"
+                "an input of twice full scale, so loud passages saturate softly and never clip. The table is for a "
+                "sine of 1 kHz:");
     limiter();
     plot_limiter();
     noise();

@@ -71,21 +71,23 @@ void section_pitch(void)
     const int apart = steps_apart();
 
     report_section("Pitch and time");
-    report_text("A step is a 64-bit phase increment, the product of four powers of 2^(1/12): one for the whole "
-                "semitones and three for\n"
-                "fractions of a semitone. For notes 12 to 120, in steps of 1/256 of a semitone, it is at most %.1e "
-                "cents off (at note\n"
-                "%d). The speed ratio of a sample, from four octaves down to two octaves up, is at most %.1e cents "
-                "off. %s frames\n"
-                "of random slides, 800 steps each, are compared with a sum over all audio samples: %d differ.",
-                cents, at, ratio, report_count(FRAMES), apart);
-    report_text("A music tick is 600,000 units. Each audio sample advances the music by as many units as the tempo has "
-                "hundredths of a\n"
-                "quarter note per minute, so nothing is rounded and nothing drifts. A note can start at any of the 800 "
-                "samples of a\n"
-                "frame.");
+    report_text(
+        "The step of a note is a 64-bit phase increment. It is the product of four powers of 2^(1/12): one for the "
+        "whole\n"
+        "semitones and three for fractions of a semitone. For notes 12 to 120, tested at every 1/256 of a semitone, "
+        "the step is\n"
+        "at most %.1e cents off (at note %d). The speed ratio of a sample, from four octaves down to two octaves up, "
+        "is at\n"
+        "most %.1e cents off. In a pitch slide, the engine computes the phase at the end of a frame directly. In %s\n"
+        "frames of random slides, this phase is compared with the sum of the frame's 800 steps: %d frames differ.",
+        cents, at, ratio, report_count(FRAMES), apart);
+    report_text("A music tick is 600,000 units long. The tempo is stored in hundredths of a quarter note per minute, "
+                "and each audio\n"
+                "sample advances the music by that number of units. Nothing is rounded, so the music never drifts. A "
+                "note can start at\n"
+                "any of the 800 samples of a frame.");
     ear_figure("tuning, notes 12 to 120", report_string("%.1e cents", cents), "1.8e-04 cents", cents <= 0.000176);
     ear_figure("tuning of samples", report_string("%.1e cents", ratio), "1.8e-04 cents", ratio <= 0.000176);
-    ear_figure("frames of slides that differ from a sum over their samples",
+    ear_figure("frames of pitch slides that differ from the sum of their steps",
                report_string("%d of %s", apart, report_count(FRAMES)), "0 of 100,000", apart == 0);
 }

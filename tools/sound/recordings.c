@@ -73,7 +73,7 @@ static void between(void)
                    ear_db(TONES[k].mark), NULL);
     }
     report_table_end();
-    ear_figure("a sample a semitone up, SNR at 1 / 3 / 6 / 10 kHz",
+    ear_figure("a sample played a semitone higher, SNR at 1 / 3 / 6 / 10 kHz",
                report_string("%s / %s / %s / %s dB", here[1], here[2], here[3], here[4]),
                "80.0 / 74.2 / 69.1 / 66.8 dB", reached);
 }
@@ -156,11 +156,11 @@ static void faster(void)
     static const double RATIOS[] = { 1.5, 2, 2.5, 3, 4 };
     double worst = -999;
 
-    report_text("A sample that is played faster first passes through a %d-tap low-pass filter; there is a filter for "
+    report_text("A sample that is played faster first passes through a %d-tap low-pass filter. There is a filter for "
                 "each sixth of an\n"
                 "octave. The table shows the level of tones that alias below 20 kHz, with and without the filter, and "
                 "the gain of tones\n"
-                "heard at 10 and 15 kHz:",
+                "that are heard at 10 and 15 kHz:",
                 (int)LOW_TAPS);
     report_table(NULL, "speed|aliases, dB>|without filter, dB>|10 kHz, dB>|15 kHz, dB>");
     for (size_t k = 0; k < sizeof RATIOS / sizeof *RATIOS; k++) {
@@ -177,9 +177,9 @@ static void faster(void)
 void section_recordings(void)
 {
     report_section("Samples at other pitches");
-    report_text("The engine interpolates with an 8-tap Kaiser-windowed sinc, at %d positions. The table is for a sine "
-                "played a semitone\n"
-                "higher (1.0595 times as fast):",
+    report_text("The engine interpolates samples with an 8-tap Kaiser-windowed sinc filter, at %d positions between "
+                "two values. The\n"
+                "table is for a sine played a semitone higher (1.0595 times as fast):",
                 (int)SINC_PHASES);
     between();
     plot_between();

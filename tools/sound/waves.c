@@ -78,14 +78,15 @@ static void plot(const struct foul *saw, const struct foul *wave, const struct f
 
     for (int n = 0; n < NOTES; n++)
         notes[n] = LOW + n;
-    report_plot(&(struct report_plot){ .file = "alias",
-                                       .title = "The loudest alias below 20 kHz",
-                                       .x_name = "note",
-                                       .y_name = "dB relative to the fundamental",
-                                       .x_linear = true,
-                                       .y_linear = true,
-                                       .described = "Aliases of a naive saw rise from -53 to -17 dB as the note gets "
-                                                    "higher; those of the engine's waves stay below -84 dB." });
+    report_plot(&(struct report_plot){
+        .file = "alias",
+        .title = "The loudest alias below 20 kHz",
+        .x_name = "note",
+        .y_name = "dB relative to the fundamental",
+        .x_linear = true,
+        .y_linear = true,
+        .described = "Aliases of a naive saw rise from -53 to -17 dB as the note gets "
+                     "higher; those of the engine's saw and 32-harmonic wave stay below -84 dB." });
     report_plot_line("saw", true, notes, saw->db, NOTES);
     report_plot_line("wave", false, notes, wave->db, NOTES);
     report_plot_line("naive saw", false, notes, naive->db, NOTES);
@@ -97,13 +98,13 @@ void section_waves(void)
     struct foul f[COUNT], naive = measure(NULL);
 
     report_section("Waves");
-    report_text("A wave is read from a band-limited table with harmonics up to 28 kHz. There are %d versions of the "
-                "table, half an octave\n"
-                "apart; each has 4,096 values, which are interpolated linearly. A pulse is the difference of two saws. "
-                "When a note needs\n"
-                "a different version, it crossfades to that one within a frame. A piece's custom waves have up to 10 "
-                "versions. The table\n"
-                "covers all notes from %d to %d:",
+    report_text("The engine reads a wave from a band-limited table with harmonics up to 28 kHz. There are %d versions "
+                "of the table, half\n"
+                "an octave apart. Each version has 4,096 values, which are interpolated linearly. A pulse is the "
+                "difference of two saws.\n"
+                "When a note needs a different version, it crossfades to that version within a frame. A piece's custom "
+                "waves have up to\n"
+                "10 versions. The results below cover all notes from %d to %d:",
                 (int)WAVE_MIPS, LOW, HIGH);
     report_table(NULL, "wave|worst alias, dB>|at note>|below 10 kHz, dB>|prototype, dB>");
     for (int k = 0; k < COUNT; k++) {

@@ -1,5 +1,6 @@
--- arrows.lua - Arrows: A list of points makes any formation, and `turns = true` points it where it
--- flies. Three arrows are fired one after another, one of them at the player.
+-- arrows.lua - Arrows: A list of points makes any formation, and `turns = true` turns it to face
+-- its direction of flight. Of three arrows fired one after another, the second is aimed at the
+-- player.
 local head = { { 0, 0 }, { -9, 7 }, { -9, -7 }, { -18, 14 }, { -18, -14 }, { -14, 0 }, { -26, 0 },
                { -38, 0 } }
 

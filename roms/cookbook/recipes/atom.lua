@@ -1,5 +1,5 @@
 -- atom.lua - Atom: Three ellipses share a centre, each tilted by 60 degrees from the last, and a
--- slow ring is the nucleus. Each keeps its shape as it grows, and so does the whole atom.
+-- slow ring is the nucleus. The ellipses and the whole atom keep their shape as they grow.
 return function(e)
   for k = 0, forever do
     for i = 0, 2 do

@@ -1,6 +1,5 @@
--- butterfly.lua - Butterfly: Arcs open to both sides, and their bullets turn back; the
--- faster ones turn more widely, so the wings open and fold. Each wing has its own motion
--- program.
+-- butterfly.lua - Butterfly: Arcs open to both sides, and their bullets turn back; the faster ones
+-- make wider turns, so the wings open and fold. Each wing has its own motion program.
 local wing = { [-1] = motion.def { { turn = -1.4, over = 90 }, { accel = 0.02, over = 60 } },
                [1] = motion.def { { turn = 1.4, over = 90 }, { accel = 0.02, over = 60 } } }
 

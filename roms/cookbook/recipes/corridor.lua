@@ -1,6 +1,6 @@
 -- corridor.lua - Corridor: Two walls of bullets leave a path that winds down the field. The path is
--- the sum of two sine waves, and each row places its walls next to it, so the player can read it
--- like a road.
+-- the sum of two sine waves, and each row places its walls next to this path, so the player can
+-- read it like a road.
 return function()
   for k = 0, forever do
     local way = 120 + 62 * angle.sin(7 * k) + 18 * angle.sin(17 * k)

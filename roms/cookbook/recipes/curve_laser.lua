@@ -1,5 +1,6 @@
--- curve_laser.lua - Curved lasers: The head flies like a bullet, and the body follows its path.
--- Eight lasers unroll to the left, then eight to the right, and cross like the ribs of a fan.
+-- curve_laser.lua - Curved lasers: The head of a laser flies like a bullet, and the body follows
+-- its path. Eight lasers unroll to the left, then eight to the right, and cross like the ribs of a
+-- fan.
 local unroll = { motion.def { { turn = 1.6, over = 70 }, { turn = -0.4, over = 60 } },
                  motion.def { { turn = -1.6, over = 70 }, { turn = 0.4, over = 60 } } }
 

@@ -1,5 +1,5 @@
--- deathbomb.lua - Deathbomb: For twelve frames after a hit, the bomb button still saves the ship.
--- The field flashes red to show it. After that the ship dies, and nearby bullets are cleared.
+-- deathbomb.lua - Deathbomb: For twelve frames after a hit, the bomb button still saves the ship. A
+-- red flash marks this time. After that the ship dies, and nearby bullets are cleared.
 bomb.def("rescue", { over = 60, safe = 120, run = function(p)
   screen.flash { over = 20 }
   bullet.sweep { from = p, radius_to = 300, over = 40, spark = "glint" }

@@ -1,5 +1,5 @@
--- familiars.lua - Familiars: Six bullets orbit their owner at a pulsing distance and fire
--- outwards. Each has its own task, which ends with the bullet; when the owner dies, they die too.
+-- familiars.lua - Familiars: Six bullets orbit their owner at a pulsing distance and fire outwards.
+-- Each has its own task, which ends when the bullet dies. All six die when the owner dies.
 local round = motion.def { { orbit = 0, radius_to = 46, spin = 2, over = 40 },
   { loop = 99, { orbit = 46, radius_to = 26, spin = 2, over = 60 },
     { orbit = 26, radius_to = 46, spin = 2, over = 60 } }, { die = true } }

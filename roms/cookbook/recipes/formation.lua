@@ -1,5 +1,5 @@
--- formation.lua - Formation: Seven wisps fly a path in a V, each farther out and farther behind.
--- Both wings use the same path, one of them mirrored; they fire where the path pauses.
+-- formation.lua - Formation: Seven wisps fly in a V. Both wings use the same path, but one wing
+-- mirrors it. The wisps fire where the path pauses.
 local dive = path.def { { x = 120, y = -20 }, { x = 120, y = 90, over = 70, ease = "out" },
                         { wait = 50 }, { x = 120, y = -40, over = 80, ease = "in" } }
 

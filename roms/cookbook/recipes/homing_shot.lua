@@ -1,6 +1,6 @@
 -- homing_shot.lua - Homing shots: Fangs fly out to both sides, then turn towards the nearest enemy
--- by up to six degrees per frame. `home` seeks enemies in a shot's motion program, and players in a
--- bullet's.
+-- by up to six degrees per frame. In a shot's motion program, `home` seeks enemies; in a bullet's,
+-- it seeks players.
 shot.def("fang", { sprite = "fang", hit = { circle = 4 }, damage = 1, turns = true, bank = 4 })
 local seek = motion.def { { speed = 4, over = 10 }, { home = 6, speed = 7, over = 50 } }
 

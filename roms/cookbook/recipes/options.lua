@@ -1,6 +1,6 @@
 -- options.lua - Options: Options fly with the ship; their number depends on its power. They spread
--- wide, or gather in front of it while focus is held. Tables list their positions, and each fires
--- from its own task.
+-- wide, or gather in front of the ship while focus is held. Tables list their positions, and each
+-- option fires from its own task.
 option.def("bead", { sprite = "bead", run = function(o)
   while true do
     if pad.down("fire", o.by) then shot.fire { kind = "dart", from = o, dy = -8, speed = 9 } end

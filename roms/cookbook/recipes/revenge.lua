@@ -1,5 +1,5 @@
 -- revenge.lua - Revenge bullets: A wisp that is shot down fires an aimed fan, unless it dies close
--- to the ship, so courage pays. The kind's on_death fires it, and a query checks the distance.
+-- to the ship, so courage pays. The kind's on_death fires the fan, and a query checks the distance.
 enemy.def("avenger", { sprite = "wisp", hit = { box = { 16, 16 } }, hp = 4, score = 100,
                        spark = "glint", bank = 1,
   on_death = function(e)

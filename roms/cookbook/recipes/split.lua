@@ -1,5 +1,5 @@
 -- split.lua - Split into rings: A large bullet slows down and bursts into a ring, and each bullet
--- in the ring bursts into three. The `emit` step fires them, so hundreds of bursts run no Lua.
+-- in the ring bursts into three. `emit` steps fire the bullets, so hundreds of bursts need no Lua.
 local crack = motion.def { { wait = 35 },
   { emit = { pattern = "fan", n = 3, spread = 50, kind = "rice", bank = 3, speed = 1.8 } },
   { die = true } }

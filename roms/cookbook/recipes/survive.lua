@@ -1,5 +1,5 @@
 -- survive.lua - Survival phase: The boss is invulnerable, and the player must outlast the clock;
--- rings come faster as time runs out. Four fields of boss.def set it up: `survive`, `time`,
+-- rings come faster as time runs out. Four fields of boss.def set up the phase: `survive`, `time`,
 -- `bonus`, `spell`.
 local function rings(e)
   for k = 0, forever do

@@ -1,5 +1,5 @@
 -- wall.lua - Moving gap: Each full-width row omits four bullets, and the gap moves by one place per
--- row, left and right. In a line that flies down, `skip` counts from the right end.
+-- row, to one side and then back. In a line that flies down, `skip` counts from the right end.
 return function()
   for k = 0, forever do
     local at = math.abs(k % 28 - 14) + 3
